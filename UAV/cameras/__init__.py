@@ -1,0 +1,4 @@
+"""Cameras: they take pictures, and have never heard of MAVLink."""
+from UAV.cameras.storage import (CameraBusy, CameraError, CameraInformation, CameraSettings, CaptureStatus, Frame, Picture, Pose, Storage,
+                                 StorageFull, StorageInformation, WrongMode)
+from UAV.cameras.camera import Camera, Focus, Lens, Travel, check_camera
