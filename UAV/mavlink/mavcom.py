@@ -108,17 +108,20 @@ def add_component(self:MAVCom, component):
     component.beat()
     return component
 
-# %% ../../nbs/api/13_mavlink.mavcom.ipynb #09b15818
+# %% ../../nbs/api/13_mavlink.mavcom.ipynb #5544fe14
 @patch
-def send(self:MAVCom,
+def write(self:MAVCom, frame:bytes):
+    "Send a packed message over the link"
+    if not self._closed: self.link.write(frame)
+
+@patch
+def share(self:MAVCom,
     frame:bytes, # A packed message
     msg_id:int, # Its id
-    origin=None, # The component that sends it
+    origin, # The component that sent it
 ):
-    "Send `frame` over the link, and to our other components"
-    if self._closed: return
-    self.link.write(frame)
-    if len(self.component)>1 and msg_id in self.wanted: self._route(decode(frame), origin)
+    "Give `frame` to our other components"
+    if len(self.component)>1 and msg_id in self.wanted and not self._closed: self._route(decode(frame), origin)
 
 # %% ../../nbs/api/13_mavlink.mavcom.ipynb #92d587f7
 @patch(as_prop=True)

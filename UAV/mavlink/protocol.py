@@ -16,7 +16,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 # %% auto #0
 __all__ = ['accepts', 'address', 'comes_from', 'enum_name', 'Ack', 'MAVError', 'LinkError', 'NoAnswer', 'CommandError', 'Busy',
            'Denied', 'Unsupported', 'Failed', 'Waiters', 'answer', 'Turns', 'given', 'parameters', 'arguments',
-           'Served', 'command', 'message', 'receives', 'Handler', 'marked']
+           'Served', 'marks_made', 'command', 'message', 'receives', 'Handler', 'marked']
 
 # %% ../../nbs/api/10_mavlink.protocol.ipynb #14aa23d8
 @patch
@@ -87,7 +87,7 @@ def check(self:Ack)->Ack:
     if self: return self
     raise NoAnswer(str(self)) if self.result is None else _errors.get(self.result, CommandError)(str(self))
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #f6413157
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #c87b7f71
 class Waiters:
     "Questions waiting for their answers, by the id of the message that would be one"
     def __init__(self, wanted=None): self.wanted,self._places,self._lock = wanted,{},threading.Lock()
@@ -98,6 +98,10 @@ class Waiters:
         with self._lock: self._places.setdefault(msg_id, []).append(place)
         if self.wanted is not None: self.wanted.add(msg_id)
         return place
+
+    def renew(self, place):
+        "Wait for the next one"
+        if place.future.done(): place.future = Future()
 
     def close(self, place):
         "Stop waiting"
@@ -212,12 +216,19 @@ def find(self:Served, msg, now:float)->int|None:
         if now-when>self.window: break
         if k==key and (s==seq or again>confirmation): return result
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #133b9053
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #1ee15ef2
+_marks = ns(made=0)
+
 def _mark(kind, value, **options):
     def _f(f):
         f.marks = getattr(f,'marks',())+((kind,value,options),)
+        _marks.made += 1
         return f
     return _f
+
+def marks_made()->int:
+    "How many marks were made so far: when it grows, tables of them are out of date"
+    return _marks.made
 
 def command(
     cmd:int, # A MAV_CMD
