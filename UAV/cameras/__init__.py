@@ -2,3 +2,4 @@
 from UAV.cameras.storage import (CameraBusy, CameraError, CameraInformation, CameraSettings, CaptureStatus, Frame, Picture, Pose, Storage,
                                  StorageFull, StorageInformation, WrongMode)
 from UAV.cameras.camera import Camera, Focus, Lens, Travel, check_camera
+from UAV.cameras.sim import SimCamera, SimWorld, View, locate, sim_world

@@ -26,10 +26,11 @@ def __getattr__(name):
     from pymavlink import mavutil
     return mavutil
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #9cd78c6b
+# %% ../../nbs/api/15_mavlink.component.ipynb #fc99305e
 class Component(BaseComponent):
     "A component that sends messages on request, and asks others for theirs"
     min_interval = 20_000 # µs; nobody gets a message more often than this
+    pace = .02 # seconds between the messages of a long answer
 
     def __init__(self,
         source_component:int, # Our component id (MAV_COMP_ID)
@@ -37,31 +38,46 @@ class Component(BaseComponent):
         loglevel:int=LogLevels.INFO,
     ):
         super().__init__(source_component, mav_type, loglevel)
-        self._streams,self.target_system,self.target_component = {},None,None
+        self._streams,self._pacing,self.target_system,self.target_component = {},set(),None,None
 
     def close(self):
         "Stop all streams and leave the link"
         for key in list(self._streams): self.stop_stream(*key)
+        for job in list(self._pacing): timers.cancel(job)
         super().close()
 
 # %% ../../nbs/api/15_mavlink.component.ipynb #e8fb3f66
 @patch(as_prop=True)
 def messages(self:Component): "The messages we send on request"; return self.handlers('message')
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #f8115db0
+# %% ../../nbs/api/15_mavlink.component.ipynb #87b27a8f
 @patch
-def encode_requested(self:Component, msg_id:int, values=())->list:
+def encode_requested(self:Component, msg_id:int, values=(), msg=None)->list:
     "The messages that a request for `msg_id` with parameters `values` is answered with; raises `Unsupported` when there is none"
     if msg_id not in self.messages: raise Unsupported(f'no message {msg_id}')
-    found = self.messages[msg_id](list(values))
+    found = self.messages[msg_id](list(values), msg)
     return found if isinstance(found, list) else [found]
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #d1ef8400
+# %% ../../nbs/api/15_mavlink.component.ipynb #074ff50e
+@patch
+def send_paced(self:Component, msgs:list):
+    "Send `msgs`: the first ones now, the rest one every `pace` seconds"
+    for msg in msgs[:4]: self.send_message(msg)
+    rest = iter(msgs[4:])
+    def one():
+        msg = next(rest, None)
+        if msg is not None: return self.send_message(msg)
+        timers.cancel(job)
+        self._pacing.discard(job)
+    if len(msgs)>4:
+        job = timers.every(self.pace, one, delay=self.pace)
+        self._pacing.add(job)
+
 @patch
 @command(mavlink.MAV_CMD_REQUEST_MESSAGE)
-def _request_message(self:Component, msg_id:int, p2:float=None, p3:float=None, p4:float=None, p5:float=None, p6:float=None):
+def _request_message(self:Component, msg_id:int, p2:float=None, p3:float=None, p4:float=None, p5:float=None, p6:float=None, *, msg):
     "Answer MAV_CMD_REQUEST_MESSAGE"
-    for msg in self.encode_requested(msg_id, (p2, p3, p4, p5, p6)): self.send_message(msg)
+    self.send_paced(self.encode_requested(msg_id, (p2, p3, p4, p5, p6), msg))
 
 # %% ../../nbs/api/15_mavlink.component.ipynb #3f88b567
 @patch
@@ -103,7 +119,7 @@ async def request_message(self:Component,
     target = self.target(target_system, target_component)
     return (await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, *(params or [])], msg_id, target, timeout, fits=fits))[0]
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #c3425cbf
+# %% ../../nbs/api/15_mavlink.component.ipynb #9acd11dc
 @patch
 def start_stream(self:Component, msg_id:int, interval:float, *values):
     "Send message `msg_id` every `interval` µs, at most every `min_interval`; raises `Unsupported` when there is none"
@@ -124,7 +140,7 @@ def stop_stream(self:Component, msg_id:int, *values):
     period,job = self._streams.pop((msg_id,*values), (None,None))
     if job: timers.cancel(job)
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #ec2e5e35
+# %% ../../nbs/api/15_mavlink.component.ipynb #9a6f0a84
 @patch
 @command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
 def _set_message_interval(self:Component, msg_id:int, interval:float, index:float=None):
@@ -135,7 +151,7 @@ def _set_message_interval(self:Component, msg_id:int, interval:float, index:floa
     if interval>0: self.start_stream(msg_id, interval, *values)
     else: self.stop_stream(msg_id, *values)
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #0345f4e0
+# %% ../../nbs/api/15_mavlink.component.ipynb #afce1570
 @patch
 @message(mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL)
 def _message_interval(self:Component, msg_id:int):
@@ -155,7 +171,7 @@ def _heartbeat(self:Component):
     "Our HEARTBEAT"
     return self.mav.heartbeat_encode(self.mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, self.system_status)
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #322cd0ea
+# %% ../../nbs/api/15_mavlink.component.ipynb #e26d94d0
 @patch
 async def request_message_stream(self:Component,
     target_system:int|None=None,
@@ -169,7 +185,7 @@ async def request_message_stream(self:Component,
     if interval>0: return (await self._request(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, [msg_id, interval, 0, 0, 0, 0, response_target], msg_id, target, 1.))[0]
     await self.send_command(*target, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, [msg_id, interval, 0, 0, 0, 0, response_target])
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #eca03c55
+# %% ../../nbs/api/15_mavlink.component.ipynb #b8a88d19
 @patch
 def set_message_callback_cond(self:Component, msg_id:int, target_system:int|None=None, target_component:int|None=None):
     "A condition that is met by the next message `msg_id` from this sender; `None` and 0 fit any"
@@ -186,7 +202,7 @@ async def message_callback_cond(self:Component, msg_id:int, target_system:int|No
     "The next message `msg_id` from this sender, or `None`"
     return await self.wait_message_callback(self.set_message_callback_cond(msg_id, target_system, target_component), timeout)
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #7d492e39
+# %% ../../nbs/api/15_mavlink.component.ipynb #6c9cfc97
 @patch
 def list_commands(self:Component):
     "Print the commands this component answers, and the messages it sends on request"

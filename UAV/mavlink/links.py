@@ -87,7 +87,13 @@ class UDPLink(Link):
         try: self.sock.sendto(data, peer)
         except OSError as e: log.debug('to %s: %s', peer, e)
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #a319e003
+# %% ../../nbs/api/12_mavlink.links.ipynb #76d2ecd5
+@patch(as_prop=True)
+def port(self:UDPLink)->int:
+    "Our own port"
+    return self.sock.getsockname()[1]
+
+# %% ../../nbs/api/12_mavlink.links.ipynb #212e6cd2
 @patch
 def close(self:UDPLink):
     if self._closed: return
@@ -101,7 +107,7 @@ def release(self:Link):
     "Give the device back to the system, when no `recv` is under way any more"
     if sock := getattr(self,'sock',None): sock.close()
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #36281f78
+# %% ../../nbs/api/12_mavlink.links.ipynb #46a2354d
 class UDPIn(UDPLink):
     "`udpin:HOST:PORT`: answers everyone heard in the last `forget` seconds, and the latest in any case"
     prefixes,forget,most = ('udpin:','udp:'),60.,64
@@ -120,7 +126,7 @@ class UDPIn(UDPLink):
         for peer,heard in peers.items():
             if heard==latest or now-heard<self.forget: self._send(data, peer)
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #cea431e4
+# %% ../../nbs/api/12_mavlink.links.ipynb #5a1246bf
 class UDPOut(UDPLink):
     "`udpout:HOST:PORT`: talks to one address"
     prefixes = ('udpout:',)
@@ -131,7 +137,7 @@ class UDPOut(UDPLink):
     def _heard(self, peer): return peer==self.peer or peer[1]==self.peer[1] or self._closed
     def write(self, data): self._send(data, self.peer)
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #28217698
+# %% ../../nbs/api/12_mavlink.links.ipynb #d865629b
 class Stream:
     "A TCP connection that never blocks on `write`"
     most = 1<<17 # bytes kept for a slow reader
@@ -145,7 +151,7 @@ class Stream:
             except BlockingIOError: pass
             except OSError as e: log.debug('%s', e)
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #9ddf8f19
+# %% ../../nbs/api/12_mavlink.links.ipynb #b2d8d1a7
 class TCPOut(Link):
     "`tcp:HOST:PORT`: a client"
     prefixes = ('tcp:',)
@@ -169,7 +175,7 @@ class TCPOut(Link):
         try: self.sock.shutdown(socket.SHUT_RDWR)
         except OSError: pass      # the other side was faster
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #0f21b1e6
+# %% ../../nbs/api/12_mavlink.links.ipynb #0f3895be
 class TCPIn(Link):
     "`tcpin:HOST:PORT`: a server; whatever is written goes to all its clients"
     prefixes = ('tcpin:',)
@@ -190,7 +196,7 @@ class TCPIn(Link):
         try: self._ring.send(b'.')
         except OSError: pass      # closed before
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #cb823b2e
+# %% ../../nbs/api/12_mavlink.links.ipynb #23bbf53b
 @patch
 def _accept(self:TCPIn):
     try: sock,_ = self.sock.accept()
@@ -219,14 +225,14 @@ def recv(self:TCPIn):
             self._accept() if key.fileobj is self.sock else self._read(key.fileobj)
     return self._inbox.popleft()
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #c41ce7c1
+# %% ../../nbs/api/12_mavlink.links.ipynb #243da2f6
 @patch
 def release(self:TCPIn):
     for sock in list(self.streams): self._drop(sock)
     self._ready.close()
     for sock in (self.sock,self._bell,self._ring): sock.close()
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #d6bb1e43
+# %% ../../nbs/api/12_mavlink.links.ipynb #d7653852
 class SerialLink(Link):
     "A serial port, `DEVICE` or `DEVICE,BAUDRATE`"
     def __init__(self, name:str, baudrate:int=57600):
@@ -244,7 +250,7 @@ class SerialLink(Link):
             return
         return (data+self.port.read(self.port.in_waiting), None) if data and not self._closed else None
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #a7c994ec
+# %% ../../nbs/api/12_mavlink.links.ipynb #21bfa627
 @patch
 def write(self:SerialLink, data):
     try:
@@ -259,7 +265,7 @@ def close(self:SerialLink):
 @patch
 def release(self:SerialLink): self.port.close()
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #d97269df
+# %% ../../nbs/api/12_mavlink.links.ipynb #5e0ac206
 link_types = [UDPIn, UDPOut, TCPOut, TCPIn, VirtualLink]
 
 def open_link(

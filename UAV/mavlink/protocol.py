@@ -14,9 +14,9 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 # %% auto #0
-__all__ = ['accepts', 'address', 'comes_from', 'enum_name', 'Ack', 'MAVError', 'LinkError', 'NoAnswer', 'CommandError', 'Busy',
-           'Denied', 'Unsupported', 'Failed', 'Waiters', 'answer', 'Turns', 'given', 'parameters', 'arguments',
-           'Served', 'marks_made', 'command', 'message', 'receives', 'Handler', 'marked']
+__all__ = ['accepts', 'address', 'comes_from', 'enum_name', 'enum_value', 'Ack', 'MAVError', 'LinkError', 'NoAnswer',
+           'CommandError', 'Busy', 'Denied', 'Unsupported', 'Failed', 'Waiters', 'answer', 'Turns', 'given',
+           'parameters', 'arguments', 'Served', 'marks_made', 'command', 'message', 'receives', 'Handler', 'marked']
 
 # %% ../../nbs/api/10_mavlink.protocol.ipynb #14aa23d8
 @patch
@@ -48,7 +48,12 @@ def enum_name(enum:str, value:int, prefix:str='')->str:
     e = mavlink.enums[enum].get(value)
     return e.name.removeprefix(prefix) if e else str(value)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #1ff8a9a2
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #b55d858a
+def enum_value(enum:str, name:str, prefix:str='')->int:
+    "The number that the dialect gives to `prefix+name`, in whatever case; raises `KeyError`"
+    return {e.name:i for i,e in mavlink.enums[enum].items()}[prefix+name.upper()]
+
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #751869b6
 class Ack(int):
     "1 if a command was accepted, else 0; `result` (MAV_RESULT or `None`) and `source` say why and by whom"
     def __new__(cls, result:int|None, source:tuple|None=None, command:int|None=None):
@@ -63,7 +68,7 @@ class Ack(int):
         return what+enum_name('MAV_RESULT', self.result, 'MAV_RESULT_')+who
     __str__ = __repr__
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #25b1bf0f
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #e3e18262
 class MAVError(Exception): "Something MAVLink could not do"
 class LinkError(MAVError, ConnectionError): "A link that cannot be opened, or was closed"
 class NoAnswer(MAVError, TimeoutError): "Nobody answered in time"
@@ -72,7 +77,7 @@ class CommandError(MAVError):
     "A command that was answered, but not accepted; `result` is its MAV_RESULT"
     result = mavlink.MAV_RESULT_FAILED
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #d2d8b265
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #9562bb90
 class Busy(CommandError):        result = mavlink.MAV_RESULT_TEMPORARILY_REJECTED
 class Denied(CommandError):      result = mavlink.MAV_RESULT_DENIED
 class Unsupported(CommandError): result = mavlink.MAV_RESULT_UNSUPPORTED
@@ -80,14 +85,14 @@ class Failed(CommandError):      result = mavlink.MAV_RESULT_FAILED
 
 _errors = {c.result:c for c in (Busy, Denied, Unsupported, Failed)}
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #f148295c
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #d95b3141
 @patch
 def check(self:Ack)->Ack:
     "Itself when accepted; raises `NoAnswer`, or the `CommandError` for its result"
     if self: return self
     raise NoAnswer(str(self)) if self.result is None else _errors.get(self.result, CommandError)(str(self))
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #c87b7f71
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #5c6f54f0
 class Waiters:
     "Questions waiting for their answers, by the id of the message that would be one"
     def __init__(self, wanted=None): self.wanted,self._places,self._lock = wanted,{},threading.Lock()
@@ -108,7 +113,7 @@ class Waiters:
         with self._lock: self._places[place.msg_id].remove(place)
         if self.wanted is not None: self.wanted.remove(place.msg_id)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #08aad81d
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #3cbe5bb7
 @patch
 def offer(self:Waiters, msg):
     "Give `msg` to the oldest question it answers"
@@ -127,7 +132,7 @@ def expecting(self:Waiters, msg_id:int, test=lambda msg: True):
     try: yield place.future
     finally: self.close(place)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #f0f3a002
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #0886fc34
 async def answer(
     fut:Future, # What we wait for
     timeout:float, # In seconds
@@ -147,7 +152,7 @@ async def answer(
     finally: timer.cancel()
     return fut.result() if fut.done() and not fut.cancelled() else None
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #6d4e5215
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #80640757
 class Turns:
     "Whose turn is it to ask? One asks at a time for each key, in order of arrival"
     def __init__(self): self._queues,self._lock = {},threading.Lock()
@@ -170,7 +175,7 @@ class Turns:
             if not queue: del self._queues[key]
             elif first: queue[0].set_result(quiet)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #8ea8dfbc
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #ca3d6463
 def given(value:float)->float|None:
     "A parameter's value, or `None` where it was not given (NaN, INT32_MAX)"
     return None if value!=value or value==0x7fffffff else value
@@ -180,7 +185,7 @@ def parameters(msg)->list:
     last = (msg.x,msg.y,msg.z) if hasattr(msg,'x') else (msg.param5,msg.param6,msg.param7)
     return [given(p) for p in (msg.param1,msg.param2,msg.param3,msg.param4,*last)]
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #dabdc0a1
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #35700e40
 def _value(name, p, value):
     if value is None: return p.default
     if math.isinf(value) or abs(value)>3e38: raise Denied(f'{name} is {value}')
@@ -196,7 +201,7 @@ def arguments(params:dict, values:list)->dict:
         if v is inspect.Parameter.empty: raise Denied(f'{n} must be given')
     return found
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #2c65956b
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #7bf0733a
 class Served:
     "Commands that were answered lately, to recognise duplicates and retransmissions"
     def __init__(self, window:float=5.): self.window,self._recent = window,deque(maxlen=64) # seconds
@@ -207,7 +212,7 @@ class Served:
         "Remember that `msg` got `result`"
         self._recent.append((self._key(msg), msg.get_seq(), getattr(msg,'confirmation',0), result, now))
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #85c06c08
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #f19006bc
 @patch
 def find(self:Served, msg, now:float)->int|None:
     "The result that `msg` got before, or `None` if it is new"
@@ -216,7 +221,7 @@ def find(self:Served, msg, now:float)->int|None:
         if now-when>self.window: break
         if k==key and (s==seq or again>confirmation): return result
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #1ee15ef2
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #f08b8f80
 _marks = ns(made=0)
 
 def _mark(kind, value, **options):
@@ -245,7 +250,7 @@ def receives(msg_id:int):
     "Mark a method to be called with each message `msg_id` that arrives for the component"
     return _mark('receives', msg_id)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #39970fdf
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #d351cb7f
 class Handler:
     "A marked method, callable with parameters off the wire; `options` are those of its mark"
     def __init__(self, f, **options):
