@@ -5,10 +5,10 @@
 # %% auto #0
 __all__ = ['LogLevels', 'get_logger']
 
-# %% ../nbs/api/00_logging.ipynb #2a8ef28e
+# %% ../nbs/api/00_logging.ipynb #6479d189
 import logging
 
-# %% ../nbs/api/00_logging.ipynb #deaa089f
+# %% ../nbs/api/00_logging.ipynb #205e1f6b
 class LogLevels:
     "Levels for `loglevel` arguments; plain ints of the `logging` module"
     NONE = logging.NOTSET
@@ -18,7 +18,7 @@ class LogLevels:
     ERROR = logging.ERROR
     CRITICAL = logging.CRITICAL
 
-# %% ../nbs/api/00_logging.ipynb #4fa4bb4f
+# %% ../nbs/api/00_logging.ipynb #f8d1e688
 def get_logger(
     name:str, # For example 'camera_server.100'
     loglevel:int=LogLevels.NONE, # Messages below this level are dropped; `NONE` leaves it to the parent logger

@@ -3,3 +3,4 @@ from UAV.cameras.storage import (CameraBusy, CameraError, CameraInformation, Cam
                                  StorageFull, StorageInformation, WrongMode)
 from UAV.cameras.camera import Camera, Focus, Lens, Travel, check_camera
 from UAV.cameras.sim import SimCamera, SimWorld, View, locate, sim_world
+from UAV.cameras.cv2_camera import CV2Camera

@@ -6,7 +6,7 @@
 __all__ = ['next_slot', 'check_sequence', 'Camera', 'close_cameras', 'Travel', 'inside', 'one_of', 'Lens', 'Focus', 'Report',
            'check_camera']
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #fd2f50c2
+# %% ../../nbs/api/21_cameras.camera.ipynb #ee75f1db
 import atexit, math, threading, time, weakref
 from collections import deque
 from dataclasses import replace
@@ -17,7 +17,7 @@ from .storage import *
 from .storage import NAN
 from ..logging import get_logger
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #1ee35935
+# %% ../../nbs/api/21_cameras.camera.ipynb #1d388f76
 def next_slot(
     slot:int, # The slot of the picture just taken
     late:float, # Seconds since slot 0 was due
@@ -26,7 +26,7 @@ def next_slot(
     "The next slot that is still to come"
     return max(slot+1, math.ceil(late/interval))
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #3ee2dcb1
+# %% ../../nbs/api/21_cameras.camera.ipynb #4ef803ff
 def check_sequence(
     interval:float, # Seconds between pictures
     count:int, # How many; 0 until stopped
@@ -37,7 +37,7 @@ def check_sequence(
     if not 0 <= count < math.inf or count != int(count): raise ValueError(f'count must be a whole number, 0 or more, not {count}')
     return (0. if count == 1 else max(float(interval), min_interval)), int(count)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #d0e82087
+# %% ../../nbs/api/21_cameras.camera.ipynb #ef9bf777
 _cameras = weakref.WeakSet()
 
 class Camera:
@@ -74,13 +74,13 @@ class Camera:
         if self._thread and self._thread is not threading.current_thread(): self._thread.join()
         self.storage.close(); _cameras.discard(self)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #789ef49a
+# %% ../../nbs/api/21_cameras.camera.ipynb #6e8d6546
 @atexit.register
 def close_cameras():
     "Close every camera that is still open"
     for camera in list(_cameras): camera.close()
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #61de0f95
+# %% ../../nbs/api/21_cameras.camera.ipynb #adcdb46f
 @patch
 def subscribe(self:Camera,
     callback, # Called with each `Picture`, `CaptureStatus`, `CameraSettings` and `StorageInformation`; must be quick
@@ -100,7 +100,7 @@ def announce(self:Camera, event):
         try: callback(event)
         except Exception: self.log.exception('%r failed on %r', getattr(callback, '__name__', callback), event)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #8c8faaa4
+# %% ../../nbs/api/21_cameras.camera.ipynb #3d913554
 @patch
 def settings(self:Camera)->CameraSettings:
     "How the camera is set"
@@ -116,7 +116,7 @@ def storage_information(self:Camera)->list:
     "How full the storages are"
     return [self.storage.information()]
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #adf5031b
+# %% ../../nbs/api/21_cameras.camera.ipynb #932ce335
 @patch
 def _check_capture(self:Camera, single:bool):
     "Raise what speaks against taking a picture now"
@@ -127,7 +127,7 @@ def _check_capture(self:Camera, single:bool):
     if len(self._jobs) > self.max_waiting: raise CameraBusy(f'{self.max_waiting} pictures are waiting already')
     self.storage.check_room()
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #a8c063b8
+# %% ../../nbs/api/21_cameras.camera.ipynb #650af6b5
 @patch
 def image_start_capture(self:Camera,
     interval:float=0., # Seconds between pictures; raised to `min_interval`
@@ -151,7 +151,7 @@ def image_stop_capture(self:Camera):
         while len(self._jobs) > 1: self._jobs.pop()
         for job in self._jobs: job.stop.set()
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #59232f82
+# %% ../../nbs/api/21_cameras.camera.ipynb #1be232c9
 @patch
 def _announce_state(self:Camera, now:tuple|None=None):
     "Announce the state, unless it was announced already"
@@ -172,7 +172,7 @@ def _next_job(self:Camera):
                 return self._cond.notify_all()
         self._announce_state()
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #3f17b2a7
+# %% ../../nbs/api/21_cameras.camera.ipynb #daf07731
 @patch
 def _run(self:Camera):
     "The capture thread: one job after the other"
@@ -193,7 +193,7 @@ def _do(self:Camera, job):
         self._announce_state((False, job.interval))
         slot = next_slot(slot, time.monotonic()-t0, job.interval)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #6465200b
+# %% ../../nbs/api/21_cameras.camera.ipynb #81d31e56
 @patch
 def read_still(self:Camera)->Frame:
     "The frame a picture is made of; override it when the camera has something better than `read()` for stills"
@@ -219,7 +219,7 @@ def _take_picture(self:Camera):
         self.log.warning('a picture failed: %s', e, exc_info=not isinstance(e, CameraError))
         return self.storage.fail(started, str(e) or type(e).__name__)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #7bee80b3
+# %% ../../nbs/api/21_cameras.camera.ipynb #5849df40
 @patch
 def _watch_storage(self:Camera):
     "Announce the storage when its status is another one"
@@ -233,7 +233,7 @@ def wait_idle(self:Camera,
     "Wait until nothing is being taken and all is announced; False on timeout. Not for callbacks"
     with self._cond: return self._cond.wait_for(lambda: not self._running, timeout)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #77809cac
+# %% ../../nbs/api/21_cameras.camera.ipynb #c42b3500
 @patch(as_prop=True)
 def pictures(self:Camera)->tuple:
     "All shots in the storage, by index"
@@ -248,7 +248,7 @@ def picture(self:Camera,
     if not 0 <= index < count: raise IndexError(f'there is no picture {index}; {count} were taken')
     return self.storage.pictures[int(index)]
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #4ee27e13
+# %% ../../nbs/api/21_cameras.camera.ipynb #bbd45123
 @patch
 def storage_format(self:Camera,
     storage_id:int=1, # As in `StorageInformation`
@@ -260,7 +260,7 @@ def storage_format(self:Camera,
         self.storage.format()
     self.announce(self.storage.information()); self.announce(self.capture_status())
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #f0f94fcb
+# %% ../../nbs/api/21_cameras.camera.ipynb #2a4f8768
 class Travel:
     "A position between two ends, that can also move by itself"
     def __init__(self,
@@ -288,7 +288,7 @@ class Travel:
     @percent.setter
     def percent(self, value): self.go(self.low + inside('percent', value, 0, 100)/100*(self.high-self.low))
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #6b8d3c73
+# %% ../../nbs/api/21_cameras.camera.ipynb #b247826f
 def inside(what:str, value:float, low:float=-math.inf, high:float=math.inf)->float:
     "`value` as a float; `ValueError` unless it lies between `low` and `high`"
     if isinstance(value, (int,float)) and low <= value <= high and abs(value) != math.inf: return float(value)
@@ -299,7 +299,7 @@ def one_of(what:str, value:str, values):
     if value in values: return value
     raise ValueError(f'{what} must be one of {", ".join(values)}, not {value!r}')
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #dc894d58
+# %% ../../nbs/api/21_cameras.camera.ipynb #b265d4e8
 class Lens:
     "A zoom lens"
     kinds = 'step','continuous','range','focal_length','horizontal_fov'
@@ -320,7 +320,7 @@ class Lens:
     def fov(self, focal_length): return math.degrees(2*math.atan(self.sensor_size_h/2/focal_length))
     def reset(self): self.travel.go(self.travel.low)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #1c8e0eb3
+# %% ../../nbs/api/21_cameras.camera.ipynb #1153cc7f
 @patch
 def zoom(self:Lens,
     kind:str, # One of `kinds`
@@ -334,7 +334,7 @@ def zoom(self:Lens,
     elif kind == 'focal_length': travel.go(inside('focal_length', value, travel.low, travel.high))
     else: travel.go(self.sensor_size_h/2/math.tan(math.radians(inside(kind, value, self.fov(travel.high), self.fov(travel.low)))/2))
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #c8bae1c1
+# %% ../../nbs/api/21_cameras.camera.ipynb #bd508d8f
 class Focus:
     "A focus drive"
     kinds = 'step','continuous','range','meters','auto','auto_single','auto_continuous'
@@ -362,7 +362,7 @@ class Focus:
         elif kind == 'range':      self.travel.percent = value
         else: self.travel.go(100*(1 - self.near/(self.distance if auto else inside(kind, value, self.near, 1e6))))
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #37c5d267
+# %% ../../nbs/api/21_cameras.camera.ipynb #8700682d
 @patch
 def reset_camera_settings(self:Camera):
     "Mode, zoom and focus as they were at first"
@@ -371,7 +371,7 @@ def reset_camera_settings(self:Camera):
         if drive: drive.reset()
     self.announce(self.settings())
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #5e607c2c
+# %% ../../nbs/api/21_cameras.camera.ipynb #781f4f27
 def _check_information(camera, seen):
     "tells what it is"
     info = camera.information
@@ -394,13 +394,14 @@ def _check_read(camera, seen):
     assert second.number >= first.number, f'frame numbers must not go back, but {second.number} came after {first.number}'
     assert second.time_utc >= first.time_utc > 0, 'time_utc must be seconds since 1970, and must not go back'
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #91b9dc4b
+# %% ../../nbs/api/21_cameras.camera.ipynb #2ebe9745
 def _pictures(camera, seen, timeout=30., **how):
     "The pictures of one `image_start_capture`"
     seen.clear()
     camera.image_start_capture(**how)
     assert camera.wait_idle(timeout), f'image_start_capture was not finished after {timeout:g} s'
-    assert seen and seen[-1] == camera.capture_status() and not seen[-1].capturing, 'the last event must say that the camera is idle'
+    last = next((e for e in reversed(seen) if isinstance(e, CaptureStatus)), CaptureStatus(True))
+    assert not last.capturing and not last.interval, 'the last CaptureStatus must say that the camera is idle'
     return [e for e in seen if isinstance(e, Picture)]
 
 def _check_single(camera, seen):
@@ -422,7 +423,7 @@ def _check_interval(camera, seen):
     states = [(e.capturing, e.interval > 0) for e in seen if isinstance(e, CaptureStatus)]
     assert states == [(True,True), (False,True)]*2 + [(True,True), (False,False)], f'wrong states around three pictures: {states}'
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #fc7b9d90
+# %% ../../nbs/api/21_cameras.camera.ipynb #b43e4cb3
 def _refuses(what, call, *args, **kwargs):
     "Raise unless `call` raises ValueError"
     try: call(*args, **kwargs)
@@ -448,7 +449,7 @@ def _check_stop(camera, seen):
     assert camera.wait_idle(30), 'image_stop_capture did not end the sequence'
     camera.unsubscribe(on_picture); camera.image_stop_capture()
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #3d7f5ba0
+# %% ../../nbs/api/21_cameras.camera.ipynb #b5ef0a09
 def _check_settings(camera, seen, what, call, field, value):
     "Raise unless `call()` makes the setting `field` equal to `value`, and announces it"
     seen.clear(); call()
@@ -478,7 +479,7 @@ def _check_focus(camera, seen):
     "focuses"
     _check_drive(camera, seen, 'focus')
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #ccfc773a
+# %% ../../nbs/api/21_cameras.camera.ipynb #c0e29f0c
 def _check_reset(camera, seen):
     "resets its settings"
     _check_settings(camera, seen, 'reset_camera_settings() was called', camera.reset_camera_settings, 'mode', camera.modes[0])
@@ -500,7 +501,7 @@ class _Seen(list):
     "The events of a camera, and the threads that ran before"
     def __init__(self): self.threads = threading.enumerate()
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #fcc1dfc8
+# %% ../../nbs/api/21_cameras.camera.ipynb #1e8197bf
 def check_camera(
     camera, # A `Camera`; it is closed at the end
 )->Report:

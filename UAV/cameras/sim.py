@@ -6,7 +6,7 @@
 __all__ = ['rotation', 'angles', 'View', 'ground_tile', 'lying_tag', 'standing_tag', 'SimWorld', 'sim_world', 'blend', 'plain',
            'SimCamera', 'locate']
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #fa414589
+# %% ../../nbs/api/22_cameras.sim.ipynb #027f6259
 import copy, math, threading, time
 from functools import cached_property, lru_cache
 
@@ -14,7 +14,7 @@ from fastcore.basics import patch
 from .storage import *
 from .camera import *
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #0f2138f8
+# %% ../../nbs/api/22_cameras.sim.ipynb #e31deb6c
 def rotation(roll:float, pitch:float, yaw:float):
     "3x3 matrix that turns body axes (forward, right, down) into north, east, down; angles in degrees"
     import numpy as np
@@ -28,7 +28,7 @@ def angles(matrix)->tuple:
     m = matrix
     return tuple(math.degrees(a) for a in (math.atan2(m[2,1], m[2,2]), -math.asin(min(max(m[2,0], -1), 1)), math.atan2(m[1,0], m[0,0])))
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #e3c7089d
+# %% ../../nbs/api/22_cameras.sim.ipynb #aedbf87c
 class View:
     "A pinhole camera at a place: says where a point of the world appears in the picture"
     def __init__(self,
@@ -61,7 +61,7 @@ class View:
         import numpy as np
         return self.K @ self.R @ np.column_stack((across, down, np.asarray(origin)-self.position))
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #59332bff
+# %% ../../nbs/api/22_cameras.sim.ipynb #46c886ab
 def ground_tile(
     seed:int, # The same seed gives the same ground
     size:int=1024, # px
@@ -82,7 +82,7 @@ def ground_tile(
         line[size//4-2:size//4+2, np.arange(size)//32%2 == 0] = 200
     return tile
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #68713a57
+# %% ../../nbs/api/22_cameras.sim.ipynb #89fc75a4
 def lying_tag(north, east, size):
     "Corners of a tag on the ground; its upper edge is north"
     s = size/2
@@ -94,7 +94,7 @@ def standing_tag(bearing, distance, size):
     def at(right, up): return distance*c - right*s, distance*s + right*c, -up
     return [at(-size/2, size*1.2), at(size/2, size*1.2), at(size/2, size*.2), at(-size/2, size*.2)]
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #a367d603
+# %% ../../nbs/api/22_cameras.sim.ipynb #7e80d3fa
 class SimWorld:
     "Flat ground with AprilTags at known places, a sky, and a car"
     tile_m = 120.     # m, one ground tile
@@ -137,7 +137,7 @@ def sim_world(seed:int=0)->SimWorld:
     "The world of `seed`; made once"
     return SimWorld(seed)
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #82ebe00e
+# %% ../../nbs/api/22_cameras.sim.ipynb #3cd0511c
 @patch
 def car(self:SimWorld,
     t:float, # s
@@ -146,7 +146,7 @@ def car(self:SimWorld,
     a = t*self.car_speed/self.car_radius
     return self.car_radius*math.cos(a), self.car_radius*math.sin(a), math.degrees(a)%360+90
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #d6ec3b18
+# %% ../../nbs/api/22_cameras.sim.ipynb #ba794e14
 @patch
 def _slopes(self:View):
     "Per pixel: one over the depth of the ground there (1/m), and how steeply it looks down"
@@ -171,7 +171,7 @@ def blend(upper, lower, weight):
     if weight.max() == 0: return lower()
     return cv2.blendLinear(upper(), lower(), weight, 1-weight)
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #a4068438
+# %% ../../nbs/api/22_cameras.sim.ipynb #78d51420
 @lru_cache(maxsize=32)
 def plain(size, colour):
     "A picture of one colour"
@@ -197,7 +197,7 @@ def background(self:SimWorld, view:View):
     edges = [view.size[1]*i//10 for i in range(11)]
     return np.concatenate([self._strip(view.rows(*rows)) for rows in zip(edges, edges[1:])])
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #de4a50dd
+# %% ../../nbs/api/22_cameras.sim.ipynb #40eddc31
 @patch
 def _texture(self:SimWorld, number, px, py):
     "The tag with a white rim, `10*px` pixels wide and `10*py` high"
@@ -227,7 +227,7 @@ def _draw_tag(self:SimWorld, image, view, number, corners):
     part = image[y0:y1,x0:x1].copy()
     image[y0:y1,x0:x1] = cv2.warpPerspective(texture, M, (int(x1-x0),int(y1-y0)), dst=part, flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_TRANSPARENT)
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #766f9418
+# %% ../../nbs/api/22_cameras.sim.ipynb #c0a0e75e
 @patch
 def visible_tags(self:SimWorld,
     view:View, # From where
@@ -242,7 +242,7 @@ def visible_tags(self:SimWorld,
         inside = ((pixels > -reach[:,None]) & (pixels < np.array(view.size)+reach[:,None])).all(1) & (depths > 0) & (reach > smallest)
     return [int(n) for n in numbers[inside][np.argsort(-depths[inside])]]
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #71664f82
+# %% ../../nbs/api/22_cameras.sim.ipynb #54616d5d
 @patch
 def _draw_car(self:SimWorld, image, view, t):
     "Draw the car"
@@ -259,7 +259,7 @@ def _draw_car(self:SimWorld, image, view, t):
         pixels,depths = view.project(corners)
         if depths.min() > .1 and abs(pixels).max() < 1e4: cv2.fillConvexPoly(image, np.round(pixels*16).astype(np.int32), (30,40,shade), cv2.LINE_AA, 4)
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #58acd4d1
+# %% ../../nbs/api/22_cameras.sim.ipynb #62629ae5
 @patch
 def render(self:SimWorld,
     view:View, # From where
@@ -280,7 +280,7 @@ def render(self:SimWorld,
         if np.linalg.norm(self.tags[number].mean(0)-view.position) < car: self._draw_tag(image, view, number, self.tags[number])
     return image
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #ad861e77
+# %% ../../nbs/api/22_cameras.sim.ipynb #730a2e2c
 class SimCamera(Camera):
     "A camera in a `SimWorld`, with zoom, focus and modes"
     modes = 'image','video'
@@ -308,7 +308,7 @@ class SimCamera(Camera):
         self.lens,self.focus = Lens(2.8, 28., 3.2),Focus()
         self.frame_rate,self.capture_time,self.clock,self.number,self._frame_lock = frame_rate,capture_time,clock,0,threading.Lock()
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #fe33a0e8
+# %% ../../nbs/api/22_cameras.sim.ipynb #0c4239e5
 @patch
 def view(self:SimCamera)->View:
     "What is in the picture now"
@@ -324,7 +324,7 @@ def pose(self:SimCamera)->Pose:
     degree = 111319.49     # m
     return Pose(lat + self.north/degree, lon + self.east/degree/math.cos(math.radians(lat)), alt + self.altitude, self.altitude, roll, pitch, yaw)
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #22d6b489
+# %% ../../nbs/api/22_cameras.sim.ipynb #387e2219
 @patch
 def read(self:SimCamera)->Frame:
     "The next frame; it shows its number"
@@ -343,7 +343,7 @@ def read_still(self:SimCamera)->Frame:
     if self.capture_time: self._closing.wait(self.capture_time)
     return self.read()
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #d7c61ae3
+# %% ../../nbs/api/22_cameras.sim.ipynb #06eecbd6
 @patch
 def set_camera_mode(self:SimCamera,
     mode:str, # One of `modes`
@@ -368,7 +368,7 @@ def set_camera_focus(self:SimCamera,
     "Focus one of seven ways; raises `ValueError`"
     self.focus.focus(kind, value); self.announce(self.settings())
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #62cadef6
+# %% ../../nbs/api/22_cameras.sim.ipynb #e0a6dd7f
 def locate(
     image, # BGR or grey picture
     K, # 3x3 camera matrix, as `View.K`

@@ -7,7 +7,7 @@ __all__ = ['NAN', 'MiB', 'known', 'Value', 'CameraInformation', 'Pose', 'Frame',
            'StorageInformation', 'CaptureStatus', 'CameraError', 'CameraBusy', 'StorageFull', 'WrongMode',
            'add_segments', 'degrees_minutes_seconds', 'gps_tags', 'exif', 'xmp', 'as_line', 'from_line', 'Storage']
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #4c48b860
+# %% ../../nbs/api/20_cameras.storage.ipynb #6fe4ed38
 import errno, json, math, os, re, shutil, tempfile, threading
 from dataclasses import asdict, dataclass, field, fields
 from datetime import datetime, timezone
@@ -19,7 +19,7 @@ from ..logging import get_logger
 NAN = math.nan
 MiB = 2**20
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #23eb20ca
+# %% ../../nbs/api/20_cameras.storage.ipynb #14d5d878
 def known(value)->bool:
     "Is `value` there, and not NaN?"
     return value is not None and value == value
@@ -35,7 +35,7 @@ class Value:
         return all(a == b or not (known(a) or known(b)) for a,b in zip(vars(self).values(), vars(other).values()))
     def __hash__(self): return hash(repr(self))
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #a6cf75c1
+# %% ../../nbs/api/20_cameras.storage.ipynb #feb357bc
 @dataclass(frozen=True, repr=False, eq=False)
 class CameraInformation(Value):
     "What a camera is"
@@ -49,7 +49,7 @@ class CameraInformation(Value):
     resolution_v:int=0 # Height of a picture, px; 0 unknown
     lens_id:int=0 # Which lens, for cameras with several
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #80cbfdbe
+# %% ../../nbs/api/20_cameras.storage.ipynb #287186f6
 @dataclass(frozen=True, repr=False, eq=False)
 class Pose(Value):
     "Where the camera is and how it is held; what is unknown is NaN"
@@ -68,7 +68,7 @@ class Pose(Value):
         (cr,sr),(cp,sp),(cy,sy) = ((math.cos(a), math.sin(a)) for a in (math.radians(d)/2 for d in (self.roll, self.pitch, self.yaw)))
         return (cr*cp*cy + sr*sp*sy, sr*cp*cy - cr*sp*sy, cr*sp*cy + sr*cp*sy, cr*cp*sy - sr*sp*cy)
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #36071aca
+# %% ../../nbs/api/20_cameras.storage.ipynb #05780626
 @dataclass(frozen=True, repr=False, eq=False)
 class Frame:
     "One image of a camera"
@@ -88,7 +88,7 @@ class Picture(Value):
     pose:Pose|None=None # Where it was taken
     error:str='' # Why the shot failed
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #3121dad6
+# %% ../../nbs/api/20_cameras.storage.ipynb #e1fa22db
 @dataclass(frozen=True, repr=False, eq=False)
 class CameraSettings(Value):
     "How a camera is set"
@@ -119,13 +119,13 @@ class CaptureStatus(Value):
     recording:bool=False # A video is being recorded
     recording_time:float=0. # Length of that video, s
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #f8cfb80b
+# %% ../../nbs/api/20_cameras.storage.ipynb #023221dd
 class CameraError(Exception): "The camera cannot do that"
 class CameraBusy(CameraError): "Not now; it passes by itself"
 class StorageFull(CameraError): "No room for another picture"
 class WrongMode(CameraError): "The camera's mode does not allow it"
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #56fd9ec3
+# %% ../../nbs/api/20_cameras.storage.ipynb #eb6a1dc9
 def add_segments(
     jpeg:bytes, # A JPEG file
     *payloads:bytes, # What goes into APP1 segments, at most 65533 bytes each
@@ -136,14 +136,14 @@ def add_segments(
     if (big := max(map(len, payloads), default=0)) > 65533: raise ValueError(f'a JPEG segment holds 65533 bytes, not {big}')
     return jpeg[:2] + b''.join(b'\xff\xe1' + (len(p)+2).to_bytes(2, 'big') + p for p in payloads) + jpeg[start:]
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #ef517d3b
+# %% ../../nbs/api/20_cameras.storage.ipynb #c1db6fd3
 def degrees_minutes_seconds(angle:float)->tuple:
     "`angle` in degrees, as the three fractions EXIF wants, exact to a millionth of a second of arc"
     from PIL.TiffImagePlugin import IFDRational
     minutes,millionths = divmod(round(abs(angle)*3600e6), 60_000_000)
     return IFDRational(minutes//60), IFDRational(minutes%60), IFDRational(millionths, 1_000_000)
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #790fdbe1
+# %% ../../nbs/api/20_cameras.storage.ipynb #2068ec6b
 def gps_tags(pose:Pose, time_utc:float)->dict:
     "The GPS part of EXIF: tag number to value, without what is not known"
     when = datetime.fromtimestamp(time_utc, timezone.utc)
@@ -155,7 +155,7 @@ def gps_tags(pose:Pose, time_utc:float)->dict:
     if known(pose.yaw): tags |= {16: 'T', 17: round(pose.yaw % 360, 2)}
     return tags
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #b2bb529e
+# %% ../../nbs/api/20_cameras.storage.ipynb #bbf140cb
 def exif(
     index:int, # Which picture
     time_utc:float, # When it was taken, s since 1970
@@ -179,7 +179,7 @@ def exif(
     # ComponentsConfiguration: Pillow writes type BYTE (1), the standard asks for UNDEFINED (7)
     return block.tobytes().replace(b'\x91\1\0\1\0\0\0\4\1\2\3\0', b'\x91\1\0\7\0\0\0\4\1\2\3\0')
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #aa4bb602
+# %% ../../nbs/api/20_cameras.storage.ipynb #7356b0aa
 def xmp(pose:Pose)->bytes:
     "The attitude as an XMP block, ready for `add_segments`"
     angles = dict(Camera=dict(Yaw=pose.yaw, Pitch=pose.pitch+90, Roll=pose.roll),
@@ -191,7 +191,7 @@ def xmp(pose:Pose)->bytes:
             'xmlns:Camera="http://pix4d.com/camera/1.0/" xmlns:drone-dji="http://www.dji.com/drone-dji/1.0/" '
             f'{text}/></rdf:RDF></x:xmpmeta><?xpacket end="w"?>').encode()
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #b1e8d7f5
+# %% ../../nbs/api/20_cameras.storage.ipynb #2f51c6b3
 def as_line(picture:Picture)->bytes:
     "`picture` as one line of the log, without what is not known"
     told = {k: v for k,v in asdict(picture).items() if known(v) and v != ''}
@@ -205,7 +205,7 @@ def from_line(line:bytes)->Picture:
         return Picture(**told | dict(pose=Pose(**told['pose']) if 'pose' in told else None))
     except TypeError as e: raise ValueError(f'not a line of the log: {e}') from None
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #18b87339
+# %% ../../nbs/api/20_cameras.storage.ipynb #740d94f4
 class Storage:
     "The pictures of one camera, in a folder that outlives crashes"
     def __init__(self,
@@ -231,7 +231,7 @@ class Storage:
         "Remove the folder, if it was a temporary one"
         if self._temporary: self._temporary.cleanup()
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #f5d94d7e
+# %% ../../nbs/api/20_cameras.storage.ipynb #a24984cd
 @patch(as_prop=True)
 def log_file(self:Storage)->Path:
     "The log, one JSON line a shot"
@@ -247,7 +247,7 @@ def _from_log(self:Storage):
         whole = whole and line.endswith(b'\n')
     return logged,whole
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #f163f8bd
+# %% ../../nbs/api/20_cameras.storage.ipynb #0d1810d0
 @patch
 def _orphan(self:Storage, index:int):
     "The picture that was saved as `index` and never logged, or None"
@@ -269,7 +269,7 @@ def _recover(self:Storage):
     self._used = sum(self._size(p) for p in self.pictures)
     self._largest = max(map(self._size, self.pictures), default=0)
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #97436702
+# %% ../../nbs/api/20_cameras.storage.ipynb #99b8ab8b
 @patch
 def _size(self:Storage, picture:Picture):
     "Bytes of the picture's file, 0 when it is gone"
@@ -282,7 +282,7 @@ def _rewrite(self:Storage):
     try: self._write(self.log_file.name, b''.join(map(as_line, self.pictures)))
     except OSError as e: self._log.warning('%s cannot be repaired: %s', self.log_file.name, e.strerror)
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #2ee3880e
+# %% ../../nbs/api/20_cameras.storage.ipynb #4ed5da93
 @patch
 def information(self:Storage)->StorageInformation:
     "How full the storage is"
@@ -299,7 +299,7 @@ def check_room(self:Storage, size:int|None=None):
     if now.status != 'ready': raise StorageFull(f'storage {self.name!r} is {now.status}')
     if now.available*MiB < max(self._largest if size is None else size, 1): raise StorageFull(f'storage {self.name!r} is full')
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #45cefce4
+# %% ../../nbs/api/20_cameras.storage.ipynb #75e8f1ab
 @patch
 def _append(self:Storage, picture:Picture):
     "Add one shot to the log"
@@ -319,7 +319,7 @@ def _write(self:Storage, name:str, content:bytes):
     except BaseException:
         part.unlink(missing_ok=True); raise
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #0f26a21a
+# %% ../../nbs/api/20_cameras.storage.ipynb #c8f0f778
 @patch
 def save(self:Storage,
     jpeg:bytes, # A JPEG file
@@ -345,7 +345,7 @@ def save(self:Storage,
         self._used += len(content)
         return picture
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #f26d59cb
+# %% ../../nbs/api/20_cameras.storage.ipynb #73fc87ab
 @patch
 def fail(self:Storage,
     time_utc:float, # When it was tried, s since 1970
@@ -360,7 +360,7 @@ def fail(self:Storage,
             self.pictures.append(picture)
         return picture
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #18f5d19c
+# %% ../../nbs/api/20_cameras.storage.ipynb #d95251d2
 @patch
 def format(self:Storage):
     "Delete our pictures and the log; indexes start again at 0"

@@ -5,7 +5,7 @@
 # %% auto #0
 __all__ = ['crc', 'decode', 'Wanted', 'Source', 'FrameReader']
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #f352676c
+# %% ../../nbs/api/11_mavlink.frames.ipynb #7b57f014
 from collections import Counter
 from functools import lru_cache
 from operator import itemgetter
@@ -15,17 +15,17 @@ import threading
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #b06471e7
+# %% ../../nbs/api/11_mavlink.frames.ipynb #4beba8ba
 _crc_extra = {i:bytes([c.crc_extra]) for i,c in mavlink.mavlink_map.items()}
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #9ee0bf8c
+# %% ../../nbs/api/11_mavlink.frames.ipynb #54965ad2
 def crc(data:bytes)->int:
     "CRC-16/MCRF4XX of `data`, as MAVLink uses it"
     return mavlink.x25crc(data).crc
 
 if mavlink.mcrf4xx: crc = mavlink.mcrf4xx   # fastcrc is there: same number, much faster
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #47d9447d
+# %% ../../nbs/api/11_mavlink.frames.ipynb #234d7226
 _head2 = Struct('<BBBBBBBHB')
 
 @lru_cache(None)
@@ -36,7 +36,7 @@ def _layout(cls):
     plain = len(spans)>1 and not any(cls.array_lengths)
     return cls.unpacker.unpack,cls.unpacker.size,itemgetter(*cls.orders) if plain else arrange
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #cc0aea4e
+# %% ../../nbs/api/11_mavlink.frames.ipynb #3120815a
 def decode(
     frame:bytes, # One whole frame, its CRC checked
 ):
@@ -50,7 +50,7 @@ def decode(
     h.mlen,h.incompat_flags,h.compat_flags,h.seq,h.srcSystem,h.srcComponent = n,flags,compat,seq,system,component
     return msg
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #374f1430
+# %% ../../nbs/api/11_mavlink.frames.ipynb #1627ec18
 class Wanted:
     "Message ids that somebody wants, counted; `None` means all of them"
     def __init__(self, *msg_ids): self.counts,self._lock = Counter(msg_ids),threading.Lock()
@@ -67,7 +67,7 @@ class Wanted:
             for i in msg_ids:
                 if self.counts[i]<=0: del self.counts[i]
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #1dd6fe30
+# %% ../../nbs/api/11_mavlink.frames.ipynb #855e6992
 class Source:
     "What was heard of one component: frames by message id, and how many were lost on the way"
     def __init__(self): self.counts,self.next,self.lost = Counter(),None,0
@@ -80,7 +80,7 @@ class Source:
         if missing<128: self.lost,self.next = self.lost+missing,(seq+1)&255
         elif self.lost: self.lost -= 1
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #cf3bd924
+# %% ../../nbs/api/11_mavlink.frames.ipynb #e475ec91
 class FrameReader:
     "Cuts frames out of a byte stream; `feed` returns the messages among them that are wanted"
     def __init__(self,
@@ -88,7 +88,7 @@ class FrameReader:
         sources:dict|None=None, # `{(system,component): Source}`, to share between readers
     ): self.wanted,self.sources,self.bad,self._rest = wanted,{} if sources is None else sources,0,b''
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #4c5bdfaa
+# %% ../../nbs/api/11_mavlink.frames.ipynb #706f902d
 def _length(buf:bytes, pos:int, left:int)->tuple:
     "`(length, message id)` of the frame that starts at `pos`; 0: more bytes are needed, -1: this is no frame"
     if left<8: return 0,0
@@ -104,7 +104,7 @@ def _length(buf:bytes, pos:int, left:int)->tuple:
     else: good = tail==left or buf[pos+tail] in b'\xfd\xfe'
     return tail if good else -1,msg_id
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #f54bb49e
+# %% ../../nbs/api/11_mavlink.frames.ipynb #5363c124
 @patch
 def feed(self:FrameReader, data:bytes)->list:
     "The wanted messages that are complete with `data`"

@@ -6,7 +6,7 @@
 __all__ = ['as_bgr', 'small_jpeg', 'Thumbnail', 'puttext', 'contact_sheet', 'show_image', 'VideoWriter', 'Video', 'ScrollingLog',
            'ScrollingLogHandler', 'ClassDoc', 'doc_class']
 
-# %% ../../nbs/api/02_utils.display.ipynb #24fc7886
+# %% ../../nbs/api/02_utils.display.ipynb #23ec8c5c
 from functools import lru_cache
 from html import escape
 from pathlib import Path
@@ -16,7 +16,7 @@ import base64, inspect, logging, re, sys, tempfile
 from fastcore.basics import patch
 from fastcore.imports import in_ipython, in_jupyter
 
-# %% ../../nbs/api/02_utils.display.ipynb #73ff2ca9
+# %% ../../nbs/api/02_utils.display.ipynb #92ca5ed5
 def as_bgr(
     image, # Array H×W, H×W×1, H×W×3 or H×W×4; integers 0…255 or floats 0…1
 ):         # Array H×W×3, `uint8`
@@ -29,7 +29,7 @@ def as_bgr(
     im = im.astype(np.uint8) if im.dtype!=np.uint8 else im
     return np.repeat(im, 3, axis=2) if im.shape[2]==1 else im[...,:3]
 
-# %% ../../nbs/api/02_utils.display.ipynb #99ce883b
+# %% ../../nbs/api/02_utils.display.ipynb #9bd3fc53
 def small_jpeg(
     image, # Picture, see `as_bgr`
     width:int=480, # Wider pictures are shrunk to this, pixels
@@ -46,7 +46,7 @@ def small_jpeg(
     if im.shape[1]<=8: raise ValueError(f'no JPEG fits in {limit} bytes')
     return small_jpeg(im, im.shape[1]*2//3, limit)
 
-# %% ../../nbs/api/02_utils.display.ipynb #969e1aff
+# %% ../../nbs/api/02_utils.display.ipynb #14a2fa59
 class Thumbnail:
     "A picture that shows itself: a small JPEG in a notebook, its size in a terminal"
     def __init__(self,
@@ -56,7 +56,7 @@ class Thumbnail:
     def __repr__(self): return f'picture, {self.image.shape[1]}×{self.image.shape[0]}'
     def _repr_jpeg_(self): return small_jpeg(self.image, self.width)
 
-# %% ../../nbs/api/02_utils.display.ipynb #c2204896
+# %% ../../nbs/api/02_utils.display.ipynb #6f614d04
 def puttext(
     img, # BGR picture, changed in place
     text:str, # Text to write; OpenCV's fonts know ASCII only
@@ -74,7 +74,7 @@ def puttext(
     cv2.rectangle(img, (x-2,y+below), (x+w+2,y-h-2), backcolor, -1)
     return cv2.putText(img, text, (x,y), font, fontscale, textcolor, thickness, cv2.LINE_AA)
 
-# %% ../../nbs/api/02_utils.display.ipynb #466e376a
+# %% ../../nbs/api/02_utils.display.ipynb #fc38d28f
 def _paste(cell, im, label):
     "Fit `im` into the width of `cell`, at its top, with `label` in the corner"
     import cv2
@@ -82,7 +82,7 @@ def _paste(cell, im, label):
     cell[:h] = cv2.resize(im, (cell.shape[1],h), interpolation=cv2.INTER_AREA)
     if label: puttext(cell, label, pos=(4,15), fontscale=.4, thickness=1)
 
-# %% ../../nbs/api/02_utils.display.ipynb #2cb740ca
+# %% ../../nbs/api/02_utils.display.ipynb #35857761
 def contact_sheet(
     images, # Pictures, see `as_bgr`; sizes may differ
     columns:int=4, # Pictures in a row
@@ -104,7 +104,7 @@ def contact_sheet(
         _paste(sheet[y:y+height,x:x+width], im, '' if labels is None else str(labels[i]))
     return sheet
 
-# %% ../../nbs/api/02_utils.display.ipynb #d4cb479d
+# %% ../../nbs/api/02_utils.display.ipynb #a08be2f2
 def _figure_jpeg(fig):
     "A matplotlib figure as a small JPEG"
     import cv2, io, numpy as np
@@ -112,7 +112,7 @@ def _figure_jpeg(fig):
     fig.savefig(buffer, format='png', bbox_inches='tight', facecolor='white', dpi=100)
     return small_jpeg(cv2.imdecode(np.frombuffer(buffer.getvalue(),np.uint8), 1), width=600)
 
-# %% ../../nbs/api/02_utils.display.ipynb #06d79781
+# %% ../../nbs/api/02_utils.display.ipynb #df064065
 @lru_cache
 def _figure_class():
     "A `Figure` that a notebook shows as a small JPEG"
@@ -124,7 +124,7 @@ def _figure_class():
         formatters['image/jpeg'].for_type(SmallFigure, _figure_jpeg)
     return SmallFigure
 
-# %% ../../nbs/api/02_utils.display.ipynb #b56bd112
+# %% ../../nbs/api/02_utils.display.ipynb #dd8ecbc5
 def show_image(
     im, # Picture: array, PIL image or PyTorch tensor, RGB
     ax=None, # Axis to draw on; `None` makes a figure
@@ -153,7 +153,7 @@ def show_image(
     ax.axis('off')
     return ax
 
-# %% ../../nbs/api/02_utils.display.ipynb #3c4cd9bb
+# %% ../../nbs/api/02_utils.display.ipynb #ac3b48a6
 class VideoWriter:
     "Write frames to a video file"
     def __init__(self,
@@ -169,7 +169,7 @@ class VideoWriter:
         self.close()
         if self.frames and self.filename.name=='_autoplay.mp4' and in_jupyter(): self.show()
 
-# %% ../../nbs/api/02_utils.display.ipynb #2330731a
+# %% ../../nbs/api/02_utils.display.ipynb #75c87597
 @patch
 def _open(self:VideoWriter, size):
     import cv2
@@ -179,7 +179,7 @@ def _open(self:VideoWriter, size):
     if not writer.isOpened(): raise OSError(f"cannot write '{self.filename}' with codec {self.codec}")
     self._writer,self.size = writer,size
 
-# %% ../../nbs/api/02_utils.display.ipynb #47ccc766
+# %% ../../nbs/api/02_utils.display.ipynb #ebf1135e
 @patch
 def add(self:VideoWriter,
         img): # Picture, see `as_bgr`; all of one size
@@ -193,14 +193,14 @@ def add(self:VideoWriter,
     self._writer.write(cv2.cvtColor(im, cv2.COLOR_RGB2BGR) if self.rgb2bgr else im)
     self.frames += 1
 
-# %% ../../nbs/api/02_utils.display.ipynb #577cf3b9
+# %% ../../nbs/api/02_utils.display.ipynb #33e76919
 @patch
 def close(self:VideoWriter):
     "Finish the file"
     if self._writer: self._writer.release()
     self._writer = None
 
-# %% ../../nbs/api/02_utils.display.ipynb #f68ed969
+# %% ../../nbs/api/02_utils.display.ipynb #0cfdab32
 def _vp9(file, width):
     "A copy of video `file` for browsers, as bytes, and its number of frames"
     import cv2
@@ -216,7 +216,7 @@ def _vp9(file, width):
         if not out.frames: raise OSError(f"no frames in '{file}'")
         return copy.read_bytes(),out.frames
 
-# %% ../../nbs/api/02_utils.display.ipynb #6bc20c9e
+# %% ../../nbs/api/02_utils.display.ipynb #d2cd0d63
 class Video:
     "A short video that shows itself: a player in a notebook, its name in a terminal"
     def __init__(self,
@@ -229,7 +229,7 @@ class Video:
         data = base64.b64encode(self.data).decode()
         return f'<video controls loop muted autoplay width="{self.width}" src="data:video/mp4;base64,{data}"></video>'
 
-# %% ../../nbs/api/02_utils.display.ipynb #17ffffdc
+# %% ../../nbs/api/02_utils.display.ipynb #9213477d
 @patch
 def show(self:VideoWriter,
          width:int=320): # Of the player, pixels
@@ -240,7 +240,7 @@ def show(self:VideoWriter,
     from IPython.display import display
     display(Video(self.filename, width))
 
-# %% ../../nbs/api/02_utils.display.ipynb #7e5e49d5
+# %% ../../nbs/api/02_utils.display.ipynb #3a74186e
 class ScrollingLog:
     "The newest messages, to draw on a picture or to watch in a notebook"
     def __init__(self,
@@ -257,7 +257,7 @@ class ScrollingLog:
     def __repr__(self): return '\n'.join(self.log)
     def _repr_html_(self): return f'<pre>{escape(repr(self))}</pre>'
 
-# %% ../../nbs/api/02_utils.display.ipynb #12145a62
+# %% ../../nbs/api/02_utils.display.ipynb #54a753b0
 @patch
 def update(self:ScrollingLog,
            message:str, # One line
@@ -269,7 +269,7 @@ def update(self:ScrollingLog,
         else: raise IndexError(f'line {index} of a log with {len(self.log)}')
         if self._view: self._view(message)
 
-# %% ../../nbs/api/02_utils.display.ipynb #78b629f4
+# %% ../../nbs/api/02_utils.display.ipynb #055ecada
 @patch
 def draw(self:ScrollingLog,
          image, # BGR picture, changed in place
@@ -286,7 +286,7 @@ def draw(self:ScrollingLog,
         if self.bg_color is not None: cv2.rectangle(image, *corners, self.bg_color, -1)
     for i,s in enumerate(lines): cv2.putText(image, s, (x,y+i*step), font, scale, self.color, self.thickness, cv2.LINE_AA)
 
-# %% ../../nbs/api/02_utils.display.ipynb #3ad2750b
+# %% ../../nbs/api/02_utils.display.ipynb #95843132
 class ScrollingLogHandler(logging.Handler):
     "Puts the messages of a logger into a `ScrollingLog`, until `close`"
     def __init__(self,
@@ -309,13 +309,13 @@ class ScrollingLogHandler(logging.Handler):
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-# %% ../../nbs/api/02_utils.display.ipynb #49911bc4
+# %% ../../nbs/api/02_utils.display.ipynb #ab1e04e5
 @patch
 def set_filter(self:ScrollingLogHandler, _filter:str):
     "Take only messages that contain `_filter`"
     self._filter = _filter
 
-# %% ../../nbs/api/02_utils.display.ipynb #350365ae
+# %% ../../nbs/api/02_utils.display.ipynb #a95c51cd
 @patch
 def show(self:ScrollingLog,
          out=None): # Text stream to write to; `None` is the cell in a notebook, and the terminal elsewhere
@@ -330,7 +330,7 @@ def show(self:ScrollingLog,
             self._view = lambda line: out.write(line+'\n')
             for line in self.log: self._view(line)
 
-# %% ../../nbs/api/02_utils.display.ipynb #6868f414
+# %% ../../nbs/api/02_utils.display.ipynb #70059751
 def _first_line(doc): return inspect.cleandoc(doc or '').partition('\n')[0]
 
 def _signature(cls, name):
@@ -343,7 +343,7 @@ def _signature(cls, name):
     text = re.sub(r' at 0x[0-9a-fA-F]+', '', str(sig))
     return ('async ' if inspect.iscoroutinefunction(f) else '') + name + text
 
-# %% ../../nbs/api/02_utils.display.ipynb #8c03d4a3
+# %% ../../nbs/api/02_utils.display.ipynb #d47282bc
 def _public(cls):
     "`(name, class it comes from)` of each public method and property, first those of `cls`"
     seen = {}
@@ -353,7 +353,7 @@ def _public(cls):
             if method and not name.startswith('_'): seen.setdefault(name, c)
     return seen.items()
 
-# %% ../../nbs/api/02_utils.display.ipynb #9ff24d19
+# %% ../../nbs/api/02_utils.display.ipynb #e4307d0c
 class ClassDoc:
     "The public methods of a class, as Markdown in a notebook and as text elsewhere"
     def __init__(self,
@@ -368,7 +368,7 @@ class ClassDoc:
         rows = [f'- `{sig}`' + (f'<br>{doc}' if doc else '') + (f' *({base})*' if base else '') for sig,doc,base in self.methods]
         return '\n'.join([f'**{self.name}**: {self.doc}', '', *rows])
 
-# %% ../../nbs/api/02_utils.display.ipynb #7de8c4c0
+# %% ../../nbs/api/02_utils.display.ipynb #a4ed40f7
 def doc_class(
     cls, # A class, not an object
 )->ClassDoc:

@@ -41,7 +41,7 @@ class Job:
         "Move on to the next whole period after `now`; what was missed is skipped, not caught up"
         self.due += self.period*max(1, math.ceil((now-self.due)/self.period))
 
-# %% ../../nbs/api/01_utils.general.ipynb #be155ddc
+# %% ../../nbs/api/01_utils.general.ipynb #6638cb94
 class Timers:
     "Calls functions at regular times from one thread, which lives as long as it has a job"
     def __init__(self, name:str='timers'): self.name,self._jobs,self._changed,self._thread,self._running = name,[],threading.Condition(),None,None
@@ -61,7 +61,7 @@ class Timers:
             self._changed.notify_all()
         return job
 
-# %% ../../nbs/api/01_utils.general.ipynb #83c14cab
+# %% ../../nbs/api/01_utils.general.ipynb #2e67286d
 @patch
 def _next(self:Timers):
     "The next job, when it is due; `None` when there is no job left"
@@ -89,7 +89,7 @@ def _run(self:Timers):
             self._running = None
             self._changed.notify_all()
 
-# %% ../../nbs/api/01_utils.general.ipynb #6de8d871
+# %% ../../nbs/api/01_utils.general.ipynb #31725554
 @patch
 def cancel(self:Timers, job:Job):
     "Never call `job` again; waits for a call that is under way"
@@ -102,5 +102,5 @@ def cancel(self:Timers, job:Job):
         if self._thread is thread: return
     thread.join()
 
-# %% ../../nbs/api/01_utils.general.ipynb #16d10fe6
+# %% ../../nbs/api/01_utils.general.ipynb #43b3b532
 timers = Timers()
