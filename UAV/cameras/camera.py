@@ -37,7 +37,7 @@ def check_sequence(
     if not 0 <= count < math.inf or count != int(count): raise ValueError(f'count must be a whole number, 0 or more, not {count}')
     return (0. if count == 1 else max(float(interval), min_interval)), int(count)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #ef9bf777
+# %% ../../nbs/api/21_cameras.camera.ipynb #3b1a2d15
 _cameras = weakref.WeakSet()
 
 class Camera:
@@ -59,7 +59,7 @@ class Camera:
         self.storage = storage or Storage(folder, quota)
         self.log = get_logger(f'camera.{self.information.model}')
         self._cond,self._jobs,self._callbacks,self._closing = threading.Condition(),deque(),[],threading.Event()
-        self._thread,self._running,self._storage_status = None,False,'ready'
+        self._thread,self._running,self._storage_status,self._closed = None,False,'ready',False
         self._now = self._told = False,0.       # capturing and interval: as it is, as it was announced
         _cameras.add(self)
 
@@ -70,9 +70,9 @@ class Camera:
     def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
     def close(self):
         "Stop, wait for the picture being taken, and let go of the storage; may be called twice"
-        self._closing.set(); self.image_stop_capture()
+        self._closed = True; self.image_stop_capture()
         if self._thread and self._thread is not threading.current_thread(): self._thread.join()
-        self.storage.close(); _cameras.discard(self)
+        self._closing.set(); self.storage.close(); _cameras.discard(self)
 
 # %% ../../nbs/api/21_cameras.camera.ipynb #6e8d6546
 @atexit.register
@@ -116,11 +116,11 @@ def storage_information(self:Camera)->list:
     "How full the storages are"
     return [self.storage.information()]
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #932ce335
+# %% ../../nbs/api/21_cameras.camera.ipynb #504f01d3
 @patch
 def _check_capture(self:Camera, single:bool):
     "Raise what speaks against taking a picture now"
-    if self._closing.is_set(): raise CameraError(f'{self!r} is closed')
+    if self._closed: raise CameraError(f'{self!r} is closed')
     if self.mode == 'video' and not self.image_in_video_mode: raise WrongMode('no pictures in video mode')
     if any(job.count != 1 and not job.stop.is_set() for job in self._jobs): raise CameraBusy('a sequence is running')
     if self._jobs and not single: raise CameraBusy('a picture is being taken')

@@ -13,7 +13,7 @@ from ..logging import get_logger
 from .protocol import LinkError
 
 # %% auto #0
-__all__ = ['log', 'link_types', 'Link', 'VirtualLink', 'UDPLink', 'UDPIn', 'UDPOut', 'Stream', 'TCPOut', 'TCPIn', 'SerialLink',
+__all__ = ['log', 'link_types', 'Link', 'VirtualLink', 'UDPLink', 'UDPIn', 'UDPOut', 'Outbox', 'TCPOut', 'TCPIn', 'SerialLink',
            'open_link']
 
 # %% ../../nbs/api/12_mavlink.links.ipynb #011b9ba0
@@ -137,21 +137,27 @@ class UDPOut(UDPLink):
     def _heard(self, peer): return peer==self.peer or peer[1]==self.peer[1] or self._closed
     def write(self, data): self._send(data, self.peer)
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #088bf67d
-class Stream:
-    "A TCP connection that never blocks on `write`"
+# %% ../../nbs/api/12_mavlink.links.ipynb #200fee18
+class Outbox:
+    "Sends what it can without waiting, and keeps the rest for the next time"
     most = 1<<17 # bytes kept for a slow reader
-    def __init__(self, sock): self.sock,self._kept,self._lock = sock,b'',threading.Lock(); sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    def __init__(self,
+        send, # Function that sends some of the bytes it gets, and says how many; raises `BlockingIOError` when it would have to wait
+    ): self.send,self.kept,self._lock = send,b'',threading.Lock()
 
-    def write(self, data):
+    def write(self, data:bytes):
         with self._lock:
-            if len(self._kept)>self.most: data = b''
-            self._kept += data
-            try: self._kept = self._kept[self.sock.send(self._kept, socket.MSG_DONTWAIT):]
+            if len(self.kept)<=self.most: self.kept += data
+            try: self.kept = self.kept[self.send(self.kept):]
             except BlockingIOError: pass
             except OSError as e: log.debug('%s', e)
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #dd34499e
+# %% ../../nbs/api/12_mavlink.links.ipynb #d3655186
+def _stream(sock)->Outbox:
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    return Outbox(lambda data: sock.send(data, getattr(socket,'MSG_DONTWAIT',0)))
+
+# %% ../../nbs/api/12_mavlink.links.ipynb #1d25d941
 class TCPOut(Link):
     "`tcp:HOST:PORT`: a client"
     prefixes = ('tcp:',)
@@ -163,19 +169,19 @@ class TCPOut(Link):
             self.sock.close()
             raise LinkError(f'cannot connect to TCP {name}: {e}') from e
         self.sock.settimeout(None)
-        self._stream = Stream(self.sock)
+        self._outbox = _stream(self.sock)
 
     def recv(self):
         try: data = self.sock.recv(65536)
         except OSError: data = b''
         return (data,None) if data else None
 
-    def write(self, data): self._stream.write(data)
+    def write(self, data): self._outbox.write(data)
     def close(self):
         try: self.sock.shutdown(socket.SHUT_RDWR)
         except OSError: pass      # the other side was faster
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #3f3cc82f
+# %% ../../nbs/api/12_mavlink.links.ipynb #b2641a7e
 class TCPIn(Link):
     "`tcpin:HOST:PORT`: a server; whatever is written goes to all its clients"
     prefixes = ('tcpin:',)
@@ -196,12 +202,12 @@ class TCPIn(Link):
         try: self._ring.send(b'.')
         except OSError: pass      # closed before
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #b5e449a6
+# %% ../../nbs/api/12_mavlink.links.ipynb #122bfcc0
 @patch
 def _accept(self:TCPIn):
     try: sock,_ = self.sock.accept()
     except OSError: return        # gone before we could greet it
-    self.streams[sock] = Stream(sock)
+    self.streams[sock] = _stream(sock)
     self._ready.register(sock, selectors.EVENT_READ)
 
 @patch
@@ -225,14 +231,14 @@ def recv(self:TCPIn):
             self._accept() if key.fileobj is self.sock else self._read(key.fileobj)
     return self._inbox.popleft()
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #4e8d7d81
+# %% ../../nbs/api/12_mavlink.links.ipynb #776686ac
 @patch
 def release(self:TCPIn):
     for sock in list(self.streams): self._drop(sock)
     self._ready.close()
     for sock in (self.sock,self._bell,self._ring): sock.close()
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #08ef9d64
+# %% ../../nbs/api/12_mavlink.links.ipynb #5b76df5f
 class SerialLink(Link):
     "A serial port, `DEVICE` or `DEVICE,BAUDRATE`"
     def __init__(self, name:str, baudrate:int=57600):
@@ -241,7 +247,10 @@ class SerialLink(Link):
         device,_,rate = name.partition(',')
         try: self.port = serial.Serial(device, int(rate or baudrate), timeout=None, write_timeout=0)
         except (serial.SerialException, ValueError, OSError) as e: raise SerialLinkError(f'cannot open serial port {name}: {e}') from e
-        self._closed,self._lock = False,threading.Lock()
+        self._closed,self._outbox = False,Outbox(self._send)
+
+    def _send(self, data):      # pyserial's own write spins when the line is full
+        return os.write(self.port.fileno(), data) if os.name=='posix' else self.port.write(data)
 
     def recv(self):
         try: data = self.port.read(1)
@@ -250,12 +259,9 @@ class SerialLink(Link):
             return
         return (data+self.port.read(self.port.in_waiting), None) if data and not self._closed else None
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #fcbad698
+# %% ../../nbs/api/12_mavlink.links.ipynb #19f546f8
 @patch
-def write(self:SerialLink, data):
-    try:
-        with self._lock: self.port.write(data)
-    except OSError as e: log.debug('serial port %s: %s', self.port.name, e)
+def write(self:SerialLink, data): self._outbox.write(data)
 
 @patch
 def close(self:SerialLink):
@@ -265,7 +271,7 @@ def close(self:SerialLink):
 @patch
 def release(self:SerialLink): self.port.close()
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #fc0489be
+# %% ../../nbs/api/12_mavlink.links.ipynb #b37ca79c
 link_types = [UDPIn, UDPOut, TCPOut, TCPIn, VirtualLink]
 
 def open_link(
