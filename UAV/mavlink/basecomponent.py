@@ -205,7 +205,7 @@ def result_of(self:BaseComponent, error:Exception, what:str)->int:
     self.log.info('%s: %s: %s', what, enum_name('MAV_RESULT', result, 'MAV_RESULT_'), error)
     return result
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #041fd5f8
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #1c2f143a
 @patch
 def send_ack(self:BaseComponent, msg, ack_result:int=mavlink.MAV_RESULT_ACCEPTED, progress:int=0):
     "Answer the command `msg` with a COMMAND_ACK to its sender"
@@ -226,6 +226,7 @@ def answer_command(self:BaseComponent, handler, msg):
     with self.ack_first(own_thread=slow):
         result = self._run_slowly(handler, msg) if slow else self.run_command(handler, msg)
         self._served.note(msg, result, time.monotonic())
+        self._working.pop(msg.command, None)       # before the ack: the next one may follow it within a millisecond
         self.send_ack(msg, result)
 
 # %% ../../nbs/api/14_mavlink.basecomponent.ipynb #07ef3393
@@ -257,14 +258,13 @@ def _work(self:BaseComponent, handler, msg):
     same = address(running)==address(msg) and parameters(running)==parameters(msg)
     self.send_ack(msg, mavlink.MAV_RESULT_IN_PROGRESS if same else mavlink.MAV_RESULT_TEMPORARILY_REJECTED)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #1f245c97
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #7313b5d6
 @patch
 def _run_worker(self:BaseComponent):
     while job := self._jobs.get():
         handler,msg = job
         try: self.answer_command(handler, msg)
         except Exception: self.log.exception('%s could not be answered', handler.name)
-        finally: del self._working[msg.command]
 
 @patch
 def _run_slowly(self:BaseComponent, handler, msg)->int:
@@ -314,7 +314,7 @@ async def _ask(self:BaseComponent, target:tuple, command_id:int, params, timeout
         if fut.done() and not confirmation: self._round_trips[target] = time.monotonic()-sent
         return (fut.result() if fut.done() else None),confirmation+1
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #5c422279
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #c4c1ed85
 @patch
 async def send_command(self:BaseComponent,
     target_system:int, # 0: all systems
@@ -335,7 +335,7 @@ async def send_command(self:BaseComponent,
         if (echo := turn.result()-time.monotonic())>0: await answer(Future(), echo)
         self.num_cmds_sent += 1
         ack,times = await self._ask(target, command_id, params, timeout, retries, frame, until)
-        if times>1: quiet = time.monotonic()+min(timeout, 5*self._round_trips.get(target, timeout)+.02)
+        if times>1 or not ack: quiet = time.monotonic()+min(timeout, 5*self._round_trips.get(target, .05)+.02)
     finally: self._turns.leave(key, turn, quiet)
     if ack: self.num_acks_rcvd += 1
     elif not any(f.done() for f in until): self.num_acks_drop += 1

@@ -20,10 +20,10 @@ NAN = math.nan
 _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'NAN', 'LogLevels', 'mavlink']
 
 # %% auto #0
-__all__ = ['NAN', 'CameraClient', 'RemoteCamera', 'is_camera', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION',
-           'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'LogLevels', 'mavlink']
+__all__ = ['NAN', 'CameraClient', 'RemoteCamera', 'is_camera', 'PictureLog', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS',
+           'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'LogLevels', 'mavlink']
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #500b27a5
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #417a9996
 class CameraClient(Component):
     "Finds and commands MAVLink cameras"
     def __init__(self,
@@ -32,7 +32,7 @@ class CameraClient(Component):
         loglevel:int=LogLevels.INFO,
     ):
         super().__init__(source_component, mav_type, loglevel)
-        self.images,self._next_image = {},{}     # {(system,component): {index: CAMERA_IMAGE_CAPTURED}}, and the next index to hand out
+        self.pictures = {}     # `{(system,component): PictureLog}`
         self._sequence = int(time.time())%10_000_000    # restarts of a client must not repeat the numbers of its shots
 
     def on_mav_connection(self): self.want(CAMERA_IMAGE_CAPTURED)
@@ -145,25 +145,43 @@ async def image_stop_capture(self:CameraClient, target_system:int|None=None, tar
     "Stop taking pictures"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #bd5abbb5
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #f499cf74
+class PictureLog:
+    "The picture notices of one camera: those that came, those nobody has seen, and the index of the next"
+    def __init__(self, first:int=0): self.images,self.fresh,self.next = {},{},first
+
+    def add(self, msg):
+        "Keep a CAMERA_IMAGE_CAPTURED"
+        i = msg.image_index
+        if i in self.images and self.images[i].time_utc!=msg.time_utc: self.__init__(i)
+        if i not in self.images: self.images[i] = self.fresh[i] = msg
+
+    def missing(self, count:int)->list:
+        "Which of the next `count` indexes have not come"
+        return [i for i in range(self.next, self.next+count) if i not in self.images]
+
+    def take(self, count:int)->list:
+        "Hand out the next `count`; when the camera counts in a way of its own, those that came, in order of time"
+        found = [self.images[i] for i in range(self.next, self.next+count) if i in self.images]
+        found = found or sorted(self.fresh.values(), key=lambda m: m.time_utc)[:count]
+        for m in found: self.fresh.pop(m.image_index, None); self.next = m.image_index+1
+        return found
+
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #16497b83
 @patch
 async def _mark(self:CameraClient, target:tuple):
-    "Remember where the pictures to come begin"
-    if target in self._next_image or target not in self.mav_com.remotes: return
+    "Begin a log for a camera that beats"
+    if target in self.pictures or target not in self.mav_com.remotes: return
     status = await self.request_camera_capture_status(*target)
-    if status: self._next_image.setdefault(target, status.image_count)
+    if status: self.pictures.setdefault(target, PictureLog(status.image_count))
 
 @patch
 @receives(CAMERA_IMAGE_CAPTURED)
 def on_image_captured(self:CameraClient, msg):
     "Keep the notice of a picture"
-    source,i = address(msg),msg.image_index
-    kept = self.images.setdefault(source, {})
-    if i in kept and kept[i].time_utc!=msg.time_utc: kept.clear(); self._next_image[source] = i
-    kept[i] = msg
-    self._next_image.setdefault(source, i)
+    self.pictures.setdefault(address(msg), PictureLog(msg.image_index)).add(msg)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #cac083c4
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #ce7648ad
 @patch
 async def wait_images(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     count:int=1, # How many pictures
@@ -172,17 +190,13 @@ async def wait_images(self:CameraClient, target_system:int|None=None, target_com
     "The next `count` CAMERA_IMAGE_CAPTURED of a camera in order, lost ones asked for again; fewer when no more come"
     target = self.target(target_system, target_component)
     await self._mark(target)
-    kept,last = self.images.setdefault(target, {}),time.monotonic()
-    while True:
+    pictures,last = self.pictures.setdefault(target, PictureLog()),time.monotonic()
+    while (missing := pictures.missing(count)) and time.monotonic()-last<timeout:
         with self.waiters.expecting(CAMERA_IMAGE_CAPTURED, lambda m: comes_from(m, *target)) as fut:
-            first = self._next_image.get(target, 0)
-            missing = [i for i in range(first, first+count) if i not in kept]
-            if not missing or time.monotonic()-last>timeout: break
-            news = await answer(fut, min(.3, timeout))
+            news = pictures.missing(count)!=missing or await answer(fut, min(.3, timeout))
         if news or await self._recover(target, missing): last = time.monotonic()
-    found = [kept[i] for i in range(first, first+count) if i in kept]
-    self._next_image[target] = found[-1].image_index+1 if found else first
-    return found
+        elif len(pictures.fresh)>=count: break
+    return pictures.take(count)
 
 @patch
 async def _recover(self:CameraClient, target:tuple, missing:list)->bool:
@@ -191,7 +205,7 @@ async def _recover(self:CameraClient, target:tuple, missing:list)->bool:
     taken = [i for i in missing if status and i<status.image_count]
     return any([await self.request_camera_image_capture(*target, index=i) for i in taken])
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #fff60ca8
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #a6b8cf4a
 @patch
 async def set_camera_mode(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     mode_id:int=mavlink.CAMERA_MODE_IMAGE, # A CAMERA_MODE
@@ -215,7 +229,7 @@ async def set_camera_focus(self:CameraClient, target_system:int|None=None, targe
     "Focus"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_SET_CAMERA_FOCUS, [focus_type, focus_value])
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #6ca49089
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #cee7c1d5
 @patch
 async def storage_format(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     storage_id:int=1, # As in STORAGE_INFORMATION
@@ -223,7 +237,7 @@ async def storage_format(self:CameraClient, target_system:int|None=None, target_
     "Delete all pictures on a storage; the camera counts from 0 again, and so do we"
     target = self.target(target_system, target_component)
     ack = await self.send_command(*target, mavlink.MAV_CMD_STORAGE_FORMAT, [storage_id, 1])
-    if ack: self.images.pop(target, None); self._next_image.pop(target, None)
+    if ack: self.pictures.pop(target, None)
     return ack
 
 @patch
@@ -231,7 +245,7 @@ async def reset_camera_settings(self:CameraClient, target_system:int|None=None, 
     "Put all settings back to their defaults"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_RESET_CAMERA_SETTINGS, [1])
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #5888833e
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #4638060f
 @patch
 async def video_start_capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     video_stream_id:int=0, # 0: all

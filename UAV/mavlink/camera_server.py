@@ -166,7 +166,7 @@ def _on_camera(self:CameraServer, event):
     msgs = encode(event) if isinstance(event, Picture) else encode()
     for msg in msgs if isinstance(msgs, list) else [msgs]: self.send_message(msg)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #11a11613
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #318a37b0
 class Shots:
     "Which single shots were taken already"
     window,overtaken,pair = 5.,2.,.2 # s: the last sequence number counts, older ones count, two kinds of trigger are one
@@ -181,7 +181,8 @@ class Shots:
         return other!=kind and now-when<self.pair
 
     def note(self, source:tuple, kind:int, sequence:int, now:float):
-        "It was served"
+        "It was served; who numbers shots and sends none has begun anew"
+        if not sequence and kind==mavlink.MAV_CMD_IMAGE_START_CAPTURE: self._served.pop(source, None)
         if sequence>0: self._served[source] = {**{s:t for s,t in self._served.get(source, {}).items() if now-t<self.window}, sequence:now}
         other,_ = self._single.pop(source[0], (kind,0.))
         if other==kind: self._single[source[0]] = kind,now

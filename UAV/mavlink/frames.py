@@ -80,11 +80,11 @@ class Source:
         if missing<128: self.lost,self.next = self.lost+missing,(seq+1)&255
         elif self.lost: self.lost -= 1
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #e475ec91
+# %% ../../nbs/api/11_mavlink.frames.ipynb #531edaec
 class FrameReader:
     "Cuts frames out of a byte stream; `feed` returns the messages among them that are wanted"
     def __init__(self,
-        wanted, # A container of message ids: messages with other ids are counted, not built
+        wanted:Wanted, # Message ids: messages with other ids are counted, not built
         sources:dict|None=None, # `{(system,component): Source}`, to share between readers
     ): self.wanted,self.sources,self.bad,self._rest = wanted,{} if sources is None else sources,0,b''
 
@@ -104,26 +104,43 @@ def _length(buf:bytes, pos:int, left:int)->tuple:
     else: good = tail==left or buf[pos+tail] in b'\xfd\xfe'
     return tail if good else -1,msg_id
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #5363c124
+# %% ../../nbs/api/11_mavlink.frames.ipynb #bc6e0179
+@patch
+def _next(self:FrameReader, buf:bytes, pos:int)->tuple:
+    "`(length, message id, sequence, (system, component))` of the frame at `pos`; length 0: more bytes are needed, -1: no frame"
+    n,msg_id = _length(buf, pos, len(buf)-pos) if buf[pos] in b'\xfd\xfe' else (-1,0)
+    if n<=0: return n,0,0,None
+    at = pos+4 if buf[pos]==0xfd else pos+2
+    return n,msg_id,buf[at],(buf[at+1],buf[at+2])
+
+@patch
+def _resume(self:FrameReader, buf:bytes, pos:int)->int:
+    "Where the next frame could begin"
+    self.bad += 1
+    return min((i for i in (buf.find(b'\xfd',pos+1),buf.find(b'\xfe',pos+1)) if i>0), default=len(buf))
+
+# %% ../../nbs/api/11_mavlink.frames.ipynb #962051b3
 @patch
 def feed(self:FrameReader, data:bytes)->list:
     "The wanted messages that are complete with `data`"
     buf,pos,found = self._rest+data if self._rest else data,0,[]
-    wanted,sources,size = self.wanted,self.sources,len(buf)
+    wanted,sources,size = self.wanted.counts,self.sources,len(buf)
     while pos<size:
-        n,msg_id = _length(buf, pos, size-pos) if buf[pos] in b'\xfd\xfe' else (-1,0)
-        if n==0: break
-        if n<0:
-            self.bad,nexts = self.bad+1,[i for i in (buf.find(b'\xfd',pos+1),buf.find(b'\xfe',pos+1)) if i>0]
-            pos = min(nexts, default=size)
-            continue
-        at = pos+4 if buf[pos]==0xfd else pos+2
-        seq,key = buf[at],(buf[at+1],buf[at+2])
+        n = 0
+        if buf[pos]==0xfd and size-pos>11:
+            _,length,flags,_,seq,system,component,msg_id,high = _head2.unpack_from(buf, pos)
+            n,msg_id,key = length+12,msg_id|high<<16,(system,component)
+            extra,tail = _crc_extra.get(msg_id),pos+length+10
+            if flags or extra is None or tail+2>size or crc(buf[pos+1:tail]+extra)!=buf[tail]|buf[tail+1]<<8: n = 0
+        if not n:
+            n,msg_id,seq,key = self._next(buf, pos)
+            if n==0: break
+            if n<0: pos = self._resume(buf, pos); continue
         source = sources.get(key) or sources.setdefault(key, Source())
         if seq==source.next: source.next = (seq+1)&255
         else: source.gap(seq)
         source.counts[msg_id] += 1
-        if msg_id in wanted and msg_id in _crc_extra: found.append(decode(buf[pos:pos+n]))
+        if (msg_id in wanted or None in wanted) and msg_id in _crc_extra: found.append(decode(buf[pos:pos+n] if n<size else buf))
         pos += n
     self._rest = buf[pos:]
     return found

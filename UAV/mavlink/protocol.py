@@ -18,9 +18,9 @@ __all__ = ['accepts', 'address', 'comes_from', 'enum_name', 'enum_value', 'Ack',
            'CommandError', 'Busy', 'Denied', 'Unsupported', 'Failed', 'Waiters', 'answer', 'Turns', 'given',
            'parameters', 'arguments', 'Served', 'marks_made', 'command', 'message', 'receives', 'Handler', 'marked']
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #bb5adf1e
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #2413f3a0
 @patch
-def __repr__(self:mavlink.MAVLink_message): return str(self)
+def __repr__(self:mavlink.MAVLink_message): "Name and fields"; return str(self)
 
 # %% ../../nbs/api/10_mavlink.protocol.ipynb #0020fd1f
 def accepts(
