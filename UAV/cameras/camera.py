@@ -80,10 +80,10 @@ def close_cameras():
     "Close every camera that is still open"
     for camera in list(_cameras): camera.close()
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #adcdb46f
+# %% ../../nbs/api/21_cameras.camera.ipynb #277b8fd6
 @patch
 def subscribe(self:Camera,
-    callback, # Called with each `Picture`, `CaptureStatus`, `CameraSettings` and `StorageInformation`; must be quick
+    callback, # Called with each Picture, CaptureStatus, CameraSettings and StorageInformation; must be quick
 ):
     "Tell `callback` what happens"
     self._callbacks = self._callbacks + [callback]
@@ -172,28 +172,35 @@ def _next_job(self:Camera):
                 return self._cond.notify_all()
         self._announce_state()
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #daf07731
+# %% ../../nbs/api/21_cameras.camera.ipynb #9f9a4f09
 @patch
 def _run(self:Camera):
     "The capture thread: one job after the other"
     while job := self._next_job():
         self._do(job)
-        with self._cond: self._jobs.popleft()
+        self._finish(job)
+
+@patch
+def _finish(self:Camera, job):
+    "The job occupies the camera no longer"
+    with self._cond:
+        if self._jobs and self._jobs[0] is job: self._jobs.popleft()
 
 @patch
 def _do(self:Camera, job):
     "Take the pictures of one job by its timetable, until it is done or stopped"
     t0,slot,taken = time.monotonic(),0,0
-    while not job.stop.wait(max(0, t0+slot*job.interval-time.monotonic())):
+    while not (taken and job.stop.wait(max(0, t0+slot*job.interval-time.monotonic()))):     # what was accepted is taken, also when a stop follows at once
         self._announce_state((True, job.interval))
-        self.announce(self._take_picture())
+        picture,taken = self._take_picture(),taken+1
+        if taken == job.count: self._finish(job)       # whoever hears of the last picture may ask for another
+        self.announce(picture)
         self._watch_storage()
-        taken += 1
         if taken == job.count: return
         self._announce_state((False, job.interval))
         slot = next_slot(slot, time.monotonic()-t0, job.interval)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #81d31e56
+# %% ../../nbs/api/21_cameras.camera.ipynb #b8fd84d1
 @patch
 def read_still(self:Camera)->Frame:
     "The frame a picture is made of; override it when the camera has something better than `read()` for stills"
@@ -213,6 +220,7 @@ def _take_picture(self:Camera):
     started = time.time()
     try:
         frame,information = self.read_still(),self.information
+        if not isinstance(frame, Frame): raise CameraError(f'read() must return a Frame, not {type(frame).__name__}')
         if self.lens: information = replace(information, focal_length=self.lens.focal_length)
         return self.storage.save(self._encode(frame), frame.time_utc, frame.pose, information)
     except Exception as e:
@@ -248,10 +256,10 @@ def picture(self:Camera,
     if not 0 <= index < count: raise IndexError(f'there is no picture {index}; {count} were taken')
     return self.storage.pictures[int(index)]
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #bbd45123
+# %% ../../nbs/api/21_cameras.camera.ipynb #ab8e93c9
 @patch
 def storage_format(self:Camera,
-    storage_id:int=1, # As in `StorageInformation`
+    storage_id:int=1, # As in StorageInformation
 ):
     "Delete all pictures; raises `ValueError` for an unknown storage and `CameraBusy` while it is in use"
     if storage_id != self.storage.storage_id: raise ValueError(f'there is no storage {storage_id}')
@@ -501,9 +509,9 @@ class _Seen(list):
     "The events of a camera, and the threads that ran before"
     def __init__(self): self.threads = threading.enumerate()
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #1e8197bf
+# %% ../../nbs/api/21_cameras.camera.ipynb #b21410b7
 def check_camera(
-    camera, # A `Camera`; it is closed at the end
+    camera, # A Camera; it is closed at the end
 )->Report:
     "Does `camera` do what everybody relies on? Raises `AssertionError` with a sentence that says what it does not"
     assert hasattr(camera, '_jobs'), f'{type(camera).__name__}.__init__ must call super().__init__(...)'

@@ -5,9 +5,10 @@
 # %% auto #0
 __all__ = ['source_kind', 'silent_cv2', 'open_source', 'CV2Camera']
 
-# %% ../../nbs/api/23_cameras.cv2.ipynb #fd86b514
+# %% ../../nbs/api/23_cameras.cv2.ipynb #cc79a91c
 import os, threading, time
 from contextlib import contextmanager
+from dataclasses import replace
 
 from fastcore.basics import patch
 from .storage import *
@@ -59,7 +60,7 @@ def open_source(
         capture.release()
     raise CameraError(f'{source!r} {problem}')
 
-# %% ../../nbs/api/23_cameras.cv2.ipynb #d8ca839f
+# %% ../../nbs/api/23_cameras.cv2.ipynb #a5360cdc
 class CV2Camera(Camera):
     "A camera that OpenCV can open"
     first_retry,last_retry = .5,10.     # s between attempts to reopen, doubled each time
@@ -72,9 +73,11 @@ class CV2Camera(Camera):
         paced:bool=True, # Play a file in its own time; False waits for each frame to be read
         open_timeout:float=5., read_timeout:float=5., # Seconds
         backend:int|None=None, # `cv2.CAP_…`; `None` leaves the choice to OpenCV
-        model:str='CV2Camera', # As in `CameraInformation`
-        folder:str|None=None, quota:float|None=None, # As for `Camera`
+        model:str='CV2Camera', # As in CameraInformation
+        folder:str|None=None, quota:float|None=None, # As for Camera
+        pose=None, # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
     ):
+        self.pose = pose
         self.source,self.kind,self.width,self.height,self.fps = source,source_kind(source),width,height,fps
         self.open_timeout,self.read_timeout,self.backend,self.loop = open_timeout,read_timeout,backend,loop
         self.paced,self.lockstep = paced and self.kind == 'file',not paced and self.kind == 'file'
@@ -183,3 +186,12 @@ def next_frame(self:CV2Camera,
 def read(self:CV2Camera)->Frame:
     "The newest frame; raises `CameraError` when the source has given none for `read_timeout`, has ended, or is closed"
     return self.next_frame()
+
+# %% ../../nbs/api/23_cameras.cv2.ipynb #52b019e4
+@patch
+def read_still(self:CV2Camera)->Frame:
+    "The newest frame, with its pose"
+    frame = self.read()
+    try: return replace(frame, pose=self.pose()) if self.pose else frame
+    except Exception: self.log.exception('no pose for a picture')
+    return frame

@@ -280,21 +280,21 @@ def render(self:SimWorld,
         if np.linalg.norm(self.tags[number].mean(0)-view.position) < car: self._draw_tag(image, view, number, self.tags[number])
     return image
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #730a2e2c
+# %% ../../nbs/api/22_cameras.sim.ipynb #21b86396
 class SimCamera(Camera):
     "A camera in a `SimWorld`, with zoom, focus and modes"
     modes = 'image','video'
     def __init__(self,
         width:int=640, # px
         height:int=480, # px
-        model:str='SimCamera', # As in `CameraInformation`
+        model:str='SimCamera', # As in CameraInformation
         world:SimWorld|None=None, # What it looks at; `None` is the world of `seed`
         north:float=0., east:float=0., altitude:float=30., # Where it is: m from the origin, and above the ground
         roll:float=0., pitch:float=-20., yaw:float=0., # Where it looks, degrees
         attitude=None, # Function that gives (roll, pitch, yaw) in degrees, in place of the three above
         origin:tuple=(-35.363262,149.165237,584.), # Latitude, longitude, height above sea of the origin
         frame_rate:float=15., # Frames per second of simulated time
-        folder:str|None=None, quota:float|None=None, # As for `Camera`
+        folder:str|None=None, quota:float|None=None, # As for Camera
         seed:int=0, # Which world
         capture_time:float=0., # Seconds that a still picture takes
         clock=time.time, # Gives the time stamps, s since 1970

@@ -7,8 +7,8 @@ __all__ = ['NAN', 'MiB', 'known', 'Value', 'CameraInformation', 'Pose', 'Frame',
            'StorageInformation', 'CaptureStatus', 'CameraError', 'CameraBusy', 'StorageFull', 'WrongMode',
            'add_segments', 'degrees_minutes_seconds', 'gps_tags', 'exif', 'xmp', 'as_line', 'from_line', 'Storage']
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #6fe4ed38
-import errno, json, math, os, re, shutil, tempfile, threading
+# %% ../../nbs/api/20_cameras.storage.ipynb #fe1d1951
+import errno, json, math, os, re, shutil, tempfile, threading, weakref
 from dataclasses import asdict, dataclass, field, fields
 from datetime import datetime, timezone
 from pathlib import Path
@@ -205,7 +205,7 @@ def from_line(line:bytes)->Picture:
         return Picture(**told | dict(pose=Pose(**told['pose']) if 'pose' in told else None))
     except TypeError as e: raise ValueError(f'not a line of the log: {e}') from None
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #740d94f4
+# %% ../../nbs/api/20_cameras.storage.ipynb #c2436575
 class Storage:
     "The pictures of one camera, in a folder that outlives crashes"
     def __init__(self,
@@ -216,8 +216,9 @@ class Storage:
         name:str='pictures', # For people
     ):
         if quota is not None and not quota >= 0: raise ValueError(f'quota must be 0 MiB or more, not {quota}')
-        self._temporary = tempfile.TemporaryDirectory(prefix='uav_') if folder is None else None
-        self.folder = Path(folder or self._temporary.name)
+        self.folder = Path(folder or tempfile.mkdtemp(prefix='uav_'))
+        self._remove = None if folder else weakref.finalize(self, shutil.rmtree, self.folder, ignore_errors=True)
+        if self._remove: self._remove.atexit = False      # at exit it is the camera that closes its storage, after its last picture
         self.quota,self.reserve,self.storage_id,self.name = quota,reserve,storage_id,name
         self._lock,self._log = threading.RLock(),get_logger('storage')
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -229,7 +230,7 @@ class Storage:
     def __repr__(self): return f'Storage({self.name!r}, {len(self)} pictures)'
     def close(self):
         "Remove the folder, if it was a temporary one"
-        if self._temporary: self._temporary.cleanup()
+        if self._remove: self._remove()
 
 # %% ../../nbs/api/20_cameras.storage.ipynb #a24984cd
 @patch(as_prop=True)

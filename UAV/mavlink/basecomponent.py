@@ -21,7 +21,7 @@ from .mavcom import MAVCom
 # %% auto #0
 __all__ = ['BaseComponent', 'Question']
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #a8a8bf27
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #b6626e3e
 class BaseComponent:
     "One component of a MAVLink system"
     in_progress_after,in_progress_timeout = .3,3. # seconds until we say IN_PROGRESS; seconds we wait after we heard it
@@ -37,11 +37,11 @@ class BaseComponent:
         self._tables,self._wanted,self._callbacks = (None,{}),set(),[]
         self.message_cnts,self.num_msgs_rcvd,self.num_cmds_sent,self.num_cmds_rcvd = {},0,0,0
         self.num_acks_sent,self.num_acks_rcvd,self.num_acks_drop = 0,0,0
-        self.waiters,self._turns,self._served,self._round_trips = None,Turns(),Served(),{}
+        self.waiters,self._turns,self._served,self._round_trips = Waiters(),Turns(),Served(),{}
         self._lock,self._holds = threading.Lock(),{}
         self._jobs,self._worker,self._working,self._closed = SimpleQueue(),None,{},False
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #4cb12f1e
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #edf05eaf
 @patch
 def __repr__(self:BaseComponent):
     where = f'{self.source_system}/{self.source_component}' if self.mav_com else f'{self.source_component}, not on a link'
@@ -52,6 +52,12 @@ def __repr__(self:BaseComponent):
 def source_system(self:BaseComponent)->int|None:
     "Our system id, once we are on a link"
     return self.mav_com.source_system if self.mav_com else None
+
+@patch(as_prop=True)
+def remotes(self:BaseComponent)->dict:
+    "Who beats on our link; raises `LinkError` when we are on none"
+    if self.mav_com is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
+    return self.mav_com.remotes
 
 @patch
 def set_log(self:BaseComponent, loglevel:int):
@@ -126,7 +132,7 @@ def _send(self:BaseComponent, msg):
         self.mav_com.write(frame)
     self.mav_com.share(frame, msg.get_msgId(), self)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #eaae159f
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #1c193a9b
 @patch
 @contextmanager
 def ack_first(self:BaseComponent,
@@ -139,11 +145,18 @@ def ack_first(self:BaseComponent,
         hold.depth += 1
     try: yield
     finally:
+        with self._lock: hold.depth -= 1
+        self._release(key, hold)
+
+@patch
+def _release(self:BaseComponent, key, hold):
+    "Send what was held, in order, unless another command has begun to hold in the meantime"
+    while True:
         with self._lock:
-            hold.depth -= 1
-            if not hold.depth: del self._holds[key]
-        if not hold.depth:
-            for msg in hold.messages: self._send(msg)
+            msgs,hold.messages = ([],hold.messages) if hold.depth else (hold.messages,[])
+            if not msgs and not hold.depth and self._holds.get(key) is hold: del self._holds[key]
+        if not msgs: return
+        for msg in msgs: self._send(msg)
 
 # %% ../../nbs/api/14_mavlink.basecomponent.ipynb #30a20918
 @patch
@@ -349,7 +362,7 @@ async def wait_ack(self:BaseComponent, target_system:int, target_component:int, 
     with self.waiters.expecting(mavlink.MAVLINK_MSG_ID_COMMAND_ACK, fits) as fut: msg = await answer(fut, timeout)
     return bool(msg) and msg.result==mavlink.MAV_RESULT_ACCEPTED
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #c72a6bc2
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #41971ff0
 @patch
 async def wait_heartbeat(self:BaseComponent,
     remote_mav_type:int|None=None, # Only this MAV_TYPE
@@ -361,9 +374,8 @@ async def wait_heartbeat(self:BaseComponent,
     def fits(system, component, mav_type):
         return target_system in (None,0,system) and target_component in (None,0,component) and remote_mav_type in (None,mav_type)
     with self.waiters.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: fits(*address(m), m.type)) as fut:
-        fresh = time.monotonic()-1.5*self.mav_com.beat_period
-        for src,remote in list(self.mav_com.remotes.items()):
-            if remote.heard>fresh and fits(*src, remote.type): return src
+        for src,remote in list(self.remotes.items()):
+            if time.monotonic()-remote.heard<1.5*self.mav_com.beat_period and fits(*src, remote.type): return src
         msg = await answer(fut, timeout)
     return address(msg) if msg else None
 

@@ -32,17 +32,20 @@ class FakeCamera:
     "A camera that can only say what it would be"
     information = CameraInformation('UAV', 'FakeCamera', (0,0,0,0), 2.8, 3.2, 2.4, 640, 480)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #ae4ec567
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #1b438eec
 class CameraServer(Component):
     "Serves a camera object as a MAVLink camera"
+    greet_again = 5. # seconds after which who asks for CAMERA_INFORMATION is a new peer
+
     def __init__(self,
         source_component:int=mavlink.MAV_COMP_ID_CAMERA, # 100 to 105 are what QGroundControl and ArduPilot look for
         mav_type:int=mavlink.MAV_TYPE_CAMERA,
-        camera=None, # A `Camera`, or any object with `information` and some of its verbs
+        camera=None, # A Camera, or any object with `information` and some of its verbs
         loglevel:int=LogLevels.INFO,
     ):
         super().__init__(source_component, mav_type, loglevel)
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
+        elif not hasattr(camera,'information'): raise TypeError(f'{camera!r} is no camera: it has no `information`')
         self.camera,self._greeted,self._shots = camera or FakeCamera(),{},Shots()
         if self.can('subscribe'): self.camera.subscribe(self._on_camera)
 
@@ -73,9 +76,8 @@ def for_us(self:CameraServer, camera_id:int):
 CameraServer.results = {**Component.results, CameraBusy:mavlink.MAV_RESULT_TEMPORARILY_REJECTED, CameraError:mavlink.MAV_RESULT_FAILED,
                         ValueError:mavlink.MAV_RESULT_DENIED, IndexError:mavlink.MAV_RESULT_DENIED}
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #333d9c18
-_flag_verbs = {'CAPTURE_IMAGE':'image_start_capture', 'CAPTURE_VIDEO':'video_start_capture', 'HAS_MODES':'set_camera_mode',
-               'HAS_BASIC_ZOOM':'set_camera_zoom', 'HAS_BASIC_FOCUS':'set_camera_focus', 'HAS_VIDEO_STREAM':'video_start_streaming'}
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #30d5b6c9
+_flag_verbs = {'CAPTURE_IMAGE':'image_start_capture', 'HAS_MODES':'set_camera_mode', 'HAS_BASIC_ZOOM':'set_camera_zoom', 'HAS_BASIC_FOCUS':'set_camera_focus'}
 
 @patch(as_prop=True)
 def flags(self:CameraServer)->int:
@@ -85,7 +87,7 @@ def flags(self:CameraServer)->int:
     if {'HAS_MODES','CAPTURE_IMAGE'}<=names and getattr(self.camera,'image_in_video_mode',False): names.add('CAN_CAPTURE_IMAGE_IN_VIDEO_MODE')
     return sum(enum_value('CAMERA_CAP_FLAGS', n, 'CAMERA_CAP_FLAGS_') for n in names)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #296bc55b
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #b024c430
 def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))    # the last byte stays 0: others read C strings
 
 @patch
@@ -100,9 +102,9 @@ def _camera_information(self:CameraServer, *, msg=None):
 
 @patch
 def _greeting(self:CameraServer, peer:tuple)->list:
-    "What a ground station wants to know next, so that it need not ask; once in five seconds for each `peer`"
+    "What a ground station wants to know next, so that it need not ask; again only when `peer` has been away"
     last,self._greeted[peer] = self._greeted.get(peer,-math.inf),time.monotonic()
-    if self._greeted[peer]-last<5: return []
+    if self._greeted[peer]-last<self.greet_again: return []
     verbs = (self._camera_settings,'settings'), (self._storage_information,'storage_information'), (self._camera_capture_status,'capture_status')
     return [m for f,verb in verbs if self.can(verb) for m in (lambda x: x if isinstance(x,list) else [x])(f())]
 
@@ -289,26 +291,14 @@ def _request_storage_information(self:CameraServer, storage_id:int=0, request:in
     "MAV_CMD_REQUEST_STORAGE_INFORMATION"
     if request==1: self.send_paced(self._storage_information(storage_id))
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #f8364fce
-@patch
-@command(mavlink.MAV_CMD_VIDEO_START_CAPTURE)
-def _video_start_capture(self:CameraServer, stream_id:int=0): self.need('video_start_capture')(stream_id)
-
-@patch
-@command(mavlink.MAV_CMD_VIDEO_STOP_CAPTURE)
-def _video_stop_capture(self:CameraServer, stream_id:int=0): self.need('video_stop_capture')(stream_id)
-
-@patch
-@command(mavlink.MAV_CMD_VIDEO_START_STREAMING)
-def _video_start_streaming(self:CameraServer, stream_id:int=0): self.need('video_start_streaming')(stream_id)
-
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #335a6c66
 @patch
 @command(mavlink.MAV_CMD_VIDEO_STOP_STREAMING)
-def _video_stop_streaming(self:CameraServer, stream_id:int=0): self.need('video_stop_streaming')(stream_id)
-
-@patch
+@command(mavlink.MAV_CMD_VIDEO_START_STREAMING)
+@command(mavlink.MAV_CMD_VIDEO_STOP_CAPTURE)
+@command(mavlink.MAV_CMD_VIDEO_START_CAPTURE)
 @message(VIDEO_STREAM_STATUS)
 @message(VIDEO_STREAM_INFORMATION)
-def _video_stream(self:CameraServer, stream_id:int=0):
-    "VIDEO_STREAM_INFORMATION and VIDEO_STREAM_STATUS"
-    raise Unsupported('no video streams')
+def _no_video(self:CameraServer):
+    "All commands and messages about video"
+    raise Unsupported('there is no video')

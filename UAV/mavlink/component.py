@@ -93,14 +93,14 @@ def target(self:Component, target_system:int|None=None, target_component:int|Non
     if system is None or comp is None: raise MAVError('no target: name target_system and target_component, or call set_target first')
     return system,comp
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #7d867722
+# %% ../../nbs/api/15_mavlink.component.ipynb #14d62d46
 @patch
-async def _request(self:Component, command_id:int, params, msg_id:int, target:tuple, timeout:float, tries:int=3, fits=None):
+async def _request(self:Component, command_id:int, params, msg_id:int, target:tuple, timeout:float, tries:int=3, fits=None, retries:int=2):
     "Send a command that makes `target` send message `msg_id`: `(message or None, ack)`"
     def ours(m): return comes_from(m, *target) and accepts(m, self.source_system, self.source_component) and (fits is None or fits(m))
     with self.waiters.expecting(msg_id, ours) as fut:
         for _ in range(tries):
-            ack = await self.send_command(*target, command_id, params, until=[fut])
+            ack = await self.send_command(*target, command_id, params, retries=retries, until=[fut])
             if ack and not fut.done(): await answer(fut, timeout)
             if not ack or fut.done(): break       # refused, or nobody there: asking again changes nothing
         return (fut.result() if fut.done() else None),ack

@@ -54,10 +54,10 @@ class VirtualLink(Link):
             if not room: del self._rooms[self.name]
         self._inbox.put(None)
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #87de794e
+# %% ../../nbs/api/12_mavlink.links.ipynb #b9bd0f8b
 def _address(name:str)->tuple:
     host,colon,port = name.rpartition(':')
-    if not colon: raise LinkError(f'{name!r} is not a HOST:PORT')
+    if not colon or not port.isdecimal() or int(port)>65535 or host.startswith('//'): raise LinkError(f'{name!r} is not a HOST:PORT, such as 127.0.0.1:14550')
     try: return socket.getaddrinfo(host or '0.0.0.0', int(port), socket.AF_INET)[0][4]
     except (ValueError, OSError) as e: raise LinkError(f'{name!r} is not a HOST:PORT that can be reached: {e}') from e
 
@@ -238,7 +238,7 @@ def release(self:TCPIn):
     self._ready.close()
     for sock in (self.sock,self._bell,self._ring): sock.close()
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #5b76df5f
+# %% ../../nbs/api/12_mavlink.links.ipynb #f5579644
 class SerialLink(Link):
     "A serial port, `DEVICE` or `DEVICE,BAUDRATE`"
     def __init__(self, name:str, baudrate:int=57600):
@@ -246,7 +246,8 @@ class SerialLink(Link):
         class SerialLinkError(LinkError, serial.SerialException): "A serial port that cannot be opened"
         device,_,rate = name.partition(',')
         try: self.port = serial.Serial(device, int(rate or baudrate), timeout=None, write_timeout=0)
-        except (serial.SerialException, ValueError, OSError) as e: raise SerialLinkError(f'cannot open serial port {name}: {e}') from e
+        except (serial.SerialException, ValueError, OSError) as e: raise SerialLinkError(
+            f'cannot open serial port {name}: {e} (what does not begin with udpin:, udpout:, tcp:, tcpin: or virtual: is a serial port)') from e
         self._closed,self._outbox = False,Outbox(self._send)
 
     def _send(self, data):      # pyserial's own write spins when the line is full

@@ -135,7 +135,7 @@ def message_cnts(self:MAVCom)->dict:
             of[name] = of.get(name, 0)+n
     return counts
 
-# %% ../../nbs/api/13_mavlink.mavcom.ipynb #af4640bc
+# %% ../../nbs/api/13_mavlink.mavcom.ipynb #a322ecee
 @patch
 def summary(self:MAVCom)->str:
     "Who was heard, and what our components did, as text"
@@ -144,6 +144,7 @@ def summary(self:MAVCom)->str:
         remote,lost = self.remotes.get((system,comp)),source.lost/max(1, source.lost+source.received)
         kind = enum_name('MAV_TYPE', remote.type, 'MAV_TYPE_') if remote else 'no heartbeat'
         lines.append(f'  heard {system}/{comp} {kind}: {source.received} messages, {lost:.0%} lost')
-    bad = sum(r.bad for r in self._readers.values())
+    if not self.sources: lines.append('  heard nobody: does somebody send to this port, and from the other kind of link?')
+    bad = sum(r.bad for r in list(self._readers.values()))
     if bad: lines.append(f'  {bad} pieces of garbage')
     return '\n'.join(lines+[f'  {c!r}' for c in list(self.component.values())])

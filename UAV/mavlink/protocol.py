@@ -53,7 +53,7 @@ def enum_value(enum:str, name:str, prefix:str='')->int:
     "The number that the dialect gives to `prefix+name`, in whatever case; raises `KeyError`"
     return {e.name:i for i,e in mavlink.enums[enum].items()}[prefix+name.upper()]
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #7e54a7ea
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #a72dd22d
 class Ack(int):
     "1 if a command was accepted, else 0; `result` (MAV_RESULT or `None`) and `source` say why and by whom"
     def __new__(cls, result:int|None, source:tuple|None=None, command:int|None=None):
@@ -61,11 +61,18 @@ class Ack(int):
         self.result,self.source,self.command = result,source,command
         return self
 
+    @property
+    def reason(self)->str:
+        "What the dialect says about `result`, in one sentence"
+        if self.result is None: return 'nobody answered'
+        e = mavlink.enums['MAV_RESULT'].get(self.result)
+        return re.split(r' \(|\.', e.description)[0].replace('Command', 'command', 1) if e else f'result {self.result}'
+
     def __repr__(self):
         what = '' if self.command is None else enum_name('MAV_CMD', self.command, 'MAV_CMD_')+': '
         if self.result is None: return what+'no answer'
         who = f' from {self.source[0]}/{self.source[1]}' if self.source else ''
-        return what+enum_name('MAV_RESULT', self.result, 'MAV_RESULT_')+who
+        return what+enum_name('MAV_RESULT', self.result, 'MAV_RESULT_')+who+('' if self else f' ({self.reason})')
     __str__ = __repr__
 
 # %% ../../nbs/api/10_mavlink.protocol.ipynb #0f3d1275
