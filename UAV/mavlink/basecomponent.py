@@ -21,7 +21,7 @@ from .mavcom import MAVCom
 # %% auto #0
 __all__ = ['BaseComponent', 'Question']
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #b6626e3e
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #0ba8f462
 class BaseComponent:
     "One component of a MAVLink system"
     in_progress_after,in_progress_timeout = .3,3. # seconds until we say IN_PROGRESS; seconds we wait after we heard it
@@ -41,7 +41,7 @@ class BaseComponent:
         self._lock,self._holds = threading.Lock(),{}
         self._jobs,self._worker,self._working,self._closed = SimpleQueue(),None,{},False
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #edf05eaf
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #90cb032c
 @patch
 def __repr__(self:BaseComponent):
     where = f'{self.source_system}/{self.source_component}' if self.mav_com else f'{self.source_component}, not on a link'
@@ -64,7 +64,7 @@ def set_log(self:BaseComponent, loglevel:int):
     "Change how much this component logs"
     self.log.setLevel(loglevel)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #c212f505
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #dfc7c626
 @patch
 def on_mav_connection(self:BaseComponent): "Called when we are on a link; for subclasses"
 @patch
@@ -87,7 +87,7 @@ def set_source_component(self:BaseComponent):
 
 BaseComponent.set_source_compenent = BaseComponent.set_source_component   # the published spelling
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #ded23f4d
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #1d4f1d4d
 @patch
 def handlers(self:BaseComponent, kind:str)->dict:
     "`{id: Handler}` of our methods marked as `kind` ('command', 'message' or 'receives')"
@@ -110,7 +110,7 @@ def want(self:BaseComponent, *msg_ids):
     self._wanted |= new
     self.mav_com.wanted.add(*new)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #7c1f2014
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #1ce9b6e4
 @patch
 def close(self:BaseComponent):
     "Leave the link; safe to call twice"
@@ -121,7 +121,7 @@ def close(self:BaseComponent):
     self.mav_com.wanted.remove(*self._wanted)
     if not self.mav_com._closed: self.mav_com.component.pop(self.source_component, None)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #36e0fa93
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #76e18d0e
 @patch
 def _send(self:BaseComponent, msg):
     if self.mav is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
@@ -132,7 +132,7 @@ def _send(self:BaseComponent, msg):
         self.mav_com.write(frame)
     self.mav_com.share(frame, msg.get_msgId(), self)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #1c193a9b
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #4eb33e0b
 @patch
 @contextmanager
 def ack_first(self:BaseComponent,
@@ -158,7 +158,7 @@ def _release(self:BaseComponent, key, hold):
         if not msgs: return
         for msg in msgs: self._send(msg)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #30a20918
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #2b366f01
 @patch
 def send_message(self:BaseComponent, msg):
     "Send an encoded message as ours; raises `LinkError` when we are on no link, `ValueError` when a field does not fit"
@@ -173,7 +173,7 @@ def beat(self:BaseComponent):
     "Send our heartbeat"
     self.send_message(self.mav.heartbeat_encode(self.mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, self.system_status))
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #dd10e4af
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #d9a0f450
 @patch
 def count_message(self:BaseComponent, msg):
     "Count `msg` in `message_cnts[system][MESSAGE_NAME]`"
@@ -194,7 +194,7 @@ def _show(self:BaseComponent, msg)->bool:
     "Show `msg` to `on_message` and the callbacks; true when one of them says so"
     return any([self.on_message(msg)]+[f(msg) for f in list(self._callbacks)])
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #31a10d5d
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #e45f3fee
 @patch
 def append_message_handler(self:BaseComponent,
     callback, # Called with each message for us, on the reader thread: be quick
@@ -204,7 +204,7 @@ def append_message_handler(self:BaseComponent,
     self._callbacks.append(callback)
     if self.mav_com: self.want(None)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #b355193a
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #547db50e
 BaseComponent.results = {CommandError:None, NotImplementedError:mavlink.MAV_RESULT_UNSUPPORTED}   # None: the error knows
 
 @patch
@@ -218,7 +218,7 @@ def result_of(self:BaseComponent, error:Exception, what:str)->int:
     self.log.info('%s: %s: %s', what, enum_name('MAV_RESULT', result, 'MAV_RESULT_'), error)
     return result
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #1c2f143a
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #aae1e909
 @patch
 def send_ack(self:BaseComponent, msg, ack_result:int=mavlink.MAV_RESULT_ACCEPTED, progress:int=0):
     "Answer the command `msg` with a COMMAND_ACK to its sender"
@@ -242,7 +242,7 @@ def answer_command(self:BaseComponent, handler, msg):
         self._working.pop(msg.command, None)       # before the ack: the next one may follow it within a millisecond
         self.send_ack(msg, result)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #07ef3393
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #500d831e
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_COMMAND_INT)
 @receives(mavlink.MAVLINK_MSG_ID_COMMAND_LONG)
@@ -258,7 +258,7 @@ def on_command(self:BaseComponent, msg):
         self._served.note(msg, result, time.monotonic())
         self.send_ack(msg, result)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #ccdd39bc
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #c09e4dd2
 @patch
 def _work(self:BaseComponent, handler, msg):
     "Have the worker run a slow command; the same one again is IN_PROGRESS for its sender, and busy for others"
@@ -271,7 +271,7 @@ def _work(self:BaseComponent, handler, msg):
     same = address(running)==address(msg) and parameters(running)==parameters(msg)
     self.send_ack(msg, mavlink.MAV_RESULT_IN_PROGRESS if same else mavlink.MAV_RESULT_TEMPORARILY_REJECTED)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #7313b5d6
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #eb08cf4d
 @patch
 def _run_worker(self:BaseComponent):
     while job := self._jobs.get():
@@ -287,7 +287,7 @@ def _run_slowly(self:BaseComponent, handler, msg)->int:
     try: return self.run_command(handler, msg)
     finally: timers.cancel(saying)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #021ab51c
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #b08eeebe
 @patch
 def _encode_command(self:BaseComponent, target:tuple, command_id:int, params, confirmation:int=0, frame:int|None=None):
     "COMMAND_LONG, or COMMAND_INT in a MAV_FRAME `frame`"
@@ -296,7 +296,7 @@ def _encode_command(self:BaseComponent, target:tuple, command_id:int, params, co
     x,y = (0x7fffffff if v!=v else int(v) for v in p[4:6])
     return self.mav.command_int_encode(*target, frame, command_id, 0, 0, *p[:4], x, y, p[6])
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #abfdc6a0
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #b7dd45d8
 class Question:
     "One command under way: which acks are its own, and was any of them IN_PROGRESS?"
     def __init__(self, component, target:tuple, command_id:int): self.component,self.target,self.command_id,self.progress = component,target,command_id,None
@@ -312,7 +312,7 @@ class Question:
         "Seconds still to wait after the last IN_PROGRESS"
         return 0. if self.progress is None else self.progress+max(timeout, self.component.in_progress_timeout)-time.monotonic()
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #f60006f3
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #3133a522
 @patch
 async def _ask(self:BaseComponent, target:tuple, command_id:int, params, timeout:float, retries:int, frame, until):
     "Send until an ack comes: `(ack or None, how often sent)`"
@@ -327,7 +327,7 @@ async def _ask(self:BaseComponent, target:tuple, command_id:int, params, timeout
         if fut.done() and not confirmation: self._round_trips[target] = time.monotonic()-sent
         return (fut.result() if fut.done() else None),confirmation+1
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #c4c1ed85
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #f9b15dea
 @patch
 async def send_command(self:BaseComponent,
     target_system:int, # 0: all systems
@@ -354,7 +354,7 @@ async def send_command(self:BaseComponent,
     elif not any(f.done() for f in until): self.num_acks_drop += 1
     return Ack(ack.result, address(ack), command_id) if ack else Ack(None, None, command_id)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #2b2d5e6f
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #3a6e8af6
 @patch
 async def wait_ack(self:BaseComponent, target_system:int, target_component:int, command_id:int|None=None, timeout:float=.1)->bool:
     "Wait for an ack of any command, or of `command_id`, without sending anything; true when it says accepted"
@@ -362,7 +362,7 @@ async def wait_ack(self:BaseComponent, target_system:int, target_component:int, 
     with self.waiters.expecting(mavlink.MAVLINK_MSG_ID_COMMAND_ACK, fits) as fut: msg = await answer(fut, timeout)
     return bool(msg) and msg.result==mavlink.MAV_RESULT_ACCEPTED
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #41971ff0
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #51887184
 @patch
 async def wait_heartbeat(self:BaseComponent,
     remote_mav_type:int|None=None, # Only this MAV_TYPE
@@ -379,7 +379,7 @@ async def wait_heartbeat(self:BaseComponent,
         msg = await answer(fut, timeout)
     return address(msg) if msg else None
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #ff97edcf
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #6c2c65bf
 @patch
 def send_ping(self:BaseComponent, target_system:int=0, target_component:int=0, ping_num:int|None=None):
     "Measure round trips: the answers go to `round_trips`. MAVLink's PING is always for all, so the target is not sent"
@@ -397,7 +397,7 @@ def on_ping(self:BaseComponent, msg):
     if not msg.target_system: self.send_message(self.mav.ping_encode(msg.time_usec, msg.seq, *address(msg)))
     else: self._round_trips[address(msg)] = (time_UTC_usec()-msg.time_usec)/1e6
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #415a0fe0
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #a891f281
 @patch
 async def test_command(self:BaseComponent, target_system:int, target_component:int, camera_id:int=0)->Ack:
     "Trigger a camera with MAV_CMD_DO_DIGICAM_CONTROL; `camera_id` goes into the command identity"

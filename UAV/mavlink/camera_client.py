@@ -23,7 +23,7 @@ _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA
 __all__ = ['NAN', 'CameraClient', 'RemoteCamera', 'is_camera', 'PictureLog', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS',
            'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'LogLevels', 'mavlink']
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #417a9996
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #2c59e324
 class CameraClient(Component):
     "Finds and commands MAVLink cameras"
     def __init__(self,
@@ -37,7 +37,7 @@ class CameraClient(Component):
 
     def on_mav_connection(self): self.want(CAMERA_IMAGE_CAPTURED)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #5b88976a
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #e5a016d3
 @patch
 async def _ask_for(self:CameraClient, target:tuple, msg_id:int, index:float, legacy:int, legacy_params:list, fits=None):
     "A message of `target`, by REQUEST_MESSAGE or else by the `legacy` command; `None` when it has none"
@@ -45,7 +45,7 @@ async def _ask_for(self:CameraClient, target:tuple, msg_id:int, index:float, leg
     if msg is None: msg,_ = await self._request(legacy, legacy_params, msg_id, target, 1., fits=fits)
     return msg
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #e6744e58
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #8981f33c
 @patch
 async def request_camera_information(self:CameraClient, target_system:int|None=None, target_component:int|None=None):
     "CAMERA_INFORMATION, or `None`"
@@ -61,7 +61,7 @@ async def request_camera_capture_status(self:CameraClient, target_system:int|Non
     "CAMERA_CAPTURE_STATUS, or `None`"
     return await self._ask_for(self.target(target_system, target_component), CAMERA_CAPTURE_STATUS, 0, mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS, [1])
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #82c168fa
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #885b60f7
 @patch
 async def request_storage_information(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     storage_id:int=0, # 0: any
@@ -78,7 +78,7 @@ async def request_camera_image_capture(self:CameraClient, target_system:int|None
     return await self._ask_for(self.target(target_system, target_component), CAMERA_IMAGE_CAPTURED, index,
                                mavlink.MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE, [index], lambda m: m.image_index==index)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #668acd88
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #441e05a5
 @dataclass(frozen=True)
 class RemoteCamera:
     "A camera that was found: where it is, and its CAMERA_INFORMATION"
@@ -102,7 +102,7 @@ class RemoteCamera:
         i = self.information
         return f'{self.system}/{self.component} {self.name}'+(f', {i.resolution_h}x{i.resolution_v}: {" ".join(self.can)}' if i else '')
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #ccbc48e9
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #4a10ca1d
 def is_camera(source:tuple, mav_type:int)->bool:
     "Is a component with this address and MAV_TYPE a camera?"
     ids = mavlink.MAV_COMP_ID_CAMERA,mavlink.MAV_COMP_ID_CAMERA6
@@ -112,7 +112,7 @@ def is_camera(source:tuple, mav_type:int)->bool:
 def _cameras_heard(self:CameraClient, since:float)->list:
     return sorted(s for s,r in list(self.remotes.items()) if r.heard>=since and is_camera(s, r.type) and s!=(self.source_system,self.source_component))
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #a3640241
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #38bafade
 @patch
 async def find_cameras(self:CameraClient,
     count:int|None=None, # Return as soon as so many have been heard
@@ -129,7 +129,7 @@ async def find_cameras(self:CameraClient,
     found = self._cameras_heard(start-1.5)
     return [RemoteCamera(*s, i) for s,i in zip(found, await asyncio.gather(*(self.request_camera_information(*s) for s in found)))]
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #bd7b52f8
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #df73706d
 @patch
 async def image_start_capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     interval:float=0, # Seconds between two pictures
@@ -146,7 +146,7 @@ async def image_stop_capture(self:CameraClient, target_system:int|None=None, tar
     "Stop taking pictures"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #2dcd34b0
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #b563a0e7
 class PictureLog:
     "The picture notices of one camera: those that came, those nobody has seen, and the index of the next"
     def __init__(self, first:int=0): self.images,self.fresh,self.next = {},{},first
@@ -168,7 +168,7 @@ class PictureLog:
         for m in found: self.fresh.pop(m.image_index, None); self.next = m.image_index+1
         return found
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #2eca33b6
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #c25d9598
 @patch
 async def _mark(self:CameraClient, target:tuple):
     "Begin a log for a camera; one that we have not heard yet is asked only once"
@@ -183,7 +183,7 @@ def on_image_captured(self:CameraClient, msg):
     "Keep the notice of a picture"
     self.pictures.setdefault(address(msg), PictureLog(msg.image_index)).add(msg)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #0d237c72
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #4fef3f6a
 @patch
 async def wait_images(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     count:int=1, # How many pictures
@@ -206,7 +206,7 @@ async def wait_images(self:CameraClient, target_system:int|None=None, target_com
         else: wait = min(2*wait, 2.)
     return pictures.take(count)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #1b50b071
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #3eabd5c9
 @patch
 async def _recover(self:CameraClient, target:tuple, pictures:PictureLog, missing:list, status):
     "Ask again for the notices of pictures that were taken"
@@ -214,7 +214,7 @@ async def _recover(self:CameraClient, target:tuple, pictures:PictureLog, missing
     for i in missing:
         if status and i<status.image_count: await self.request_camera_image_capture(*target, index=i)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #bd66721b
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #513f3dbf
 @patch
 async def set_camera_mode(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     mode_id:int=mavlink.CAMERA_MODE_IMAGE, # A CAMERA_MODE
@@ -238,7 +238,7 @@ async def set_camera_focus(self:CameraClient, target_system:int|None=None, targe
     "Focus"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_SET_CAMERA_FOCUS, [focus_type, focus_value])
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #4e49a88a
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #d67272e5
 @patch
 async def storage_format(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     storage_id:int=1, # As in STORAGE_INFORMATION
@@ -254,7 +254,7 @@ async def reset_camera_settings(self:CameraClient, target_system:int|None=None, 
     "Put all settings back to their defaults"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_RESET_CAMERA_SETTINGS, [1])
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #7c1e9ad4
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #7c3f7b12
 @patch
 async def video_start_capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     video_stream_id:int=0, # 0: all

@@ -27,12 +27,12 @@ __all__ = ['NAN', 'FakeCamera', 'CameraServer', 'Shots', 'CAMERA_INFORMATION', '
            'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS',
            'LogLevels', 'mavlink']
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #22fd1b5f
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #6b0586fd
 class FakeCamera:
     "A camera that can only say what it would be"
     information = CameraInformation('UAV', 'FakeCamera', (0,0,0,0), 2.8, 3.2, 2.4, 640, 480)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #1b438eec
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #f3c21f83
 class CameraServer(Component):
     "Serves a camera object as a MAVLink camera"
     greet_again = 5. # seconds after which who asks for CAMERA_INFORMATION is a new peer
@@ -55,7 +55,7 @@ class CameraServer(Component):
         if self.can('unsubscribe'): self.camera.unsubscribe(self._on_camera)
         super().close()
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #5c561563
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #e97b2180
 @patch
 def can(self:CameraServer, verb:str)->bool:
     "Has the camera this verb?"
@@ -72,11 +72,11 @@ def for_us(self:CameraServer, camera_id:int):
     "Raise `Denied` when a command names another camera: we are 0 (all), or our component id"
     if camera_id not in (0, self.source_component): raise Denied(f'camera {camera_id} is not here')
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #e3e6310f
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #fa5c7518
 CameraServer.results = {**Component.results, CameraBusy:mavlink.MAV_RESULT_TEMPORARILY_REJECTED, CameraError:mavlink.MAV_RESULT_FAILED,
                         ValueError:mavlink.MAV_RESULT_DENIED, IndexError:mavlink.MAV_RESULT_DENIED}
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #30d5b6c9
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #13566b0e
 _flag_verbs = {'CAPTURE_IMAGE':'image_start_capture', 'HAS_MODES':'set_camera_mode', 'HAS_BASIC_ZOOM':'set_camera_zoom', 'HAS_BASIC_FOCUS':'set_camera_focus'}
 
 @patch(as_prop=True)
@@ -87,7 +87,7 @@ def flags(self:CameraServer)->int:
     if {'HAS_MODES','CAPTURE_IMAGE'}<=names and getattr(self.camera,'image_in_video_mode',False): names.add('CAN_CAPTURE_IMAGE_IN_VIDEO_MODE')
     return sum(enum_value('CAMERA_CAP_FLAGS', n, 'CAMERA_CAP_FLAGS_') for n in names)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #b024c430
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #51756340
 def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))    # the last byte stays 0: others read C strings
 
 @patch
@@ -108,7 +108,7 @@ def _greeting(self:CameraServer, peer:tuple)->list:
     verbs = (self._camera_settings,'settings'), (self._storage_information,'storage_information'), (self._camera_capture_status,'capture_status')
     return [m for f,verb in verbs if self.can(verb) for m in (lambda x: x if isinstance(x,list) else [x])(f())]
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #ee252f3c
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #25daf4da
 @patch
 @message(CAMERA_SETTINGS)
 def _camera_settings(self:CameraServer):
@@ -124,7 +124,7 @@ def _camera_capture_status(self:CameraServer):
     return self.mav.camera_capture_status_encode(time_since_boot_ms(), bool(s.capturing)+2*(s.interval>0), int(s.recording), s.interval,
                                                  int(s.recording_time*1000), s.available, s.image_count)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #850e3443
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #c23ed1ec
 @patch
 @message(STORAGE_INFORMATION)
 def _storage_information(self:CameraServer, storage_id:int=0):
@@ -137,7 +137,7 @@ def _storage_information(self:CameraServer, storage_id:int=0):
                 s.total, s.used, s.available, speed(s.read_speed), speed(s.write_speed), mavlink.STORAGE_TYPE_OTHER, s.name.encode()[:31], usage)
             for s in found]
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #66927102
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #00298b60
 @patch
 def _encode_picture(self:CameraServer, picture:Picture):
     "CAMERA_IMAGE_CAPTURED for one `Picture`"
@@ -157,7 +157,7 @@ def _camera_image_captured(self:CameraServer, index:int=None, last:int=0):
     if not first<=last<count: raise Denied(f'no pictures {first} to {last}: {count} were taken')
     return [self._encode_picture(self.camera.picture(i)) for i in range(first, last+1)]
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #fa89ceb9
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #87226ada
 _events = {Picture:'_encode_picture', CaptureStatus:'_camera_capture_status', CameraSettings:'_camera_settings', StorageInformation:'_storage_information'}
 
 @patch
@@ -168,7 +168,7 @@ def _on_camera(self:CameraServer, event):
     msgs = encode(event) if isinstance(event, Picture) else encode()
     for msg in msgs if isinstance(msgs, list) else [msgs]: self.send_message(msg)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #318a37b0
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #a770fa9d
 class Shots:
     "Which single shots were taken already"
     window,overtaken,pair = 5.,2.,.2 # s: the last sequence number counts, older ones count, two kinds of trigger are one
@@ -189,7 +189,7 @@ class Shots:
         other,_ = self._single.pop(source[0], (kind,0.))
         if other==kind: self._single[source[0]] = kind,now
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #0f38745a
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #2ef2bef0
 @patch
 def _shoot(self:CameraServer, kind:int, interval:float, count:int, sequence:int, msg):
     "Start capture, unless this very shot was taken; push the status when refused"
@@ -215,7 +215,7 @@ def _do_digicam_control(self:CameraServer, session:float=0, zoom:float=0, step:f
     if shoot!=1: raise Unsupported('only the shutter')
     self._shoot(msg.command, 0., 1, 0, msg)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #4ff3fc45
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #613a3d98
 @patch
 @command(mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
 def _image_stop_capture(self:CameraServer, camera_id:int=0):
@@ -224,7 +224,7 @@ def _image_stop_capture(self:CameraServer, camera_id:int=0):
     self.need('image_stop_capture')()
     self.send_message(self._camera_capture_status())
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #be9274a8
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #cf696ed8
 @patch
 @command(mavlink.MAV_CMD_SET_CAMERA_MODE, slow=True)
 def _set_camera_mode(self:CameraServer, camera_id:int=0, mode_id:int=None):
@@ -246,7 +246,7 @@ def _set_camera_focus(self:CameraServer, focus_type:int=0, focus_value:float=0.,
     self.for_us(camera_id)
     self.need('set_camera_focus')(enum_name('SET_FOCUS_TYPE', focus_type, 'FOCUS_TYPE_').lower(), focus_value)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #0e9ffd44
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #a95659db
 @patch
 @command(mavlink.MAV_CMD_STORAGE_FORMAT, slow=True)
 def _storage_format(self:CameraServer, storage_id:int=0, format:int=0, reset_log:int=0):
@@ -264,7 +264,7 @@ def _reset_camera_settings(self:CameraServer, reset:int=0, camera_id:int=0):
         self.need('reset_camera_settings')()
     except Exception as e: raise Failed(str(e)) from e
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #425fde39
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #ca4c2157
 _legacy = {mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION:CAMERA_INFORMATION, mavlink.MAV_CMD_REQUEST_CAMERA_SETTINGS:CAMERA_SETTINGS,
            mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS:CAMERA_CAPTURE_STATUS, mavlink.MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE:CAMERA_IMAGE_CAPTURED,
            mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION:VIDEO_STREAM_INFORMATION, mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_STATUS:VIDEO_STREAM_STATUS}
@@ -291,7 +291,7 @@ def _request_storage_information(self:CameraServer, storage_id:int=0, request:in
     "MAV_CMD_REQUEST_STORAGE_INFORMATION"
     if request==1: self.send_paced(self._storage_information(storage_id))
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #335a6c66
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #457b557e
 @patch
 @command(mavlink.MAV_CMD_VIDEO_STOP_STREAMING)
 @command(mavlink.MAV_CMD_VIDEO_START_STREAMING)

@@ -26,7 +26,7 @@ def __getattr__(name):
     from pymavlink import mavutil
     return mavutil
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #24bddf1e
+# %% ../../nbs/api/15_mavlink.component.ipynb #59d94a53
 class Component(BaseComponent):
     "A component that sends messages on request, and asks others for theirs"
     min_interval = 20_000 # µs; nobody gets a message more often than this
@@ -46,11 +46,11 @@ class Component(BaseComponent):
         for job in list(self._pacing): timers.cancel(job)
         super().close()
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #8e48d80f
+# %% ../../nbs/api/15_mavlink.component.ipynb #45eb33fc
 @patch(as_prop=True)
 def messages(self:Component): "The messages we send on request"; return self.handlers('message')
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #935b52ae
+# %% ../../nbs/api/15_mavlink.component.ipynb #a38a301f
 @patch
 def encode_requested(self:Component, msg_id:int, values=(), msg=None)->list:
     "The messages that a request for `msg_id` with parameters `values` is answered with; raises `Unsupported` when there is none"
@@ -58,7 +58,7 @@ def encode_requested(self:Component, msg_id:int, values=(), msg=None)->list:
     found = self.messages[msg_id](list(values), msg)
     return found if isinstance(found, list) else [found]
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #ab2d4c0b
+# %% ../../nbs/api/15_mavlink.component.ipynb #e5e091dd
 @patch
 def send_paced(self:Component, msgs:list):
     "Send `msgs`: the first ones now, the rest one every `pace` seconds"
@@ -79,7 +79,7 @@ def _request_message(self:Component, msg_id:int, p2:float=None, p3:float=None, p
     "Answer MAV_CMD_REQUEST_MESSAGE"
     self.send_paced(self.encode_requested(msg_id, (p2, p3, p4, p5, p6), msg))
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #88c507fa
+# %% ../../nbs/api/15_mavlink.component.ipynb #b6fe4129
 @patch
 def set_target(self:Component, target_system:int, target_component:int):
     "Whom the verbs below address when they are not told"
@@ -93,7 +93,7 @@ def target(self:Component, target_system:int|None=None, target_component:int|Non
     if system is None or comp is None: raise MAVError('no target: name target_system and target_component, or call set_target first')
     return system,comp
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #14d62d46
+# %% ../../nbs/api/15_mavlink.component.ipynb #46127467
 @patch
 async def _request(self:Component, command_id:int, params, msg_id:int, target:tuple, timeout:float, tries:int=3, fits=None, retries:int=2):
     "Send a command that makes `target` send message `msg_id`: `(message or None, ack)`"
@@ -105,7 +105,7 @@ async def _request(self:Component, command_id:int, params, msg_id:int, target:tu
             if not ack or fut.done(): break       # refused, or nobody there: asking again changes nothing
         return (fut.result() if fut.done() else None),ack
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #9a93485b
+# %% ../../nbs/api/15_mavlink.component.ipynb #06ea49d0
 @patch
 async def request_message(self:Component,
     msg_id:int, # Which message (MAVLINK_MSG_ID)
@@ -119,7 +119,7 @@ async def request_message(self:Component,
     target = self.target(target_system, target_component)
     return (await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, *(params or [])], msg_id, target, timeout, fits=fits))[0]
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #d8365ac0
+# %% ../../nbs/api/15_mavlink.component.ipynb #98c00d4b
 @patch
 def start_stream(self:Component, msg_id:int, interval:float, *values):
     "Send message `msg_id` every `interval` µs, at most every `min_interval`; raises `Unsupported` when there is none"
@@ -140,7 +140,7 @@ def stop_stream(self:Component, msg_id:int, *values):
     period,job = self._streams.pop((msg_id,*values), (None,None))
     if job: timers.cancel(job)
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #ce178e0c
+# %% ../../nbs/api/15_mavlink.component.ipynb #8e5db4ef
 @patch
 @command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
 def _set_message_interval(self:Component, msg_id:int, interval:float, index:float=None):
@@ -151,7 +151,7 @@ def _set_message_interval(self:Component, msg_id:int, interval:float, index:floa
     if interval>0: self.start_stream(msg_id, interval, *values)
     else: self.stop_stream(msg_id, *values)
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #dfeb8cc8
+# %% ../../nbs/api/15_mavlink.component.ipynb #4ba8fc99
 @patch
 @message(mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL)
 def _message_interval(self:Component, msg_id:int):
@@ -171,7 +171,7 @@ def _heartbeat(self:Component):
     "Our HEARTBEAT"
     return self.mav.heartbeat_encode(self.mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, self.system_status)
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #358b6b42
+# %% ../../nbs/api/15_mavlink.component.ipynb #fe58d988
 @patch
 async def request_message_stream(self:Component,
     target_system:int|None=None,
@@ -185,7 +185,7 @@ async def request_message_stream(self:Component,
     if interval>0: return (await self._request(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, [msg_id, interval, 0, 0, 0, 0, response_target], msg_id, target, 1.))[0]
     await self.send_command(*target, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, [msg_id, interval, 0, 0, 0, 0, response_target])
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #44297306
+# %% ../../nbs/api/15_mavlink.component.ipynb #e1f067c5
 @patch
 def set_message_callback_cond(self:Component, msg_id:int, target_system:int|None=None, target_component:int|None=None):
     "A condition that is met by the next message `msg_id` from this sender; `None` and 0 fit any"
@@ -202,7 +202,7 @@ async def message_callback_cond(self:Component, msg_id:int, target_system:int|No
     "The next message `msg_id` from this sender, or `None`"
     return await self.wait_message_callback(self.set_message_callback_cond(msg_id, target_system, target_component), timeout)
 
-# %% ../../nbs/api/15_mavlink.component.ipynb #e263246c
+# %% ../../nbs/api/15_mavlink.component.ipynb #017f4453
 @patch
 def list_commands(self:Component):
     "Print the commands this component answers, and the messages it sends on request"

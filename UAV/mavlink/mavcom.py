@@ -20,7 +20,7 @@ _all_ = ['date_time_str', 'time_since_boot_ms', 'time_UTC_usec']
 # %% auto #0
 __all__ = ['MAVCom', 'date_time_str', 'time_since_boot_ms', 'time_UTC_usec']
 
-# %% ../../nbs/api/13_mavlink.mavcom.ipynb #43605267
+# %% ../../nbs/api/13_mavlink.mavcom.ipynb #6b8c8a76
 class MAVCom:
     "One MAVLink system on one link; close it, or use it in a `with`"
     beat_period = 1. # seconds between two heartbeats of each component
@@ -45,7 +45,7 @@ class MAVCom:
     def __exit__(self, *args): self.close()
     def __repr__(self): return f'MAVCom({self.connection_string!r}, source_system={self.source_system}) with components {sorted(self.component)}'
 
-# %% ../../nbs/api/13_mavlink.mavcom.ipynb #7b29cc53
+# %% ../../nbs/api/13_mavlink.mavcom.ipynb #e4237565
 _open = weakref.WeakSet()
 
 @patch
@@ -64,7 +64,7 @@ def close(self:MAVCom):
 def _close_all():
     for com in list(_open): com.close()
 
-# %% ../../nbs/api/13_mavlink.mavcom.ipynb #03530ea8
+# %% ../../nbs/api/13_mavlink.mavcom.ipynb #bb0002eb
 @patch
 def _read(self:MAVCom):
     while got := self.link.recv():
@@ -86,7 +86,7 @@ def _route(self:MAVCom, msg, origin=None):
         try: c.deliver(msg)
         except Exception: self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
 
-# %% ../../nbs/api/13_mavlink.mavcom.ipynb #55cbb73f
+# %% ../../nbs/api/13_mavlink.mavcom.ipynb #cb307f9c
 @patch
 def _heard(self:MAVCom, msg, source:tuple, origin):
     new = source not in self.remotes
@@ -97,7 +97,7 @@ def _heard(self:MAVCom, msg, source:tuple, origin):
 def _beat(self:MAVCom):
     for c in list(self.component.values()): c.beat()
 
-# %% ../../nbs/api/13_mavlink.mavcom.ipynb #72f73889
+# %% ../../nbs/api/13_mavlink.mavcom.ipynb #66924a23
 @patch
 def add_component(self:MAVCom, component):
     "Add `component`, which beats at once; returns it. Raises `ValueError` when its id is taken"
@@ -108,7 +108,7 @@ def add_component(self:MAVCom, component):
     component.beat()
     return component
 
-# %% ../../nbs/api/13_mavlink.mavcom.ipynb #aef030f5
+# %% ../../nbs/api/13_mavlink.mavcom.ipynb #54b0ea7e
 @patch
 def write(self:MAVCom, frame:bytes):
     "Send a packed message over the link"
@@ -123,7 +123,7 @@ def share(self:MAVCom,
     "Give `frame` to our other components"
     if len(self.component)>1 and msg_id in self.wanted and not self._closed: self._route(decode(frame), origin)
 
-# %% ../../nbs/api/13_mavlink.mavcom.ipynb #aba619b7
+# %% ../../nbs/api/13_mavlink.mavcom.ipynb #4dba9c20
 @patch(as_prop=True)
 def message_cnts(self:MAVCom)->dict:
     "`{system: {MESSAGE_NAME: count}}` of all frames received"
@@ -135,7 +135,7 @@ def message_cnts(self:MAVCom)->dict:
             of[name] = of.get(name, 0)+n
     return counts
 
-# %% ../../nbs/api/13_mavlink.mavcom.ipynb #a322ecee
+# %% ../../nbs/api/13_mavlink.mavcom.ipynb #ca0069a2
 @patch
 def summary(self:MAVCom)->str:
     "Who was heard, and what our components did, as text"
