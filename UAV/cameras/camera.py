@@ -26,18 +26,18 @@ def next_slot(
     "The next slot that is still to come"
     return max(slot+1, math.ceil(late/interval))
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #4ef803ff
+# %% ../../nbs/api/21_cameras.camera.ipynb #52d3c6b3
 def check_sequence(
     interval:float, # Seconds between pictures
     count:int, # How many; 0 until stopped
     min_interval:float, # The shortest interval the camera can do, s
 )->tuple:
     "`interval` and `count`, made possible; `ValueError` when they make no sense"
-    if not 0 <= interval < math.inf: raise ValueError(f'interval must be 0 s or more, not {interval}')
+    if not 0 <= interval <= 1e6: raise ValueError(f'interval must be 0 to 1000000 s, not {interval}')
     if not 0 <= count < math.inf or count != int(count): raise ValueError(f'count must be a whole number, 0 or more, not {count}')
     return (0. if count == 1 else max(float(interval), min_interval)), int(count)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #3b1a2d15
+# %% ../../nbs/api/21_cameras.camera.ipynb #a979b3d9
 _cameras = weakref.WeakSet()
 
 class Camera:
@@ -59,7 +59,7 @@ class Camera:
         self.storage = storage or Storage(folder, quota)
         self.log = get_logger(f'camera.{self.information.model}')
         self._cond,self._jobs,self._callbacks,self._closing = threading.Condition(),deque(),[],threading.Event()
-        self._thread,self._running,self._storage_status,self._closed = None,False,'ready',False
+        self._thread,self._running,self._storage_status,self._closed,self._formatting = None,False,'ready',False,False
         self._now = self._told = False,0.       # capturing and interval: as it is, as it was announced
         _cameras.add(self)
 
@@ -116,13 +116,14 @@ def storage_information(self:Camera)->list:
     "How full the storages are"
     return [self.storage.information()]
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #504f01d3
+# %% ../../nbs/api/21_cameras.camera.ipynb #0d999a88
 @patch
 def _check_capture(self:Camera, single:bool):
     "Raise what speaks against taking a picture now"
     if self._closed: raise CameraError(f'{self!r} is closed')
     if self.mode == 'video' and not self.image_in_video_mode: raise WrongMode('no pictures in video mode')
     if any(job.count != 1 and not job.stop.is_set() for job in self._jobs): raise CameraBusy('a sequence is running')
+    if self._formatting: raise CameraBusy('the storage is being formatted')
     if self._jobs and not single: raise CameraBusy('a picture is being taken')
     if len(self._jobs) > self.max_waiting: raise CameraBusy(f'{self.max_waiting} pictures are waiting already')
     self.storage.check_room()
@@ -256,7 +257,7 @@ def picture(self:Camera,
     if not 0 <= index < count: raise IndexError(f'there is no picture {index}; {count} were taken')
     return self.storage.pictures[int(index)]
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #ab8e93c9
+# %% ../../nbs/api/21_cameras.camera.ipynb #27f099b4
 @patch
 def storage_format(self:Camera,
     storage_id:int=1, # As in StorageInformation
@@ -264,8 +265,10 @@ def storage_format(self:Camera,
     "Delete all pictures; raises `ValueError` for an unknown storage and `CameraBusy` while it is in use"
     if storage_id != self.storage.storage_id: raise ValueError(f'there is no storage {storage_id}')
     with self._cond:
-        if self._jobs or self.recording: raise CameraBusy('the storage is in use')
-        self.storage.format()
+        if self._jobs or self.recording or self._formatting: raise CameraBusy('the storage is in use')
+        self._formatting = True
+    try: self.storage.format()
+    finally: self._formatting = False
     self.announce(self.storage.information()); self.announce(self.capture_status())
 
 # %% ../../nbs/api/21_cameras.camera.ipynb #2a4f8768

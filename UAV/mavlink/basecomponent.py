@@ -21,7 +21,7 @@ from .mavcom import MAVCom
 # %% auto #0
 __all__ = ['BaseComponent', 'Question']
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #0ba8f462
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #364487db
 class BaseComponent:
     "One component of a MAVLink system"
     in_progress_after,in_progress_timeout = .3,3. # seconds until we say IN_PROGRESS; seconds we wait after we heard it
@@ -39,7 +39,7 @@ class BaseComponent:
         self.num_acks_sent,self.num_acks_rcvd,self.num_acks_drop = 0,0,0
         self.waiters,self._turns,self._served,self._round_trips = Waiters(),Turns(),Served(),{}
         self._lock,self._holds = threading.Lock(),{}
-        self._jobs,self._worker,self._working,self._closed = SimpleQueue(),None,{},False
+        self._jobs,self._worker,self._working,self._closed,self._left = SimpleQueue(),None,{},False,False
 
 # %% ../../nbs/api/14_mavlink.basecomponent.ipynb #90cb032c
 @patch
@@ -64,7 +64,7 @@ def set_log(self:BaseComponent, loglevel:int):
     "Change how much this component logs"
     self.log.setLevel(loglevel)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #dfc7c626
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #c9715670
 @patch
 def on_mav_connection(self:BaseComponent): "Called when we are on a link; for subclasses"
 @patch
@@ -73,7 +73,8 @@ def on_message(self:BaseComponent, msg):
 
 @patch
 def set_mav_connection(self:BaseComponent, mav_com:MAVCom):
-    "Join the link of `mav_com`"
+    "Join the link of `mav_com`; raises `LinkError` when we have left another"
+    if self._closed: raise LinkError(f'{self!r} is closed: make a new one')
     self.mav_com,self.waiters = mav_com,Waiters(mav_com.wanted)
     self.set_source_component()
     sees_all = bool(self._callbacks) or type(self).on_message is not BaseComponent.on_message
@@ -110,12 +111,12 @@ def want(self:BaseComponent, *msg_ids):
     self._wanted |= new
     self.mav_com.wanted.add(*new)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #1ce9b6e4
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #293c77ca
 @patch
 def close(self:BaseComponent):
     "Leave the link; safe to call twice"
-    if self._closed or self.mav_com is None: return
-    self._closed = True
+    if self._left or self.mav_com is None: return
+    self._closed = self._left = True       # what arrives from now on starts nothing
     self._jobs.put(None)
     if self._worker and self._worker is not threading.current_thread(): self._worker.join()
     self.mav_com.wanted.remove(*self._wanted)
@@ -173,7 +174,7 @@ def beat(self:BaseComponent):
     "Send our heartbeat"
     self.send_message(self.mav.heartbeat_encode(self.mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, self.system_status))
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #d9a0f450
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #dfbb955c
 @patch
 def count_message(self:BaseComponent, msg):
     "Count `msg` in `message_cnts[system][MESSAGE_NAME]`"
@@ -184,6 +185,7 @@ def count_message(self:BaseComponent, msg):
 @patch
 def deliver(self:BaseComponent, msg):
     "Take a message that arrived for us; called by the link's reader"
+    if self._closed: return
     self.count_message(msg)
     self.waiters.offer(msg)
     if handler := self.receivers.get(msg.get_msgId()): handler.f(msg)
@@ -242,19 +244,26 @@ def answer_command(self:BaseComponent, handler, msg):
         self._working.pop(msg.command, None)       # before the ack: the next one may follow it within a millisecond
         self.send_ack(msg, result)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #500d831e
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #10414dbc
+@patch
+def _accepted_by_callback(self:BaseComponent, msg)->bool|None:
+    "Does a callback accept the command? `None` when one raised"
+    try: return self._show(msg)
+    except Exception: self.log.exception('a callback raised on %s', enum_name('MAV_CMD', msg.command, 'MAV_CMD_'))
+
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_COMMAND_INT)
 @receives(mavlink.MAVLINK_MSG_ID_COMMAND_LONG)
 def on_command(self:BaseComponent, msg):
     "Answer a command"
-    before = self._served.find(msg, time.monotonic())
+    handler = self.commands.get(msg.command)
+    before = self._served.find(msg, time.monotonic()) if handler is None or handler.options['once'] else None
     if before is not None: return self.send_ack(msg, before)
     self.num_cmds_rcvd += 1
-    said,handler = self._show(msg),self.commands.get(msg.command)
+    said = self._accepted_by_callback(msg)
     if handler: self._work(handler, msg) if handler.options['slow'] else self.answer_command(handler, msg)
     elif said or msg.target_component==self.source_component:
-        result = mavlink.MAV_RESULT_ACCEPTED if said else mavlink.MAV_RESULT_UNSUPPORTED
+        result = {True:mavlink.MAV_RESULT_ACCEPTED, False:mavlink.MAV_RESULT_UNSUPPORTED, None:mavlink.MAV_RESULT_FAILED}[said]
         self._served.note(msg, result, time.monotonic())
         self.send_ack(msg, result)
 
@@ -327,7 +336,7 @@ async def _ask(self:BaseComponent, target:tuple, command_id:int, params, timeout
         if fut.done() and not confirmation: self._round_trips[target] = time.monotonic()-sent
         return (fut.result() if fut.done() else None),confirmation+1
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #f9b15dea
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #88f91094
 @patch
 async def send_command(self:BaseComponent,
     target_system:int, # 0: all systems
@@ -347,14 +356,23 @@ async def send_command(self:BaseComponent,
         while not turn.done(): await answer(turn, 3600.)
         if (echo := turn.result()-time.monotonic())>0: await answer(Future(), echo)
         self.num_cmds_sent += 1
+        begun = time.monotonic()
+        quiet = begun+timeout           # in case that we are cancelled
         ack,times = await self._ask(target, command_id, params, timeout, retries, frame, until)
-        if times>1 or not ack: quiet = time.monotonic()+min(timeout, 5*self._round_trips.get(target, .05)+.02)
+        quiet = 0. if ack and times==1 else begun+(times-1)*timeout+self._latest_echo(target, time.monotonic()-begun if ack else timeout)
     finally: self._turns.leave(key, turn, quiet)
     if ack: self.num_acks_rcvd += 1
     elif not any(f.done() for f in until): self.num_acks_drop += 1
     return Ack(ack.result, address(ack), command_id) if ack else Ack(None, None, command_id)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #3a6e8af6
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #a7d1be89
+@patch
+def _latest_echo(self:BaseComponent, target:tuple, took:float)->float:
+    "How many seconds after the last try its ack may still come, if an earlier one `took` so long"
+    rtt = self._round_trips.get(target)
+    return .02+(took if rtt is None else min(took, 5*rtt))
+
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #6bb298a1
 @patch
 async def wait_ack(self:BaseComponent, target_system:int, target_component:int, command_id:int|None=None, timeout:float=.1)->bool:
     "Wait for an ack of any command, or of `command_id`, without sending anything; true when it says accepted"
@@ -362,7 +380,7 @@ async def wait_ack(self:BaseComponent, target_system:int, target_component:int, 
     with self.waiters.expecting(mavlink.MAVLINK_MSG_ID_COMMAND_ACK, fits) as fut: msg = await answer(fut, timeout)
     return bool(msg) and msg.result==mavlink.MAV_RESULT_ACCEPTED
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #51887184
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #7aa117f0
 @patch
 async def wait_heartbeat(self:BaseComponent,
     remote_mav_type:int|None=None, # Only this MAV_TYPE
@@ -379,7 +397,7 @@ async def wait_heartbeat(self:BaseComponent,
         msg = await answer(fut, timeout)
     return address(msg) if msg else None
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #6c2c65bf
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #317d6430
 @patch
 def send_ping(self:BaseComponent, target_system:int=0, target_component:int=0, ping_num:int|None=None):
     "Measure round trips: the answers go to `round_trips`. MAVLink's PING is always for all, so the target is not sent"
@@ -397,7 +415,7 @@ def on_ping(self:BaseComponent, msg):
     if not msg.target_system: self.send_message(self.mav.ping_encode(msg.time_usec, msg.seq, *address(msg)))
     else: self._round_trips[address(msg)] = (time_UTC_usec()-msg.time_usec)/1e6
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #a891f281
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #7cdff3b2
 @patch
 async def test_command(self:BaseComponent, target_system:int, target_component:int, camera_id:int=0)->Ack:
     "Trigger a camera with MAV_CMD_DO_DIGICAM_CONTROL; `camera_id` goes into the command identity"

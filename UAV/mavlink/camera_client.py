@@ -146,16 +146,17 @@ async def image_stop_capture(self:CameraClient, target_system:int|None=None, tar
     "Stop taking pictures"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #b563a0e7
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #30a8ed26
 class PictureLog:
     "The picture notices of one camera: those that came, those nobody has seen, and the index of the next"
-    def __init__(self, first:int=0): self.images,self.fresh,self.next = {},{},first
+    def __init__(self, first:int=0): self.images,self.fresh,self.next,self.newest = {},{},first,0
 
     def add(self, msg):
         "Keep a CAMERA_IMAGE_CAPTURED"
-        i,newest = msg.image_index,max((m.time_utc for m in self.images.values()), default=0)
-        if i<self.next and msg.time_utc>newest or i in self.images and self.images[i].time_utc!=msg.time_utc: self.__init__(i)
+        i = msg.image_index
+        if i<self.next and msg.time_utc>self.newest>0 or i in self.images and self.images[i].time_utc!=msg.time_utc: self.__init__(i)
         if i not in self.images: self.images[i] = self.fresh[i] = msg
+        self.newest = max(self.newest, msg.time_utc)
 
     def missing(self, count:int)->list:
         "Which of the next `count` indexes have not come"

@@ -32,7 +32,7 @@ class FakeCamera:
     "A camera that can only say what it would be"
     information = CameraInformation('UAV', 'FakeCamera', (0,0,0,0), 2.8, 3.2, 2.4, 640, 480)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #f3c21f83
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #defd6d1d
 class CameraServer(Component):
     "Serves a camera object as a MAVLink camera"
     greet_again = 5. # seconds after which who asks for CAMERA_INFORMATION is a new peer
@@ -46,14 +46,23 @@ class CameraServer(Component):
         super().__init__(source_component, mav_type, loglevel)
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
         elif not hasattr(camera,'information'): raise TypeError(f'{camera!r} is no camera: it has no `information`')
-        self.camera,self._greeted,self._shots = camera or FakeCamera(),{},Shots()
+        self.camera,self._greeted,self._shots = FakeCamera() if camera is None else camera,{},Shots()
         if self.can('subscribe'): self.camera.subscribe(self._on_camera)
 
     def close(self):
         "Stop taking pictures, and leave the link; the camera stays open"
-        if self.can('image_stop_capture') and self.mav_com and not self._closed: self.camera.image_stop_capture()
+        again,self._closed = self._closed,True
+        if self.can('image_stop_capture') and self.mav_com and not again: self.camera.image_stop_capture()
         if self.can('unsubscribe'): self.camera.unsubscribe(self._on_camera)
         super().close()
+
+    def run_command(self, handler, msg):
+        "As every component does, with two habits that QGroundControl needs: a status after a refused capture, and no reset but ACCEPTED or FAILED"
+        result = super().run_command(handler, msg)
+        if msg.command==mavlink.MAV_CMD_RESET_CAMERA_SETTINGS and result in (mavlink.MAV_RESULT_DENIED,mavlink.MAV_RESULT_UNSUPPORTED): result = mavlink.MAV_RESULT_FAILED
+        refused = result!=mavlink.MAV_RESULT_ACCEPTED and msg.command in (mavlink.MAV_CMD_IMAGE_START_CAPTURE,mavlink.MAV_CMD_DO_DIGICAM_CONTROL)
+        if refused and self.can('capture_status'): self.send_message(self._camera_capture_status())
+        return result
 
 # %% ../../nbs/api/30_mavlink.camera_server.ipynb #e97b2180
 @patch
@@ -87,7 +96,7 @@ def flags(self:CameraServer)->int:
     if {'HAS_MODES','CAPTURE_IMAGE'}<=names and getattr(self.camera,'image_in_video_mode',False): names.add('CAN_CAPTURE_IMAGE_IN_VIDEO_MODE')
     return sum(enum_value('CAMERA_CAP_FLAGS', n, 'CAMERA_CAP_FLAGS_') for n in names)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #51756340
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #5e9aa775
 def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))    # the last byte stays 0: others read C strings
 
 @patch
@@ -105,8 +114,11 @@ def _greeting(self:CameraServer, peer:tuple)->list:
     "What a ground station wants to know next, so that it need not ask; again only when `peer` has been away"
     last,self._greeted[peer] = self._greeted.get(peer,-math.inf),time.monotonic()
     if self._greeted[peer]-last<self.greet_again: return []
-    verbs = (self._camera_settings,'settings'), (self._storage_information,'storage_information'), (self._camera_capture_status,'capture_status')
-    return [m for f,verb in verbs if self.can(verb) for m in (lambda x: x if isinstance(x,list) else [x])(f())]
+    found = []
+    for i in (CAMERA_SETTINGS, STORAGE_INFORMATION, CAMERA_CAPTURE_STATUS):
+        try: found += self.encode_requested(i)
+        except Exception as e: self.log.info('%s: %s', i, e)       # what it is can be told all the same
+    return found
 
 # %% ../../nbs/api/30_mavlink.camera_server.ipynb #25daf4da
 @patch
@@ -137,14 +149,14 @@ def _storage_information(self:CameraServer, storage_id:int=0):
                 s.total, s.used, s.available, speed(s.read_speed), speed(s.write_speed), mavlink.STORAGE_TYPE_OTHER, s.name.encode()[:31], usage)
             for s in found]
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #00298b60
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #12aa4722
 @patch
 def _encode_picture(self:CameraServer, picture:Picture):
     "CAMERA_IMAGE_CAPTURED for one `Picture`"
     p,ago = picture.pose,time.time()-picture.time_utc
-    def scaled(value, scale): return 0 if p is None or math.isnan(value) else round(value*scale)
+    def scaled(value, scale): return 0 if p is None or math.isnan(value) else round(min(max(value*scale, -0x7fffffff), 0x7fffffff))
     where = [scaled(getattr(p,n,NAN), s) for n,s in (('lat',1e7), ('lon',1e7), ('alt',1e3), ('relative_alt',1e3))]
-    return self.mav.camera_image_captured_encode(max(0, time_since_boot_ms()-int(ago*1000)), int(picture.time_utc*1e6), 0, *where,
+    return self.mav.camera_image_captured_encode(min(max(0, time_since_boot_ms()-int(ago*1000)), 0xffffffff), int(picture.time_utc*1e6), 0, *where,
         list(p.q) if p else [1.,0.,0.,0.], picture.index, int(picture.ok), picture.file.encode()[:204])
 
 @patch
@@ -189,27 +201,24 @@ class Shots:
         other,_ = self._single.pop(source[0], (kind,0.))
         if other==kind: self._single[source[0]] = kind,now
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #2ef2bef0
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #c3e098ba
 @patch
 def _shoot(self:CameraServer, kind:int, interval:float, count:int, sequence:int, msg):
-    "Start capture, unless this very shot was taken; push the status when refused"
+    "Start capture, unless this very shot was taken"
     start,now = self.need('image_start_capture'),time.monotonic()
     if count==1 and self._shots.repeated(address(msg), kind, sequence, now): return self._shots.note(address(msg), kind, sequence, now)
-    try: start(interval, count)
-    except Exception:
-        self.send_message(self._camera_capture_status())
-        raise
+    start(interval, count)
     if count==1: self._shots.note(address(msg), kind, sequence, now)
 
 @patch
-@command(mavlink.MAV_CMD_IMAGE_START_CAPTURE)
+@command(mavlink.MAV_CMD_IMAGE_START_CAPTURE, once=True)
 def _image_start_capture(self:CameraServer, camera_id:int=0, interval:float=0., count:int=1, sequence:int=0, *, msg):
     "MAV_CMD_IMAGE_START_CAPTURE: `count` pictures (0: until stopped), one every `interval` s"
     self.for_us(camera_id)
     self._shoot(msg.command, interval, count, sequence, msg)
 
 @patch
-@command(mavlink.MAV_CMD_DO_DIGICAM_CONTROL)
+@command(mavlink.MAV_CMD_DO_DIGICAM_CONTROL, once=True)
 def _do_digicam_control(self:CameraServer, session:float=0, zoom:float=0, step:float=0, lock:float=0, shoot:int=0, *, msg):
     "MAV_CMD_DO_DIGICAM_CONTROL, the old trigger; only its shutter"
     if shoot!=1: raise Unsupported('only the shutter')
@@ -224,7 +233,7 @@ def _image_stop_capture(self:CameraServer, camera_id:int=0):
     self.need('image_stop_capture')()
     self.send_message(self._camera_capture_status())
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #cf696ed8
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #2205aa05
 @patch
 @command(mavlink.MAV_CMD_SET_CAMERA_MODE, slow=True)
 def _set_camera_mode(self:CameraServer, camera_id:int=0, mode_id:int=None):
@@ -233,22 +242,22 @@ def _set_camera_mode(self:CameraServer, camera_id:int=0, mode_id:int=None):
     self.need('set_camera_mode')(enum_name('CAMERA_MODE', mode_id, 'CAMERA_MODE_').lower())
 
 @patch
-@command(mavlink.MAV_CMD_SET_CAMERA_ZOOM)
-def _set_camera_zoom(self:CameraServer, zoom_type:int=0, zoom_value:float=1., camera_id:int=0):
+@command(mavlink.MAV_CMD_SET_CAMERA_ZOOM, once=True)
+def _set_camera_zoom(self:CameraServer, zoom_type:int, zoom_value:float, camera_id:int=0):
     "MAV_CMD_SET_CAMERA_ZOOM: by step, speed, %, mm or degrees"
     self.for_us(camera_id)
     self.need('set_camera_zoom')(enum_name('CAMERA_ZOOM_TYPE', zoom_type, 'ZOOM_TYPE_').lower(), zoom_value)
 
 @patch
-@command(mavlink.MAV_CMD_SET_CAMERA_FOCUS)
+@command(mavlink.MAV_CMD_SET_CAMERA_FOCUS, once=True)
 def _set_camera_focus(self:CameraServer, focus_type:int=0, focus_value:float=0., camera_id:int=0):
     "MAV_CMD_SET_CAMERA_FOCUS: by step, speed, %, metres, or automatic"
     self.for_us(camera_id)
     self.need('set_camera_focus')(enum_name('SET_FOCUS_TYPE', focus_type, 'FOCUS_TYPE_').lower(), focus_value)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #a95659db
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #978dcf18
 @patch
-@command(mavlink.MAV_CMD_STORAGE_FORMAT, slow=True)
+@command(mavlink.MAV_CMD_STORAGE_FORMAT, once=True, slow=True)
 def _storage_format(self:CameraServer, storage_id:int=0, format:int=0, reset_log:int=0):
     "MAV_CMD_STORAGE_FORMAT: delete all pictures of a storage, and count from 0 again"
     if format!=1: raise Unsupported('only formatting, with the log') if reset_log==1 else Denied(f'format is {format}')
@@ -257,14 +266,11 @@ def _storage_format(self:CameraServer, storage_id:int=0, format:int=0, reset_log
 @patch
 @command(mavlink.MAV_CMD_RESET_CAMERA_SETTINGS, slow=True)
 def _reset_camera_settings(self:CameraServer, reset:int=0, camera_id:int=0):
-    "MAV_CMD_RESET_CAMERA_SETTINGS; what goes wrong is FAILED, because QGroundControl gets stuck on any other refusal"
-    if reset!=1: return
-    try:
-        self.for_us(camera_id)
-        self.need('reset_camera_settings')()
-    except Exception as e: raise Failed(str(e)) from e
+    "MAV_CMD_RESET_CAMERA_SETTINGS"
+    self.for_us(camera_id)
+    if reset: self.need('reset_camera_settings')()
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #ca4c2157
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #56e8b297
 _legacy = {mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION:CAMERA_INFORMATION, mavlink.MAV_CMD_REQUEST_CAMERA_SETTINGS:CAMERA_SETTINGS,
            mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS:CAMERA_CAPTURE_STATUS, mavlink.MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE:CAMERA_IMAGE_CAPTURED,
            mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION:VIDEO_STREAM_INFORMATION, mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_STATUS:VIDEO_STREAM_STATUS}
@@ -291,7 +297,7 @@ def _request_storage_information(self:CameraServer, storage_id:int=0, request:in
     "MAV_CMD_REQUEST_STORAGE_INFORMATION"
     if request==1: self.send_paced(self._storage_information(storage_id))
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #457b557e
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #9af950ba
 @patch
 @command(mavlink.MAV_CMD_VIDEO_STOP_STREAMING)
 @command(mavlink.MAV_CMD_VIDEO_START_STREAMING)

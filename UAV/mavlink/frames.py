@@ -104,11 +104,11 @@ def _length(buf:bytes, pos:int, left:int)->tuple:
     else: good = tail==left or buf[pos+tail] in b'\xfd\xfe'
     return tail if good else -1,msg_id
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #bc6e0179
+# %% ../../nbs/api/11_mavlink.frames.ipynb #3be64231
 @patch
 def _next(self:FrameReader, buf:bytes, pos:int)->tuple:
     "`(length, message id, sequence, (system, component))` of the frame at `pos`; length 0: more bytes are needed, -1: no frame"
-    n,msg_id = _length(buf, pos, len(buf)-pos) if buf[pos] in b'\xfd\xfe' else (-1,0)
+    n,msg_id = _length(buf, pos, len(buf)-pos) if buf[pos:pos+1] in (b'\xfd',b'\xfe') else (-1,0)
     if n<=0: return n,0,0,None
     at = pos+4 if buf[pos]==0xfd else pos+2
     return n,msg_id,buf[at],(buf[at+1],buf[at+2])
@@ -119,10 +119,11 @@ def _resume(self:FrameReader, buf:bytes, pos:int)->int:
     self.bad += 1
     return min((i for i in (buf.find(b'\xfd',pos+1),buf.find(b'\xfe',pos+1)) if i>0), default=len(buf))
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #962051b3
+# %% ../../nbs/api/11_mavlink.frames.ipynb #8611c39c
 @patch
 def feed(self:FrameReader, data:bytes)->list:
     "The wanted messages that are complete with `data`"
+    if self._rest and self._next(data, 0)[0]>0 and self._next(data, 0)[1] in _crc_extra: self._rest,self.bad = b'',self.bad+1    # torn
     buf,pos,found = self._rest+data if self._rest else data,0,[]
     wanted,sources,size = self.wanted.counts,self.sources,len(buf)
     while pos<size:
@@ -139,7 +140,7 @@ def feed(self:FrameReader, data:bytes)->list:
         source = sources.get(key) or sources.setdefault(key, Source())
         if seq==source.next: source.next = (seq+1)&255
         else: source.gap(seq)
-        source.counts[msg_id] += 1
+        source.counts[msg_id if msg_id in _crc_extra else -1] += 1
         if (msg_id in wanted or None in wanted) and msg_id in _crc_extra: found.append(decode(buf[pos:pos+n] if n<size else buf))
         pos += n
     self._rest = buf[pos:]

@@ -181,12 +181,12 @@ class TCPOut(Link):
         try: self.sock.shutdown(socket.SHUT_RDWR)
         except OSError: pass      # the other side was faster
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #b2641a7e
+# %% ../../nbs/api/12_mavlink.links.ipynb #e400aa5d
 class TCPIn(Link):
     "`tcpin:HOST:PORT`: a server; whatever is written goes to all its clients"
     prefixes = ('tcpin:',)
     def __init__(self, name:str, baudrate:int=0):
-        self.sock,self.streams,self._inbox = _socket(socket.SOCK_STREAM),{},deque()
+        self.sock,self.streams,self._inbox,self._peers = _socket(socket.SOCK_STREAM),{},deque(),{}
         self.sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try: self.sock.bind(_address(name)); self.sock.listen(8)
         except OSError as e:
@@ -202,17 +202,17 @@ class TCPIn(Link):
         try: self._ring.send(b'.')
         except OSError: pass      # closed before
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #122bfcc0
+# %% ../../nbs/api/12_mavlink.links.ipynb #748832fc
 @patch
 def _accept(self:TCPIn):
     try: sock,_ = self.sock.accept()
     except OSError: return        # gone before we could greet it
-    self.streams[sock] = _stream(sock)
+    self.streams[sock],self._peers[sock] = _stream(sock),object()     # an id() would be used again after a client has gone
     self._ready.register(sock, selectors.EVENT_READ)
 
 @patch
 def _drop(self:TCPIn, sock):
-    del self.streams[sock]
+    del self.streams[sock],self._peers[sock]
     self._ready.unregister(sock)
     sock.close()
 
@@ -220,12 +220,13 @@ def _drop(self:TCPIn, sock):
 def _read(self:TCPIn, sock):
     try: data = sock.recv(65536)
     except OSError: data = b''
-    if data: self._inbox.append((data, id(sock)))
+    if data: self._inbox.append((data, self._peers[sock]))
     else: self._drop(sock)
 
 @patch
 def recv(self:TCPIn):
     while not self._inbox:
+        if self._bell.fileno()<0: return      # released
         for key,_ in self._ready.select():
             if key.fileobj is self._bell: return
             self._accept() if key.fileobj is self.sock else self._read(key.fileobj)
@@ -238,7 +239,7 @@ def release(self:TCPIn):
     self._ready.close()
     for sock in (self.sock,self._bell,self._ring): sock.close()
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #f5579644
+# %% ../../nbs/api/12_mavlink.links.ipynb #92a34fd2
 class SerialLink(Link):
     "A serial port, `DEVICE` or `DEVICE,BAUDRATE`"
     def __init__(self, name:str, baudrate:int=57600):
@@ -254,11 +255,13 @@ class SerialLink(Link):
         return os.write(self.port.fileno(), data) if os.name=='posix' else self.port.write(data)
 
     def recv(self):
-        try: data = self.port.read(1)
+        try:
+            data = self.port.read(1)
+            if data: data += self.port.read(self.port.in_waiting)
         except Exception as e:                   # pyserial raises TypeError when the port is closed under it
             if not self._closed: log.warning('serial port %s: %s', self.port.name, e)
             return
-        return (data+self.port.read(self.port.in_waiting), None) if data and not self._closed else None
+        return (data,None) if data and not self._closed else None
 
 # %% ../../nbs/api/12_mavlink.links.ipynb #19f546f8
 @patch

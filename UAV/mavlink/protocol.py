@@ -120,16 +120,17 @@ class Waiters:
         with self._lock: self._places[place.msg_id].remove(place)
         if self.wanted is not None: self.wanted.remove(place.msg_id)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #1428dc00
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #1c606a0b
 @patch
 def offer(self:Waiters, msg):
-    "Give `msg` to the oldest question it answers"
+    "Give `msg` to those who wait for it; an ack to the first of them"
     if not (places := self._places.get(msg.get_msgId())): return
     with self._lock:
         for place in places:
             if place.future.done() or not place.test(msg): continue
-            try: return place.future.set_result(msg)
-            except InvalidStateError: pass   # it gave up just now: try the next
+            try: place.future.set_result(msg)
+            except InvalidStateError: continue   # it gave up just now: try the next
+            if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_COMMAND_ACK: return
 
 @patch
 @contextmanager
@@ -139,7 +140,7 @@ def expecting(self:Waiters, msg_id:int, test=lambda msg: True):
     try: yield place.future
     finally: self.close(place)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #c9cb2b17
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #921de424
 async def answer(
     fut:Future, # What we wait for
     timeout:float, # In seconds
@@ -159,10 +160,10 @@ async def answer(
     finally: timer.cancel()
     return fut.result() if fut.done() and not fut.cancelled() else None
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #5c8d008b
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #526b2d08
 class Turns:
     "Whose turn is it to ask? One asks at a time for each key, in order of arrival"
-    def __init__(self): self._queues,self._lock = {},threading.Lock()
+    def __init__(self): self._queues,self._quiet,self._lock = {},{},threading.Lock()
 
     def join(self, key)->Future:
         "A future that is done when it is our turn"
@@ -170,7 +171,7 @@ class Turns:
         with self._lock:
             queue = self._queues.setdefault(key, deque())
             queue.append(fut)
-            if queue[0] is fut: fut.set_result(0.)
+            if queue[0] is fut: fut.set_result(self._quiet.pop(key, 0.))
         return fut
 
     def leave(self, key, fut:Future, quiet:float=0.):
@@ -179,20 +180,23 @@ class Turns:
             queue = self._queues[key]
             first = queue[0] is fut
             queue.remove(fut)
-            if not queue: del self._queues[key]
-            elif first: queue[0].set_result(quiet)
+            if queue:
+                if first: queue[0].set_result(quiet)
+                return
+            del self._queues[key]
+            if first and quiet: self._quiet[key] = quiet
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #960212f3
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #6cfcf00a
 def given(value:float)->float|None:
     "A parameter's value, or `None` where it was not given (NaN, INT32_MAX)"
-    return None if value!=value or value==0x7fffffff else value
+    return None if value!=value or value in (0x7fffffff,0x80000000) else value    # as a float32, INT32_MAX is 2**31
 
 def parameters(msg)->list:
     "The seven parameters of a COMMAND_LONG or COMMAND_INT, `None` where not given"
     last = (msg.x,msg.y,msg.z) if hasattr(msg,'x') else (msg.param5,msg.param6,msg.param7)
     return [given(p) for p in (msg.param1,msg.param2,msg.param3,msg.param4,*last)]
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #56352f2c
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #6a578d0d
 def _value(name, p, value):
     if value is None: return p.default
     if math.isinf(value) or abs(value)>3e38: raise Denied(f'{name} is {value}')
@@ -208,10 +212,10 @@ def arguments(params:dict, values:list)->dict:
         if v is inspect.Parameter.empty: raise Denied(f'{n} must be given')
     return found
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #8f8639bb
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #5fc4fc6a
 class Served:
     "Commands that were answered lately, to recognise duplicates and retransmissions"
-    def __init__(self, window:float=5.): self.window,self._recent = window,deque(maxlen=64) # seconds
+    def __init__(self, window:float=1.5, echo:float=.3): self.window,self.echo,self._recent = window,echo,deque(maxlen=64) # seconds
 
     def _key(self, msg): return address(msg),msg.command,[str(p) for p in parameters(msg)]
 
@@ -219,16 +223,16 @@ class Served:
         "Remember that `msg` got `result`"
         self._recent.append((self._key(msg), msg.get_seq(), getattr(msg,'confirmation',0), result, now))
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #b6cfcf67
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #cfd43fe2
 @patch
 def find(self:Served, msg, now:float)->int|None:
     "The result that `msg` got before, or `None` if it is new"
     key,seq,again = self._key(msg),msg.get_seq(),getattr(msg,'confirmation',0)
     for k,s,confirmation,result,when in reversed(list(self._recent)):
         if now-when>self.window: break
-        if k==key and (s==seq or again>confirmation): return result
+        if k==key and (again>confirmation or s==seq and again==confirmation and now-when<self.echo): return result
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #3c9d0855
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #4cdc5038
 _marks = ns(made=0)
 
 def _mark(kind, value, **options):
@@ -244,10 +248,11 @@ def marks_made()->int:
 
 def command(
     cmd:int, # A MAV_CMD
+    once:bool=False, # Not to be done again for a retransmission, which gets the old answer
     slow:bool=False, # Waits for a device: run on the component's worker, with IN_PROGRESS acks meanwhile
 ):
     "Mark a method as the handler of `cmd`: what it returns or raises becomes the ack"
-    return _mark('command', cmd, slow=slow)
+    return _mark('command', cmd, once=once, slow=slow)
 
 def message(msg_id:int):
     "Mark a method as the answer to a request for `msg_id`: it returns the encoded message, or a list of them"
@@ -257,7 +262,7 @@ def receives(msg_id:int):
     "Mark a method to be called with each message `msg_id` that arrives for the component"
     return _mark('receives', msg_id)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #be822b2e
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #9db9c72e
 class Handler:
     "A marked method, callable with parameters off the wire; `options` are those of its mark"
     def __init__(self, f, **options):

@@ -61,7 +61,7 @@ class Timers:
             self._changed.notify_all()
         return job
 
-# %% ../../nbs/api/01_utils.general.ipynb #2e67286d
+# %% ../../nbs/api/01_utils.general.ipynb #8c5f0624
 @patch
 def _next(self:Timers):
     "The next job, when it is due; `None` when there is no job left"
@@ -74,7 +74,7 @@ def _next(self:Timers):
                 return
             wait = self._jobs[0].due-time.monotonic()
             if wait<=0: break
-            self._changed.wait(wait)
+            self._changed.wait(min(wait, 3600.))      # a lock cannot wait for ages
         self._running = job = self._jobs[0]
         job.advance(time.monotonic())
         heapq.heapreplace(self._jobs, job)
@@ -89,7 +89,7 @@ def _run(self:Timers):
             self._running = None
             self._changed.notify_all()
 
-# %% ../../nbs/api/01_utils.general.ipynb #31725554
+# %% ../../nbs/api/01_utils.general.ipynb #32e5ba7a
 @patch
 def cancel(self:Timers, job:Job):
     "Never call `job` again; waits for a call that is under way"
@@ -98,9 +98,9 @@ def cancel(self:Timers, job:Job):
         self._changed.notify_all()
         if thread is None or thread is threading.current_thread(): return
         while self._running is job: self._changed.wait()
-        while self._thread is thread and all(o.cancelled for o in self._jobs): self._changed.wait()
+        while self._thread is thread and self._running is None and all(o.cancelled for o in self._jobs): self._changed.wait()
         if self._thread is thread: return
     thread.join()
 
-# %% ../../nbs/api/01_utils.general.ipynb #43b3b532
+# %% ../../nbs/api/01_utils.general.ipynb #c9a9a8e3
 timers = Timers()
