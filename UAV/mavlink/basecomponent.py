@@ -21,10 +21,11 @@ from .mavcom import MAVCom
 # %% auto #0
 __all__ = ['BaseComponent', 'Question']
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #364487db
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #3897fdaf
 class BaseComponent:
     "One component of a MAVLink system"
     in_progress_after,in_progress_timeout = .3,3. # seconds until we say IN_PROGRESS; seconds we wait after we heard it
+    longest_turn = 30. # seconds we wait for an identical command before ours; its event loop may have died
 
     def __init__(self,
         source_component:int, # Our component id (MAV_COMP_ID), 1 to 255
@@ -336,7 +337,7 @@ async def _ask(self:BaseComponent, target:tuple, command_id:int, params, timeout
         if fut.done() and not confirmation: self._round_trips[target] = time.monotonic()-sent
         return (fut.result() if fut.done() else None),confirmation+1
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #88f91094
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #da184876
 @patch
 async def send_command(self:BaseComponent,
     target_system:int, # 0: all systems
@@ -353,8 +354,8 @@ async def send_command(self:BaseComponent,
     key,quiet = (*target, command_id),0.
     turn = self._turns.join(key)
     try:
-        while not turn.done(): await answer(turn, 3600.)
-        if (echo := turn.result()-time.monotonic())>0: await answer(Future(), echo)
+        echo = await answer(turn, self.longest_turn) or 0.
+        if echo>time.monotonic(): await answer(Future(), echo-time.monotonic())
         self.num_cmds_sent += 1
         begun = time.monotonic()
         quiet = begun+timeout           # in case that we are cancelled

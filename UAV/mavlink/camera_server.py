@@ -224,14 +224,14 @@ def _do_digicam_control(self:CameraServer, session:float=0, zoom:float=0, step:f
     if shoot!=1: raise Unsupported('only the shutter')
     self._shoot(msg.command, 0., 1, 0, msg)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #613a3d98
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #59c9e902
 @patch
 @command(mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
 def _image_stop_capture(self:CameraServer, camera_id:int=0):
     "MAV_CMD_IMAGE_STOP_CAPTURE; fine when idle"
     self.for_us(camera_id)
     self.need('image_stop_capture')()
-    self.send_message(self._camera_capture_status())
+    if self.can('capture_status'): self.send_message(self._camera_capture_status())
 
 # %% ../../nbs/api/30_mavlink.camera_server.ipynb #2205aa05
 @patch
@@ -255,7 +255,7 @@ def _set_camera_focus(self:CameraServer, focus_type:int=0, focus_value:float=0.,
     self.for_us(camera_id)
     self.need('set_camera_focus')(enum_name('SET_FOCUS_TYPE', focus_type, 'FOCUS_TYPE_').lower(), focus_value)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #978dcf18
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #f9863b1c
 @patch
 @command(mavlink.MAV_CMD_STORAGE_FORMAT, once=True, slow=True)
 def _storage_format(self:CameraServer, storage_id:int=0, format:int=0, reset_log:int=0):
@@ -268,6 +268,7 @@ def _storage_format(self:CameraServer, storage_id:int=0, format:int=0, reset_log
 def _reset_camera_settings(self:CameraServer, reset:int=0, camera_id:int=0):
     "MAV_CMD_RESET_CAMERA_SETTINGS"
     self.for_us(camera_id)
+    if reset not in (0, 1): raise Denied(f'reset is {reset}')
     if reset: self.need('reset_camera_settings')()
 
 # %% ../../nbs/api/30_mavlink.camera_server.ipynb #56e8b297
