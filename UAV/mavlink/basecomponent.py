@@ -337,7 +337,7 @@ async def _ask(self:BaseComponent, target:tuple, command_id:int, params, timeout
         if fut.done() and not confirmation: self._round_trips[target] = time.monotonic()-sent
         return (fut.result() if fut.done() else None),confirmation+1
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #da184876
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #9373ec1d
 @patch
 async def send_command(self:BaseComponent,
     target_system:int, # 0: all systems
@@ -354,7 +354,7 @@ async def send_command(self:BaseComponent,
     key,quiet = (*target, command_id),0.
     turn = self._turns.join(key)
     try:
-        echo = await answer(turn, self.longest_turn) or 0.
+        echo = turn.result() if turn.done() else await answer(turn, self.longest_turn) or 0.
         if echo>time.monotonic(): await answer(Future(), echo-time.monotonic())
         self.num_cmds_sent += 1
         begun = time.monotonic()
