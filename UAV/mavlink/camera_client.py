@@ -215,7 +215,7 @@ async def _recover(self:CameraClient, target:tuple, pictures:PictureLog, missing
     for i in missing:
         if status and i<status.image_count: await self.request_camera_image_capture(*target, index=i)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #513f3dbf
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #be0b3eef
 @patch
 async def set_camera_mode(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     mode_id:int=mavlink.CAMERA_MODE_IMAGE, # A CAMERA_MODE
@@ -239,7 +239,7 @@ async def set_camera_focus(self:CameraClient, target_system:int|None=None, targe
     "Focus"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_SET_CAMERA_FOCUS, [focus_type, focus_value])
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #d67272e5
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #5c81e02c
 @patch
 async def storage_format(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     storage_id:int=1, # As in STORAGE_INFORMATION
@@ -255,7 +255,7 @@ async def reset_camera_settings(self:CameraClient, target_system:int|None=None, 
     "Put all settings back to their defaults"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_RESET_CAMERA_SETTINGS, [1])
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #7c3f7b12
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #33bbed7a
 @patch
 async def video_start_capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     video_stream_id:int=0, # 0: all
