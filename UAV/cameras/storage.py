@@ -7,9 +7,9 @@ __all__ = ['NAN', 'MiB', 'known', 'Value', 'CameraInformation', 'Pose', 'Frame',
            'StorageInformation', 'CaptureStatus', 'CameraError', 'CameraBusy', 'StorageFull', 'WrongMode',
            'add_segments', 'degrees_minutes_seconds', 'gps_tags', 'exif', 'xmp', 'as_line', 'from_line', 'Storage']
 
-# %% ../../nbs/api/20_cameras.storage.ipynb #fe1d1951
+# %% ../../nbs/api/20_cameras.storage.ipynb #c572e020
 import errno, json, math, os, re, shutil, tempfile, threading, weakref
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, dataclass, fields
 from datetime import datetime, timezone
 from pathlib import Path
 
