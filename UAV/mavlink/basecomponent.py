@@ -134,7 +134,7 @@ def _send(self:BaseComponent, msg):
         self.mav_com.write(frame)
     self.mav_com.share(frame, msg.get_msgId(), self)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #4eb33e0b
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #32a1b5d9
 @patch
 @contextmanager
 def ack_first(self:BaseComponent,
@@ -158,7 +158,9 @@ def _release(self:BaseComponent, key, hold):
             msgs,hold.messages = ([],hold.messages) if hold.depth else (hold.messages,[])
             if not msgs and not hold.depth and self._holds.get(key) is hold: del self._holds[key]
         if not msgs: return
-        for msg in msgs: self._send(msg)
+        for msg in msgs:
+            try: self._send(msg)
+            except ValueError: self.log.exception('held back, and then lost')      # the others still go
 
 # %% ../../nbs/api/14_mavlink.basecomponent.ipynb #2b366f01
 @patch
@@ -175,7 +177,9 @@ def beat(self:BaseComponent):
     "Send our heartbeat"
     self.send_message(self.mav.heartbeat_encode(self.mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, self.system_status))
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #dfbb955c
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #4f6ba096
+_commands = mavlink.MAVLINK_MSG_ID_COMMAND_LONG,mavlink.MAVLINK_MSG_ID_COMMAND_INT
+
 @patch
 def count_message(self:BaseComponent, msg):
     "Count `msg` in `message_cnts[system][MESSAGE_NAME]`"
@@ -190,14 +194,14 @@ def deliver(self:BaseComponent, msg):
     self.count_message(msg)
     self.waiters.offer(msg)
     if handler := self.receivers.get(msg.get_msgId()): handler.f(msg)
-    if not hasattr(msg,'confirmation') and msg.get_type()!='COMMAND_INT': self._show(msg)    # commands are shown when they are answered
+    if msg.get_msgId() not in _commands: self._show(msg)    # commands are shown when they are answered
 
 @patch
 def _show(self:BaseComponent, msg)->bool:
     "Show `msg` to `on_message` and the callbacks; true when one of them says so"
     return any([self.on_message(msg)]+[f(msg) for f in list(self._callbacks)])
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #e45f3fee
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #41c40a09
 @patch
 def append_message_handler(self:BaseComponent,
     callback, # Called with each message for us, on the reader thread: be quick
@@ -207,7 +211,7 @@ def append_message_handler(self:BaseComponent,
     self._callbacks.append(callback)
     if self.mav_com: self.want(None)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #547db50e
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #e09ff4d8
 BaseComponent.results = {CommandError:None, NotImplementedError:mavlink.MAV_RESULT_UNSUPPORTED}   # None: the error knows
 
 @patch
@@ -221,7 +225,7 @@ def result_of(self:BaseComponent, error:Exception, what:str)->int:
     self.log.info('%s: %s: %s', what, enum_name('MAV_RESULT', result, 'MAV_RESULT_'), error)
     return result
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #aae1e909
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #857b05b8
 @patch
 def send_ack(self:BaseComponent, msg, ack_result:int=mavlink.MAV_RESULT_ACCEPTED, progress:int=0):
     "Answer the command `msg` with a COMMAND_ACK to its sender"
@@ -245,7 +249,7 @@ def answer_command(self:BaseComponent, handler, msg):
         self._working.pop(msg.command, None)       # before the ack: the next one may follow it within a millisecond
         self.send_ack(msg, result)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #10414dbc
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #197c0773
 @patch
 def _accepted_by_callback(self:BaseComponent, msg)->bool|None:
     "Does a callback accept the command? `None` when one raised"
@@ -268,7 +272,7 @@ def on_command(self:BaseComponent, msg):
         self._served.note(msg, result, time.monotonic())
         self.send_ack(msg, result)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #c09e4dd2
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #58facc76
 @patch
 def _work(self:BaseComponent, handler, msg):
     "Have the worker run a slow command; the same one again is IN_PROGRESS for its sender, and busy for others"
@@ -281,7 +285,7 @@ def _work(self:BaseComponent, handler, msg):
     same = address(running)==address(msg) and parameters(running)==parameters(msg)
     self.send_ack(msg, mavlink.MAV_RESULT_IN_PROGRESS if same else mavlink.MAV_RESULT_TEMPORARILY_REJECTED)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #8925e12e
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #e67acbee
 @patch
 def _run_worker(self:BaseComponent):
     while job := self._jobs.get():
@@ -298,7 +302,7 @@ def _run_slowly(self:BaseComponent, handler, msg)->int:
     try: return self.run_command(handler, msg)
     finally: timers.cancel(saying)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #b08eeebe
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #0d7109b8
 @patch
 def _encode_command(self:BaseComponent, target:tuple, command_id:int, params, confirmation:int=0, frame:int|None=None):
     "COMMAND_LONG, or COMMAND_INT in a MAV_FRAME `frame`"
@@ -307,7 +311,7 @@ def _encode_command(self:BaseComponent, target:tuple, command_id:int, params, co
     x,y = (0x7fffffff if v!=v else int(v) for v in p[4:6])
     return self.mav.command_int_encode(*target, frame, command_id, 0, 0, *p[:4], x, y, p[6])
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #b7dd45d8
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #c1dd6156
 class Question:
     "One command under way: which acks are its own, and was any of them IN_PROGRESS?"
     def __init__(self, component, target:tuple, command_id:int): self.component,self.target,self.command_id,self.progress = component,target,command_id,None
@@ -323,7 +327,7 @@ class Question:
         "Seconds still to wait after the last IN_PROGRESS"
         return 0. if self.progress is None else self.progress+max(timeout, self.component.in_progress_timeout)-time.monotonic()
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #3133a522
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #618bdb8f
 @patch
 async def _ask(self:BaseComponent, target:tuple, command_id:int, params, timeout:float, retries:int, frame, until):
     "Send until an ack comes: `(ack or None, how often sent)`"
@@ -338,7 +342,7 @@ async def _ask(self:BaseComponent, target:tuple, command_id:int, params, timeout
         if fut.done() and not confirmation: self._round_trips[target] = time.monotonic()-sent
         return (fut.result() if fut.done() else None),confirmation+1
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #9373ec1d
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #c0050382
 @patch
 async def send_command(self:BaseComponent,
     target_system:int, # 0: all systems
@@ -367,14 +371,14 @@ async def send_command(self:BaseComponent,
     elif not any(f.done() for f in until): self.num_acks_drop += 1
     return Ack(ack.result, address(ack), command_id) if ack else Ack(None, None, command_id)
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #a7d1be89
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #c8af62bf
 @patch
 def _latest_echo(self:BaseComponent, target:tuple, took:float)->float:
     "How many seconds after the last try its ack may still come, if an earlier one `took` so long"
     rtt = self._round_trips.get(target)
     return .02+(took if rtt is None else min(took, 5*rtt))
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #6bb298a1
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #d44a10ae
 @patch
 async def wait_ack(self:BaseComponent, target_system:int, target_component:int, command_id:int|None=None, timeout:float=.1)->bool:
     "Wait for an ack of any command, or of `command_id`, without sending anything; true when it says accepted"
@@ -382,7 +386,7 @@ async def wait_ack(self:BaseComponent, target_system:int, target_component:int, 
     with self.waiters.expecting(mavlink.MAVLINK_MSG_ID_COMMAND_ACK, fits) as fut: msg = await answer(fut, timeout)
     return bool(msg) and msg.result==mavlink.MAV_RESULT_ACCEPTED
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #7aa117f0
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #eb0d3ca3
 @patch
 async def wait_heartbeat(self:BaseComponent,
     remote_mav_type:int|None=None, # Only this MAV_TYPE
@@ -399,7 +403,7 @@ async def wait_heartbeat(self:BaseComponent,
         msg = await answer(fut, timeout)
     return address(msg) if msg else None
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #317d6430
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #6d0fd964
 @patch
 def send_ping(self:BaseComponent, target_system:int=0, target_component:int=0, ping_num:int|None=None):
     "Measure round trips: the answers go to `round_trips`. MAVLink's PING is always for all, so the target is not sent"
@@ -417,7 +421,7 @@ def on_ping(self:BaseComponent, msg):
     if not msg.target_system: self.send_message(self.mav.ping_encode(msg.time_usec, msg.seq, *address(msg)))
     else: self._round_trips[address(msg)] = (time_UTC_usec()-msg.time_usec)/1e6
 
-# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #7cdff3b2
+# %% ../../nbs/api/14_mavlink.basecomponent.ipynb #047cedad
 @patch
 async def test_command(self:BaseComponent, target_system:int, target_component:int, camera_id:int=0)->Ack:
     "Trigger a camera with MAV_CMD_DO_DIGICAM_CONTROL; `camera_id` goes into the command identity"

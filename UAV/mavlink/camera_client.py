@@ -23,7 +23,7 @@ _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA
 __all__ = ['NAN', 'CameraClient', 'RemoteCamera', 'is_camera', 'PictureLog', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS',
            'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'LogLevels', 'mavlink']
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #2c59e324
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #7eb20c1f
 class CameraClient(Component):
     "Finds and commands MAVLink cameras"
     def __init__(self,
@@ -34,8 +34,6 @@ class CameraClient(Component):
         super().__init__(source_component, mav_type, loglevel)
         self.pictures = {}     # `{(system,component): PictureLog}`
         self._sequence = int(time.time())%10_000_000    # restarts of a client must not repeat the numbers of its shots
-
-    def on_mav_connection(self): self.want(CAMERA_IMAGE_CAPTURED)
 
 # %% ../../nbs/api/31_mavlink.camera_client.ipynb #e5a016d3
 @patch
@@ -146,30 +144,33 @@ async def image_stop_capture(self:CameraClient, target_system:int|None=None, tar
     "Stop taking pictures"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #30a8ed26
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #b9a06c08
 class PictureLog:
     "The picture notices of one camera: those that came, those nobody has seen, and the index of the next"
-    def __init__(self, first:int=0): self.images,self.fresh,self.next,self.newest = {},{},first,0
+    def __init__(self, first:int|None=None): self.images,self.fresh,self.next,self.newest = {},{},first,0    # `None`: not known yet
 
     def add(self, msg):
         "Keep a CAMERA_IMAGE_CAPTURED"
         i = msg.image_index
+        if self.next is None: self.next = i
         if i<self.next and msg.time_utc>self.newest>0 or i in self.images and self.images[i].time_utc!=msg.time_utc: self.__init__(i)
         if i not in self.images: self.images[i] = self.fresh[i] = msg
         self.newest = max(self.newest, msg.time_utc)
 
     def missing(self, count:int)->list:
         "Which of the next `count` indexes have not come"
-        return [i for i in range(self.next, self.next+count) if i not in self.images]
+        first = self.next or 0
+        return [i for i in range(first, first+count) if i not in self.images]
 
     def take(self, count:int)->list:
         "Hand out the next `count`; when the camera counts in a way of its own, those that came, in order of time"
-        found = [self.images[i] for i in range(self.next, self.next+count) if i in self.images]
+        first = self.next or 0
+        found = [self.images[i] for i in range(first, first+count) if i in self.images]
         found = found or sorted(self.fresh.values(), key=lambda m: m.time_utc)[:count]
         for m in found: self.fresh.pop(m.image_index, None); self.next = m.image_index+1
         return found
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #c25d9598
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #95d62f63
 @patch
 async def _mark(self:CameraClient, target:tuple):
     "Begin a log for a camera; one that we have not heard yet is asked only once"
@@ -182,9 +183,9 @@ async def _mark(self:CameraClient, target:tuple):
 @receives(CAMERA_IMAGE_CAPTURED)
 def on_image_captured(self:CameraClient, msg):
     "Keep the notice of a picture"
-    self.pictures.setdefault(address(msg), PictureLog(msg.image_index)).add(msg)
+    self.pictures.setdefault(address(msg), PictureLog()).add(msg)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #4fef3f6a
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #0c262536
 @patch
 async def wait_images(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     count:int=1, # How many pictures
@@ -201,21 +202,23 @@ async def wait_images(self:CameraClient, target_system:int|None=None, target_com
         if pictures.missing(count)==missing:
             status = await self.request_camera_capture_status(*target)
             if status: patience = max(timeout, 2*status.image_interval)
-            await self._recover(target, pictures, missing, status)
+            await self._recover(target, pictures, count, status)
         if pictures.missing(count)!=missing: last,wait = time.monotonic(),.3
         elif len(pictures.fresh)>=count: break
         else: wait = min(2*wait, 2.)
     return pictures.take(count)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #3eabd5c9
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #be0a5ae4
 @patch
-async def _recover(self:CameraClient, target:tuple, pictures:PictureLog, missing:list, status):
+async def _recover(self:CameraClient, target:tuple, pictures:PictureLog, count:int, status):
     "Ask again for the notices of pictures that were taken"
-    if status and status.image_count<pictures.next-1: pictures.__init__(0)
-    for i in missing:
-        if status and i<status.image_count: await self.request_camera_image_capture(*target, index=i)
+    if status is None: return
+    if pictures.next is None: pictures.next = max(0, status.image_count-count)      # the latest ones must be meant
+    elif status.image_count<pictures.next-1: pictures.__init__(0)
+    for i in pictures.missing(count):
+        if i<status.image_count: await self.request_camera_image_capture(*target, index=i)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #be0b3eef
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #8e2f29b3
 @patch
 async def set_camera_mode(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     mode_id:int=mavlink.CAMERA_MODE_IMAGE, # A CAMERA_MODE
@@ -239,7 +242,7 @@ async def set_camera_focus(self:CameraClient, target_system:int|None=None, targe
     "Focus"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_SET_CAMERA_FOCUS, [focus_type, focus_value])
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #5c81e02c
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #89991a60
 @patch
 async def storage_format(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     storage_id:int=1, # As in STORAGE_INFORMATION
@@ -255,7 +258,7 @@ async def reset_camera_settings(self:CameraClient, target_system:int|None=None, 
     "Put all settings back to their defaults"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_RESET_CAMERA_SETTINGS, [1])
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #33bbed7a
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #ae4066d9
 @patch
 async def video_start_capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     video_stream_id:int=0, # 0: all
