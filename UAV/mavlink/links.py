@@ -157,12 +157,12 @@ def _stream(sock)->Outbox:
     sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     return Outbox(lambda data: sock.send(data, getattr(socket,'MSG_DONTWAIT',0)))
 
-# %% ../../nbs/api/12_mavlink.links.ipynb #1d25d941
+# %% ../../nbs/api/12_mavlink.links.ipynb #9918a153
 class TCPOut(Link):
     "`tcp:HOST:PORT`: a client"
     prefixes = ('tcp:',)
     def __init__(self, name:str, baudrate:int=0):
-        self.sock,address = _socket(socket.SOCK_STREAM),_address(name)
+        address,self.sock = _address(name),_socket(socket.SOCK_STREAM)
         self.sock.settimeout(5)
         try: self.sock.connect(address)
         except OSError as e:
