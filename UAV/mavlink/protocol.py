@@ -14,9 +14,10 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 # %% auto #0
-__all__ = ['accepts', 'address', 'comes_from', 'enum_name', 'enum_value', 'Ack', 'MAVError', 'LinkError', 'NoAnswer',
-           'CommandError', 'Busy', 'Denied', 'Unsupported', 'Failed', 'Waiters', 'answer', 'Turns', 'given',
-           'parameters', 'arguments', 'Served', 'marks_made', 'command', 'message', 'receives', 'Handler', 'marked']
+__all__ = ['command_cancel', 'accepts', 'address', 'comes_from', 'enum_name', 'enum_value', 'Ack', 'MAVError', 'LinkError',
+           'NoAnswer', 'Lost', 'CommandError', 'Busy', 'Denied', 'Unsupported', 'Failed', 'Cancelled', 'Waiters',
+           'answer', 'Turns', 'given', 'parameters', 'arguments', 'Served', 'marks_made', 'command', 'message',
+           'receives', 'Handler', 'marked']
 
 # %% ../../nbs/api/10_mavlink.protocol.ipynb #2413f3a0
 @patch
@@ -53,60 +54,86 @@ def enum_value(enum:str, name:str, prefix:str='')->int:
     "The number that the dialect gives to `prefix+name`, in whatever case; raises `KeyError`"
     return {e.name:i for i,e in mavlink.enums[enum].items()}[prefix+name.upper()]
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #a72dd22d
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #44ed4632
 class Ack(int):
     "1 if a command was accepted, else 0; `result` (MAV_RESULT or `None`) and `source` say why and by whom"
-    def __new__(cls, result:int|None, source:tuple|None=None, command:int|None=None):
+    def __new__(cls, result:int|None, source:tuple|None=None, command:int|None=None, lost:str=''):
         self = super().__new__(cls, result==mavlink.MAV_RESULT_ACCEPTED)
-        self.result,self.source,self.command = result,source,command
+        self.result,self.source,self.command,self.lost = result,source,command,lost
         return self
 
     @property
     def reason(self)->str:
         "What the dialect says about `result`, in one sentence"
-        if self.result is None: return 'nobody answered'
+        if self.result is None: return self.lost or 'nobody answered'
         e = mavlink.enums['MAV_RESULT'].get(self.result)
         return re.split(r' \(|\.', e.description)[0].replace('Command', 'command', 1) if e else f'result {self.result}'
 
     def __repr__(self):
         what = '' if self.command is None else enum_name('MAV_CMD', self.command, 'MAV_CMD_')+': '
-        if self.result is None: return what+'no answer'
+        if self.result is None: return what+'no answer'+(f' ({self.lost})' if self.lost else '')
         who = f' from {self.source[0]}/{self.source[1]}' if self.source else ''
         return what+enum_name('MAV_RESULT', self.result, 'MAV_RESULT_')+who+('' if self else f' ({self.reason})')
     __str__ = __repr__
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #0f3d1275
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #2ad737de
 class MAVError(Exception): "Something MAVLink could not do"
 class LinkError(MAVError, ConnectionError): "A link that cannot be opened, or was closed"
 class NoAnswer(MAVError, TimeoutError): "Nobody answered in time"
+class Lost(NoAnswer): "Whom we wait for was heard before, and is silent now"
 
 class CommandError(MAVError):
     "A command that was answered, but not accepted; `result` is its MAV_RESULT"
     result = mavlink.MAV_RESULT_FAILED
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #051b4f7c
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #5da3fb02
 class Busy(CommandError):        result = mavlink.MAV_RESULT_TEMPORARILY_REJECTED
 class Denied(CommandError):      result = mavlink.MAV_RESULT_DENIED
 class Unsupported(CommandError): result = mavlink.MAV_RESULT_UNSUPPORTED
 class Failed(CommandError):      result = mavlink.MAV_RESULT_FAILED
+class Cancelled(CommandError):   result = 6 # MAV_RESULT_CANCELLED, which pymavlink's dialects lack
 
-_errors = {c.result:c for c in (Busy, Denied, Unsupported, Failed)}
+_errors = {c.result:c for c in (Busy, Denied, Unsupported, Failed, Cancelled)}
+mavlink.enums['MAV_RESULT'].setdefault(6, mavlink.EnumEntry('MAV_RESULT_CANCELLED', 'Command has been cancelled (COMMAND_CANCEL).'))
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #bf8c18b3
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #6bb24e23
+def _command_cancel():
+    import struct
+    class MAVLink_command_cancel_message(mavlink.MAVLink_message):
+        "Cancel a long running command (MAVLink common, message 80)"
+        id,msgname,crc_extra,unpacker,native_format = 80,'COMMAND_CANCEL',14,struct.Struct('<HBB'),bytearray(b'<HBB')
+        fieldnames,ordered_fieldnames = ['target_system','target_component','command'],['command','target_system','target_component']
+        fieldtypes,fieldenums_by_name = ['uint8_t','uint8_t','uint16_t'],{'command':'MAV_CMD'}
+        fielddisplays_by_name,fieldunits_by_name = {},{}
+        orders,lengths,array_lengths,instance_field,instance_offset = [1,2,0],[1,1,1],[0,0,0],None,-1
+
+        def __init__(self, target_system, target_component, command):
+            super().__init__(self.id, self.msgname)
+            self._fieldnames,self.target_system,self.target_component,self.command = self.fieldnames,target_system,target_component,command
+
+        def pack(self, mav, force_mavlink1=False):
+            return self._pack(mav, self.crc_extra, self.unpacker.pack(self.command, self.target_system, self.target_component), force_mavlink1=force_mavlink1)
+    return MAVLink_command_cancel_message
+
+command_cancel = mavlink.mavlink_map.get(80) or _command_cancel()
+mavlink.mavlink_map.setdefault(80, command_cancel)
+
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #dceee784
 @patch
 def check(self:Ack)->Ack:
     "Itself when accepted; raises `NoAnswer`, or the `CommandError` for its result"
     if self: return self
-    raise NoAnswer(str(self)) if self.result is None else _errors.get(self.result, CommandError)(str(self))
+    if self.result is None: raise (Lost if self.lost else NoAnswer)(str(self))
+    raise _errors.get(self.result, CommandError)(str(self))
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #4227d0df
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #95ef6db6
 class Waiters:
     "Questions waiting for their answers, by the id of the message that would be one"
     def __init__(self, wanted=None): self.wanted,self._places,self._lock = wanted,{},threading.Lock()
 
-    def open(self, msg_id:int, test):
-        "Wait for a message with `msg_id` for which `test(msg)` is true, until `close`"
-        place = ns(msg_id=msg_id, test=test, future=Future())
+    def open(self, msg_id:int, test, source:tuple|None=None):
+        "Wait for a message with `msg_id` for which `test(msg)` is true, until `close`; only `source` can send it"
+        place = ns(msg_id=msg_id, test=test, source=source, future=Future())
         with self._lock: self._places.setdefault(msg_id, []).append(place)
         if self.wanted is not None: self.wanted.add(msg_id)
         return place
@@ -120,7 +147,7 @@ class Waiters:
         with self._lock: self._places[place.msg_id].remove(place)
         if self.wanted is not None: self.wanted.remove(place.msg_id)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #1c606a0b
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #1d2c6e3f
 @patch
 def offer(self:Waiters, msg):
     "Give `msg` to those who wait for it; an ack to the first of them"
@@ -134,19 +161,28 @@ def offer(self:Waiters, msg):
 
 @patch
 @contextmanager
-def expecting(self:Waiters, msg_id:int, test=lambda msg: True):
+def expecting(self:Waiters, msg_id:int, test=lambda msg: True, source:tuple|None=None):
     "A `Future` for the first message with `msg_id` that passes `test`"
-    place = self.open(msg_id, test)
+    place = self.open(msg_id, test, source)
     try: yield place.future
     finally: self.close(place)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #921de424
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #255c11aa
+@patch
+def lose(self:Waiters, source:tuple, why:str):
+    "Whoever waits for `source` gets the error `Lost(why)`"
+    with self._lock:
+        for place in [p for places in self._places.values() for p in places if p.source==source]:
+            try: place.future.set_exception(Lost(why))
+            except InvalidStateError: pass      # the answer was there before
+
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #93cd306d
 async def answer(
     fut:Future, # What we wait for
     timeout:float, # In seconds
     *others:Future, # Give up waiting also when one of these is there
 ):
-    "The result of `fut`, or `None` if it is not there in time"
+    "The result of `fut`, or `None` if it is not there in time; raises `Lost` when whoever should answer has fallen silent"
     import asyncio
     loop = asyncio.get_running_loop()
     woken = loop.create_future()
@@ -212,10 +248,11 @@ def arguments(params:dict, values:list)->dict:
         if v is inspect.Parameter.empty: raise Denied(f'{n} must be given')
     return found
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #5fc4fc6a
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #cba16a8b
 class Served:
     "Commands that were answered lately, to recognise duplicates and retransmissions"
-    def __init__(self, window:float=1.5, echo:float=.3): self.window,self.echo,self._recent = window,echo,deque(maxlen=64) # seconds
+    def __init__(self, window:float=1.5, echo:float=.3):    # seconds
+        self.window,self.echo,self._recent,self._frames = window,echo,deque(maxlen=64),deque(maxlen=64)
 
     def _key(self, msg): return address(msg),msg.command,[str(p) for p in parameters(msg)]
 
@@ -223,14 +260,23 @@ class Served:
         "Remember that `msg` got `result`"
         self._recent.append((self._key(msg), msg.get_seq(), getattr(msg,'confirmation',0), result, now))
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #cfd43fe2
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #bd473823
 @patch
 def find(self:Served, msg, now:float)->int|None:
     "The result that `msg` got before, or `None` if it is new"
     key,seq,again = self._key(msg),msg.get_seq(),getattr(msg,'confirmation',0)
     for k,s,confirmation,result,when in reversed(list(self._recent)):
-        if now-when>self.window: break
-        if k==key and (again>confirmation or s==seq and again==confirmation and now-when<self.echo): return result
+        if k!=key or now-when>=self.window*abs(again-confirmation): continue
+        if again>confirmation or (s-seq)%256<128: return result
+
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #63553ed6
+@patch
+def doubled(self:Served, msg, now:float)->bool:
+    "Did this very frame come a moment ago?"
+    frame = bytes(msg.get_msgbuf())
+    again = any(f==frame and now-when<self.echo for f,when in list(self._frames))
+    self._frames.append((frame, now))
+    return again
 
 # %% ../../nbs/api/10_mavlink.protocol.ipynb #4cdc5038
 _marks = ns(made=0)
