@@ -280,7 +280,7 @@ def render(self:SimWorld,
         if np.linalg.norm(self.tags[number].mean(0)-view.position) < car: self._draw_tag(image, view, number, self.tags[number])
     return image
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #21b86396
+# %% ../../nbs/api/22_cameras.sim.ipynb #eaf85717
 class SimCamera(Camera):
     "A camera in a `SimWorld`, with zoom, focus and modes"
     modes = 'image','video'
@@ -307,6 +307,7 @@ class SimCamera(Camera):
         self.north,self.east,self.altitude,self.roll,self.pitch,self.yaw = north,east,altitude,roll,pitch,yaw
         self.lens,self.focus = Lens(2.8, 28., 3.2),Focus()
         self.frame_rate,self.capture_time,self.clock,self.number,self._frame_lock = frame_rate,capture_time,clock,0,threading.Lock()
+        self.patience,self.plugged_in = self.patience+capture_time,True
 
 # %% ../../nbs/api/22_cameras.sim.ipynb #0c4239e5
 @patch
@@ -324,12 +325,13 @@ def pose(self:SimCamera)->Pose:
     degree = 111319.49     # m
     return Pose(lat + self.north/degree, lon + self.east/degree/math.cos(math.radians(lat)), alt + self.altitude, self.altitude, roll, pitch, yaw)
 
-# %% ../../nbs/api/22_cameras.sim.ipynb #387e2219
+# %% ../../nbs/api/22_cameras.sim.ipynb #969ed74c
 @patch
 def read(self:SimCamera)->Frame:
     "The next frame; it shows its number"
     import cv2
     if self._closing.is_set(): raise CameraError(f'{self!r} is closed')
+    if not self.plugged_in: raise CameraError('unplugged')
     with self._frame_lock: number,self.number = self.number,self.number+1
     pose,view = self.pose(),self.view()
     image,blur = self.world.render(view, number/self.frame_rate),(90-self.focus.percent)/10
@@ -367,6 +369,15 @@ def set_camera_focus(self:SimCamera,
 ):
     "Focus one of seven ways; raises `ValueError`"
     self.focus.focus(kind, value); self.announce(self.settings())
+
+# %% ../../nbs/api/22_cameras.sim.ipynb #84312c2d
+@patch
+def plug(self:SimCamera,
+    plugged_in:bool=True, # False: as if it had been pulled off its cable
+):
+    "Pull the cable, or put it back: the camera's `fault`"
+    self.plugged_in = plugged_in
+    self.set_fault(None if plugged_in else 'unplugged')
 
 # %% ../../nbs/api/22_cameras.sim.ipynb #e0a6dd7f
 def locate(
