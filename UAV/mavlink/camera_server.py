@@ -154,7 +154,7 @@ def _storage_information(self:CameraServer, storage_id:int=0):
                 s.total, s.used, s.available, speed(s.read_speed), speed(s.write_speed), mavlink.STORAGE_TYPE_OTHER, s.name.encode()[:31], usage)
             for s in found]
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #12aa4722
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #b8ac392d
 @patch
 def _encode_picture(self:CameraServer, picture:Picture):
     "CAMERA_IMAGE_CAPTURED for one `Picture`"
@@ -169,6 +169,7 @@ def _encode_picture(self:CameraServer, picture:Picture):
 def _camera_image_captured(self:CameraServer, index:int=None, last:int=0):
     "CAMERA_IMAGE_CAPTURED of picture `index` (-1: from the first, to the end) up to `last` (0: only this one, -1: to the end)"
     if index is None: raise Denied('no index given')
+    if min(index, last)<-1: raise Denied(f'index is {min(index, last)}')
     count = self.need('capture_status')().image_count
     first,last = (0,count-1) if index<0 else (index, index if last==0 else count-1 if last<0 else last)
     if not first<=last<count: raise Denied(f'no pictures {first} to {last}: {count} were taken')
@@ -209,7 +210,7 @@ class Shots:
         other,_ = self._single.pop(source[0], (kind,0.))
         if other==kind: self._single[source[0]] = kind,now
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #c3e098ba
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #e139d2e0
 @patch
 def _shoot(self:CameraServer, kind:int, interval:float, count:int, sequence:int, msg):
     "Start capture, unless this very shot was taken"
@@ -223,13 +224,15 @@ def _shoot(self:CameraServer, kind:int, interval:float, count:int, sequence:int,
 def _image_start_capture(self:CameraServer, camera_id:int=0, interval:float=0., count:int=1, sequence:int=0, *, msg):
     "MAV_CMD_IMAGE_START_CAPTURE: `count` pictures (0: until stopped), one every `interval` s"
     self.for_us(camera_id)
+    if sequence<0: raise Denied(f'sequence is {sequence}')
     self._shoot(msg.command, interval, count, sequence, msg)
 
 @patch
 @command(mavlink.MAV_CMD_DO_DIGICAM_CONTROL, once=True)
-def _do_digicam_control(self:CameraServer, session:float=0, zoom:float=0, step:float=0, lock:float=0, shoot:int=0, *, msg):
+def _do_digicam_control(self:CameraServer, session:int=0, zoom:float=0, step:float=0, lock:int=0, shoot:int=0, *, msg):
     "MAV_CMD_DO_DIGICAM_CONTROL, the old trigger; only its shutter"
     if shoot!=1: raise Unsupported('only the shutter')
+    if max(abs(zoom), abs(step))>1000 or min(session, lock)<0: raise Denied(f'nobody can mean {session}, {zoom}, {step}, {lock}')
     self._shoot(msg.command, 0., 1, 0, msg)
 
 # %% ../../nbs/api/30_mavlink.camera_server.ipynb #59c9e902
@@ -279,7 +282,7 @@ def _reset_camera_settings(self:CameraServer, reset:int=0, camera_id:int=0):
     if reset not in (0, 1): raise Denied(f'reset is {reset}')
     if reset: self.need('reset_camera_settings')()
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #56e8b297
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #495363fe
 _legacy = {mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION:CAMERA_INFORMATION, mavlink.MAV_CMD_REQUEST_CAMERA_SETTINGS:CAMERA_SETTINGS,
            mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS:CAMERA_CAPTURE_STATUS, mavlink.MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE:CAMERA_IMAGE_CAPTURED,
            mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION:VIDEO_STREAM_INFORMATION, mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_STATUS:VIDEO_STREAM_STATUS}
@@ -290,7 +293,8 @@ _legacy = {mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION:CAMERA_INFORMATION, mavlin
 @command(mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION)
 def _request_legacy(self:CameraServer, request:int=0, *, msg):
     "The requests whose only parameter says 1, do it"
-    if request==1: self.send_paced(self.encode_requested(_legacy[msg.command], (), msg))
+    if request not in (0, 1): raise Denied(f'request is {request}')
+    if request: self.send_paced(self.encode_requested(_legacy[msg.command], (), msg))
 
 @patch
 @command(mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_STATUS)
@@ -304,7 +308,9 @@ def _request_legacy_index(self:CameraServer, index:int=None, *, msg):
 @command(mavlink.MAV_CMD_REQUEST_STORAGE_INFORMATION)
 def _request_storage_information(self:CameraServer, storage_id:int=0, request:int=0):
     "MAV_CMD_REQUEST_STORAGE_INFORMATION"
-    if request==1: self.send_paced(self._storage_information(storage_id))
+    if request not in (0, 1): raise Denied(f'request is {request}')
+    found = self._storage_information(storage_id)
+    if request: self.send_paced(found)
 
 # %% ../../nbs/api/30_mavlink.camera_server.ipynb #9af950ba
 @patch

@@ -19,10 +19,10 @@ __all__ = ['log', 'link_types', 'Link', 'VirtualLink', 'UDPLink', 'UDPIn', 'UDPO
 # %% ../../nbs/api/13_mavlink.links.ipynb #011b9ba0
 log = get_logger('links')
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #b8f7cc29
+# %% ../../nbs/api/13_mavlink.links.ipynb #4308f56b
 class Link:
     "Moves bytes; the base of all links"
-    prefixes = ()
+    prefixes,datagrams = (),False     # datagrams: what `recv` gives are whole frames, not pieces of a stream
     def recv(self):
         "Wait for bytes: `(data, peer)`, or `None` when the link is closed, or has gone"
         raise NotImplementedError
@@ -34,10 +34,10 @@ class Link:
         "Open it again after it has gone; raises `LinkError` when that cannot be done (yet)"
         raise LinkError(f'{type(self).__name__} does not come back')
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #a54c6f77
+# %% ../../nbs/api/13_mavlink.links.ipynb #acb83fc8
 class VirtualLink(Link):
     "Joins everyone in this process who opens the same name"
-    prefixes,_rooms,_lock = ('virtual:',),{},threading.Lock()
+    prefixes,datagrams,_rooms,_lock = ('virtual:',),True,{},threading.Lock()
 
     def __init__(self, name:str, baudrate:int=0):
         self.name,self._inbox,self._closed = name,SimpleQueue(),False
@@ -69,9 +69,10 @@ def _socket(kind)->socket.socket:
     if kind==socket.SOCK_DGRAM: sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4<<20)
     return sock
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #5368024d
+# %% ../../nbs/api/13_mavlink.links.ipynb #bd17d9d8
 class UDPLink(Link):
     "A UDP socket with its peers; the base of `udpin` and `udpout`"
+    datagrams = True
     def __init__(self, bind):
         self.sock,self._closed = _socket(socket.SOCK_DGRAM),False
         self._bind(bind)

@@ -111,7 +111,7 @@ def close(self:MAVCom):
 def _close_all():
     for com in list(_open): com.close()
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #348890c4
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #10d4c719
 @patch
 def _read(self:Channel):
     while not self._stop.is_set():
@@ -131,7 +131,7 @@ def take(self:Channel, data:bytes, peer=None):
 def _new_reader(self:Channel, peer)->FrameReader:
     "A reader for a new peer, in the place of the one that was silent longest when there are too many"
     if len(self.readers)>=self.most_peers: del self.readers[min(self.readers, key=lambda p: self.readers[p].heard)]
-    self.readers[peer] = FrameReader(self.com.wanted, self.sources)
+    self.readers[peer] = FrameReader(self.com.wanted, self.sources, self.link.datagrams)
     return self.readers[peer]
 
 # %% ../../nbs/api/16_mavlink.mavcom.ipynb #c2f728ea

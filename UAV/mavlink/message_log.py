@@ -46,17 +46,19 @@ def message_name(msg_id)->str:
     cls = mavlink.mavlink_map.get(msg_id)
     return cls.msgname if cls else f'UNKNOWN_{msg_id:g}'
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #f3c8dd84
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #4b0fe185
 _commands,_ack = (mavlink.MAVLINK_MSG_ID_COMMAND_LONG,mavlink.MAVLINK_MSG_ID_COMMAND_INT),mavlink.MAVLINK_MSG_ID_COMMAND_ACK
 _telling = 'image_index','storage_id','stream_id','param_id','text'   # fields without which the name says little
 
 def _clean(text, most:int=60)->str:
     "`text` in one line of printable characters"
-    return textwrap.shorten(''.join(c if c.isprintable() else ' ' for c in str(text)), most, placeholder=' …')
+    text = ' '.join(''.join(c if c.isprintable() else ' ' for c in str(text)).split())
+    return text if len(text)<=most else text[:most-1]+'…'
 
 def _parameters(m)->str:
     "The parameters of a command, up to the last one that says something"
     given = parameters(m)
+    if m.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE: given[3] = None     # a serial number, for the camera only
     while given and not given[-1]: given.pop()
     words = ['–' if p is None else f'{p:.6g}' if isinstance(p,float) else str(p) for p in given]
     if m.command in (mavlink.MAV_CMD_REQUEST_MESSAGE,mavlink.MAV_CMD_SET_MESSAGE_INTERVAL) and words: words[0] = message_name(given[0] or 0)
@@ -77,14 +79,14 @@ def says(self:Entry)->str:
     progress = f' {m.progress} %' if m.result==mavlink.MAV_RESULT_IN_PROGRESS and 0<m.progress<=100 else ''
     return enum_name('MAV_RESULT', m.result, 'MAV_RESULT_')+progress
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #e8f499a2
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #61b0678d
 @patch
 def __repr__(self:Entry):
     to = '/'.join(str(n) if n else 'all' for n in self.target) if any(self.target) else 'all'
-    of = enum_name('MAV_CMD', self.message.command, ' MAV_CMD_') if self.msg_id==_ack else ''
-    return f"{'/'.join(map(str,self.source)):>7} → {to:7} {self.says} {of.replace('MAV_CMD_','')}".rstrip()
+    of = enum_name('MAV_CMD', self.message.command, 'MAV_CMD_') if self.msg_id==_ack else ''
+    return f"{'/'.join(map(str,self.source)):>7} → {to:7} {self.says} {of}".rstrip()
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #ce640126
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #a995934c
 class MessageLog:
     "Keeps the frames that pass, newest last, and with a `file` writes them there too; close it then, or use it in a `with`"
     usual = ('COMMAND_*','CAMERA_*','STORAGE_*','VIDEO_STREAM_*','PARAM_*','MISSION_*','*_INFORMATION','*_VERSION',
@@ -94,7 +96,7 @@ class MessageLog:
         file=None, # A `.tlog` to write as it goes; what is in it stays
         most:int=100_000, # Frames to keep in memory
     ):
-        self._kept,self._lock,self.total = deque(maxlen=most),threading.Lock(),0
+        self._kept,self._lock,self.total,self._beats = deque(maxlen=most),threading.Lock(),0,{}
         self._writer = TlogWriter(file) if file else None
 
     def add(self,
@@ -110,7 +112,7 @@ class MessageLog:
             self.total += 1
             if self._writer: self._writer.add(record)
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #e805b2d9
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #032861c4
 _setup_signing = mavlink.MAVLINK_MSG_ID_SETUP_SIGNING.to_bytes(3,'little')
 def _is_secret(frame:bytes)->bool: return frame[0]==0xfd and frame[7:10]==_setup_signing
 
@@ -121,7 +123,8 @@ def close(self:MessageLog):
 
 @patch
 def clear(self:MessageLog):
-    "Forget what is in memory"
+    "Forget what is in memory, but not what the components are"
+    self._beats = self.beats()
     with self._lock: self._kept.clear(); self.total = 0
 
 @patch
@@ -131,7 +134,7 @@ def __exit__(self:MessageLog, *args): self.close()
 @patch
 def __len__(self:MessageLog): return len(self._kept)
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #675956b3
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #8e3d4a30
 @lru_cache
 def _ids(names:tuple)->frozenset:
     "Message ids of `names`; raises `ValueError` for a name that fits none"
@@ -153,6 +156,11 @@ def entries(self:MessageLog,
 def messages(self:MessageLog, *names:str)->list:
     "The messages that passed, oldest first"
     return [e.message for e in self.entries(*names) if e.message]
+
+@patch
+def beats(self:MessageLog)->dict:
+    "The latest HEARTBEAT of each component"
+    return {**self._beats, **{e.source:e for e in self.entries('HEARTBEAT')}}
 
 @patch
 def __iter__(self:MessageLog): return iter(self.entries())
@@ -207,13 +215,14 @@ def _answered(e:Entry, xs)->Exchange|None:
     waiting = (x for n,x in enumerate(fit) if not x.final(e.source) and not _given_up(x, fit[n+1:], e.time))
     return next(waiting, None) or next((x for x in reversed(fit) if x.final(e.source)<len(x.sends)), None)
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #5eed8a18
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #3c793614
 def _once(entries:list)->list:
     "`entries` without frames that came twice: an echo, a network that doubles, or one log at both ends"
     last,found = {},[]
     for n,e in enumerate(entries):
-        if last.get(e.frame,-64)<=n-64: found.append(e)
-        last[e.frame] = n
+        before,when = last.get(e.frame, (-math.inf,0.))
+        if n-before>64 or e.time-when>.3: found.append(e)
+        last[e.frame] = n,e.time
     return found
 
 def _pair(
@@ -237,14 +246,16 @@ def exchanges(self:MessageLog)->list:
     "The commands that passed, each with its answers"
     return _pair(_once(self.entries()))
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #0c744966
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #7c41cd30
 def _kind(e:Entry)->str:
     "What the colour of a row means"
     if e.msg_id not in (*_commands,_ack): return 'message'
     result = e.message.result if e.msg_id==_ack else e.exchange.ack.result
     return {None:'no answer', 0:'accepted', 1:'temporarily rejected', 4:'failed', 5:'in progress'}.get(result, 'denied or unsupported')
 
-def _row(e:Entry, **kwargs): return ns(**{**dict(entries=[e], source=e.source, target=e.target, kind=_kind(e), x=e.exchange, missing=False), **kwargs})
+def _row(e:Entry, **kwargs):
+    to = e.exchange.source if e.exchange and e.msg_id==_ack else e.target       # MAVLink 1 acks have no target
+    return ns(**{**dict(entries=[e], source=e.source, target=to, kind=_kind(e), x=e.exchange, missing=False), **kwargs})
 
 def _same(row, e:Entry)->bool:
     first = row.entries[0]
@@ -260,7 +271,7 @@ def _rows(entries:list)->list:
         if x and not x.final() and e is (x.acks or x.sends)[-1]: rows.append(_row(x.sends[0], missing=True, kind='no answer'))
     return rows
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #b3d00414
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #38111d6b
 class Chart:
     "Who said what to whom, as SVG; shows itself in a notebook"
     pitch,top,char,pad = 26,86,7.2,16 # pixels: from row to row, down to the first row, widest character, room beside a label
@@ -269,30 +280,34 @@ class Chart:
         entries = _once(log.entries())
         _pair(entries)
         wanted = _ids(tuple(names) or log.usual)
-        asked = set() if names else {e.message.param1 for e in entries if e.msg_id in _commands and e.message.command==mavlink.MAV_CMD_REQUEST_MESSAGE}
+        asks = () if names else (e.message for e in entries if e.msg_id in _commands)
+        asked = {m.param1 for m in asks if m.command==mavlink.MAV_CMD_REQUEST_MESSAGE}
         shown = [e for e in entries if e.msg_id in wanted or e.msg_id in asked]
         drawn = _rows(shown)
         first = max(0, len(drawn)-rows)
-        self.rows,self.times,self.counts,self.left_out = drawn[first:],times,counts,sum(len(r.entries) for r in drawn[:first] if not r.missing)
+        self.rows,self.times,self.counts = drawn[first:],times,counts
+        self.left_out = sum(len(r.entries) for r in drawn[:first] if not r.missing)
         self.rest = Counter(e.name for e in entries)-Counter(e.name for e in shown)
-        self._find_lanes(entries)
+        self._find_lanes(entries, log.beats())
         self._place_rows()
         self._find_bars()
         self._place_lanes()
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #50511123
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #911b4eed
 def _lane_name(a:tuple, beat:Entry|None)->str:
     name = enum_name('MAV_TYPE', beat.message.type, 'MAV_TYPE_') if beat else enum_name('MAV_COMPONENT', a[1], 'MAV_COMP_ID_') if a[1] else 'all'
     return f'component {name}' if name.isdigit() else name
 
 @patch
-def _find_lanes(self:Chart, entries:list):
-    ours,beats = {e.source for e in entries if e.sent},[e for e in entries if e.msg_id==0]
-    number,latest,speakers = Counter(e.source for e in beats),{e.source:e for e in beats},{e.source for e in entries}
+def _find_lanes(self:Chart, entries:list, beats:dict):
+    ours,number = {e.source for e in entries if e.sent},Counter(e.source for e in entries if e.msg_id==mavlink.MAVLINK_MSG_ID_HEARTBEAT)
+    speakers = {e.source for e in entries}|set(beats)
     self.lanes,self.start = {},next((r.entries[0].time for r in self.rows), 0.)
     def head(a): return '/'.join(str(n) if n else 'all' for n in a)+f' ♥{number[a]}'*bool(self.counts and number[a])
-    def tip(a): return ('never heard' if a not in speakers else 'ours' if a in ours else 'heard')
-    def add(a): self.lanes.setdefault(a, ns(name=_lane_name(a, latest.get(a)), ours=a in ours, silent=a not in speakers, n=len(self.lanes), head=head(a), tip=tip(a)))
+    def tip(a): return 'never heard' if a not in speakers else 'ours' if a in ours else 'heard'
+    def add(a):
+        lane = ns(name=_lane_name(a, beats.get(a)), head=head(a), tip=tip(a), ours=a in ours, silent=a not in speakers, n=len(self.lanes))
+        self.lanes.setdefault(a, lane)
     for row in self.rows:
         add(row.source)
         if all(row.target): add(row.target)
@@ -306,11 +321,13 @@ def _reached(self:Chart, row)->list:
     found = [l for a,l in self.lanes.items() if fits(a) and (any(row.target) or not l.silent)]
     return found or [l for a,l in self.lanes.items() if a==row.target]
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #83924135
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #7057a95d
+def _is_again(e:Entry)->bool: return e.msg_id==_commands[0] and e.message.confirmation>0
+
 def _words(row, last)->str:
     e = row.entries[0]
     if row.missing: return 'no final answer' if row.x.acks else 'no answer'
-    if e.msg_id in _commands: return e.says+f' ↻{e.message.confirmation}'*(e is not row.x.sends[0])
+    if e.msg_id in _commands: return f'{e.says} ↻{e.message.confirmation}' if _is_again(e) else e.says
     if e.msg_id==_ack: return e.says if last and row.x and last.x is row.x else f"{e.says} {enum_name('MAV_CMD', e.message.command, 'MAV_CMD_')}"
     n = len(row.entries)
     return e.says if n==1 else f'{e.says} … {row.entries[-1].detail} ×{n}' if e.detail else f'{e.name} ×{n}'
@@ -320,8 +337,8 @@ def _place_rows(self:Chart):
     number = 0
     for n,row in enumerate(self.rows):
         number += not row.missing
-        row.n,row.number,row.y,row.text,row.lane = n+1,number,self.top+n*self.pitch,_words(row, self.rows[n-1] if n else None),self.lanes[row.source]
-        row.to = self._reached(row)
+        row.n,row.number,row.y = n+1,number,self.top+n*self.pitch
+        row.text,row.lane,row.to = _words(row, self.rows[n-1] if n else None),self.lanes[row.source],self._reached(row)
         here = row.lane.n
         row.low,row.high = min([here,*(l.n for l in row.to)]),max([here,*(l.n for l in row.to)])
         row.side = 1 if row.high>here and (row.low==here or any(row.target)) or here==0 else -1
@@ -346,7 +363,7 @@ def _room(self:Chart, lane:int, row, way:int)->int:
     at = [b.depth for b in self.bars if b.lane==lane and b.start<=row.n<=b.end]
     return 0 if not at else 5+7*max(at) if way>0 else 5-7*min(at)
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #8babc89b
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #226ce79c
 @patch
 def _width(self:Chart, words:str)->float: return len(words)*self.char
 
@@ -357,10 +374,9 @@ def _place_lanes(self:Chart):
     gaps = [max((a.width+b.width)/2+20, 120) for a,b in zip(lanes,lanes[1:])]+[l.width/2+self.pad for l in lanes[-1:]]
     bars = [max([0]+[7*b.depth+5 for b in self.bars if b.lane==l.n]) for l in lanes]
     for row in self.rows:
-        row.gap = (row.to[-1].n-(row.to[-1].n>row.lane.n) if row.missing else row.lane.n if row.side>0 else row.lane.n-1)
+        row.gap = row.to[-1].n-(row.to[-1].n>row.lane.n) if row.missing else row.lane.n-(row.side<0)
         gaps[row.gap] = max(gaps[row.gap], self._width(row.text)+2*self.pad+bars[row.gap]+44*row.missing)
-    x = self.left = (110 if self.times else 44)
-    x += lanes[0].width/2 if lanes else 0
+    x = (110 if self.times else 44)+(lanes[0].width/2 if lanes else 0)
     for l,gap in zip(lanes,gaps): l.x,x = round(x),x+gap
     self.width,self.bottom = round(max(x, 420)),self.top+len(self.rows)*self.pitch
     for row in self.rows: row.middle = lanes[row.gap].x+(gaps[row.gap]+bars[row.gap])/2
@@ -386,7 +402,7 @@ def _style(n:int, page:str='')->str:
 def _text(x, y, words, style='ink')->str: return f'<text x="{round(x)}" y="{round(y)}" class="{style}">{escape(_clean(words,200))}</text>'
 def _path(d, more='')->str: return f'<path d="{d}"{more}/>'
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #4d5072ba
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #1c4cb1ca
 def _meaning(m, field)->str:
     "What the dialect says about a command's parameter"
     of = mavlink.enums['MAV_CMD'].get(getattr(m,'command',None)) if field.startswith('param') else None
@@ -400,25 +416,35 @@ def _value(m, field)->str:
     if enum in mavlink.enums and isinstance(v, int): v = enum_name(enum, v)
     return _clean(f'{v:.7g}' if isinstance(v, float) else v)+_meaning(m, field)
 
+def _passing(m, field)->bool:
+    "Is the field another one each time?"
+    return field.startswith('time') or field=='param4' and m.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE
+
 @patch
 def _tip(self:Chart, row)->str:
     "What is in the first message of a row, a field a line"
     e = row.entries[0]
     if row.missing: return f'asked {len(row.x.sends)} times'
-    fields = [f for f in e.message.fieldnames if self.times or not f.startswith('time')] if e.message else []
+    fields = [f for f in e.message.fieldnames if self.times or not _passing(e.message, f)] if e.message else []
     when = [f'after {e.time-self.start:.6f} s'] if self.times else []
     return '\n'.join([e.name, *when, *(f'{f}: {_value(e.message,f)}' for f in fields)])
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #6fbb8fa0
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #dcc7f381
 @patch
 def _arrow(self:Chart, row, end)->str:
     "From the lane of `row` to the lane `end`"
     way,e,y = (1 if end.n>row.lane.n else -1),row.entries[0],row.y
     x0,x1 = row.lane.x+way*self._room(row.lane.n, row, way),end.x-way*self._room(end.n, row, -way)
-    if row.missing: return _path(f'M{x1} {y}h{-way*24}', ' stroke-dasharray="2 3"')+_path(f'M{x1-way*32-4} {y-4}l8 8m0 -8l-8 8', ' class="failed" stroke-width="2"')+_text(x1-way*42, y+4, row.text, 'b' if way<0 else 'b r')
+    if row.missing: return self._dangling(row, x1, way)
     if e.msg_id==_ack: return _path(f'M{x0} {y}H{x1}M{x1-way*7} {y-4}L{x1} {y}L{x1-way*7} {y+4}', ' stroke-width="1.5"')
-    again = ' stroke-dasharray="7 4"' if row.x and e is not row.x.sends[0] else ''
+    again = ' stroke-dasharray="7 4"' if _is_again(e) else ''
     return _path(f'M{x0} {y}H{x1-way*7}', f' stroke-width="{2 if row.x else 1.2}"{again}')+_path(f'M{x1} {y}l{-way*9} -4v8z', ' class="f"')
+
+@patch
+def _dangling(self:Chart, row, x, way)->str:
+    "The beginning of an answer that never came"
+    return (_path(f'M{x} {row.y}h{-way*24}', ' stroke-dasharray="2 3"')+_text(x-way*42, row.y+4, row.text, 'b' if way<0 else 'b r')
+           +_path(f'M{x-way*32-4} {row.y-4}l8 8m0 -8l-8 8', ' class="failed" stroke-width="2"'))
 
 @patch
 def _draw_row(self:Chart, row)->str:
@@ -430,12 +456,13 @@ def _draw_row(self:Chart, row)->str:
     number = '' if row.missing or self.times else _text(30, row.y+4, row.number, 'soft r')
     return f'<g class="{_class(row.kind)}">{band}{number}{"".join(arrows+dots)}{"" if row.missing else _text(row.middle, row.y-6, row.text, "m")}</g>'
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #15826640
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #583a0be2
 @patch
 def _draw_lane(self:Chart, lane)->str:
     x,w,bottom = lane.x-lane.width/2,lane.width,self.bottom-8
     broken = ' stroke-dasharray="2 4"' if lane.silent else ''
-    box = f'<rect class="line" x="{x:g}" y="10" width="{w:g}" height="42" rx="7" fill="currentColor" fill-opacity="{.45 if lane.ours else 0}" stroke="currentColor"{broken}/>'
+    tint = f'fill="currentColor" fill-opacity="{.45 if lane.ours else 0}"'
+    box = f'<rect class="line" x="{x:g}" y="10" width="{w:g}" height="42" rx="7" {tint} stroke="currentColor"{broken}/>'
     return (f'<g><title>{escape(lane.tip)}</title>{box}{_text(lane.x, 28, lane.name, "ink m b n")}{_text(lane.x, 44, lane.head, "ink m n")}</g>'
             f'<g class="line">{_path(f"M{lane.x} 52V{bottom}", broken)}</g>')
 
@@ -479,14 +506,15 @@ def _draw_ruler(self:Chart)->list:
     lines = [_path(f'M60 {at(t)}L88 {r.y}h8', ' stroke-width=".7"') for t,r in zip(moments,self.rows) if not r.missing]
     return [f'<g class="soft">{_path(f"M58 {top}V{bottom}")}{"".join(ticks+lines)}</g>', _text(46, top-16, unit, 'soft r')]
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #d93fbae2
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #78f67cfc
 @patch(as_prop=True)
 def svg(self:Chart)->str:
     "The picture"
     lanes = list(self.lanes.values())
     inside = [*map(self._draw_lane, lanes), *self._draw_ruler(), *map(self._draw_bar, self.bars), *map(self._draw_row, self.rows), *self._draw_legend()]
-    head = f'<svg xmlns="http://www.w3.org/2000/svg" class="wire" width="{self.width}" height="{self.height}" viewBox="0 0 {self.width} {self.height}" style="min-width:{self.width*.75:.0f}px">'
-    return f'{head}<style>{_shapes}{_style(0)}</style><rect class="paper" width="{self.width}" height="{self.height}" rx="8"/>{"".join(inside)}</svg>'
+    size,box = f'width="{self.width}" height="{self.height}"',f'viewBox="0 0 {self.width} {self.height}" style="min-width:{self.width*.75:.0f}px"'
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" class="wire" {size} {box}><style>{_shapes}{_style(0)}</style>'
+            f'<rect class="paper" {size} rx="8"/>{"".join(inside)}</svg>')
 
 @patch
 def _repr_svg_(self:Chart)->str: return self.svg
@@ -646,7 +674,7 @@ class ReplayLink(Link):
     def close(self): self._closed.set()
     def release(self): self._frames.close()
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #f0fd2216
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #6d43b4b6
 @patch
 def recv(self:ReplayLink):
     if self._next is None:
@@ -657,7 +685,11 @@ def recv(self:ReplayLink):
     now = time.monotonic()
     self._due = now if self._due is None else self._due+min(max(when-self._when, 0), self.longest_silence)/(self.speed or math.inf)
     if self._due>now and self._closed.wait(self._due-now): return
-    self._when,self._next = when,next(self._frames, None)
+    self._when = when
+    try: self._next = next(self._frames, None)
+    except OSError as e:
+        log.error('%s: %s', self.name, e)
+        self._next = None
     return frame,'tlog'
 
 link_types.append(ReplayLink)
