@@ -368,21 +368,23 @@ class Lens:
     def fov(self, focal_length): return math.degrees(2*math.atan(self.sensor_size_h/2/focal_length))
     def reset(self): self.travel.go(self.travel.low)
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #1153cc7f
+# %% ../../nbs/api/21_cameras.camera.ipynb #b2dba0e1
 @patch
 def zoom(self:Lens,
     kind:str, # One of `kinds`
     value:float, # Steps (tele is positive), speed -1..1, % of the range, mm or degrees
 ):
     "Zoom one of five ways; raises `ValueError`"
-    travel,value = self.travel,inside(one_of('kind', kind, self.kinds), value)
-    if   kind == 'step':         travel.go(travel.position*self.step**min(max(value, -99), 99))
+    travel = self.travel
+    ends = dict(range=(0,100), focal_length=(travel.low,travel.high), horizontal_fov=(self.fov(travel.high),self.fov(travel.low)))
+    value = inside(kind, value, *ends.get(one_of('kind', kind, self.kinds), (-99,99)))
+    if   kind == 'step':         travel.go(travel.position*self.step**value)
     elif kind == 'continuous':   travel.move(value)
     elif kind == 'range':        travel.percent = value
-    elif kind == 'focal_length': travel.go(inside('focal_length', value, travel.low, travel.high))
-    else: travel.go(self.sensor_size_h/2/math.tan(math.radians(inside(kind, value, self.fov(travel.high), self.fov(travel.low)))/2))
+    elif kind == 'focal_length': travel.go(value)
+    else: travel.go(self.sensor_size_h/2/math.tan(math.radians(value)/2))
 
-# %% ../../nbs/api/21_cameras.camera.ipynb #bd508d8f
+# %% ../../nbs/api/21_cameras.camera.ipynb #9825a3e5
 class Focus:
     "A focus drive"
     kinds = 'step','continuous','range','meters','auto','auto_single','auto_continuous'
@@ -404,11 +406,11 @@ class Focus:
     ):
         "Focus one of seven ways; raises `ValueError`"
         auto = one_of('kind', kind, self.kinds).startswith('auto')
-        if not auto: value = inside(kind, value)
+        if not auto: value = inside(kind, value, *dict(range=(0,100), meters=(self.near,1e6)).get(kind, (-99,99)))
         if   kind == 'step':       self.travel.go(self.percent + 5*value)
         elif kind == 'continuous': self.travel.move(value)
         elif kind == 'range':      self.travel.percent = value
-        else: self.travel.go(100*(1 - self.near/(self.distance if auto else inside(kind, value, self.near, 1e6))))
+        else: self.travel.go(100*(1 - self.near/(self.distance if auto else value)))
 
 # %% ../../nbs/api/21_cameras.camera.ipynb #8700682d
 @patch

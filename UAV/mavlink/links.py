@@ -19,7 +19,7 @@ __all__ = ['log', 'link_types', 'Link', 'VirtualLink', 'UDPLink', 'UDPIn', 'UDPO
 # %% ../../nbs/api/13_mavlink.links.ipynb #011b9ba0
 log = get_logger('links')
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #4308f56b
+# %% ../../nbs/api/13_mavlink.links.ipynb #79dc56d0
 class Link:
     "Moves bytes; the base of all links"
     prefixes,datagrams = (),False     # datagrams: what `recv` gives are whole frames, not pieces of a stream
@@ -30,6 +30,7 @@ class Link:
         "Send `data` to `peer`, or to everyone; what cannot be sent is dropped, as on any radio"
         raise NotImplementedError
     def close(self): "Wake a waiting `recv`, and open no more"
+    def unwelcome(self, peer): "Nothing sensible has come from `peer`: what is for everyone is not for it"
     def reopen(self):
         "Open it again after it has gone; raises `LinkError` when that cannot be done (yet)"
         raise LinkError(f'{type(self).__name__} does not come back')
@@ -115,7 +116,7 @@ def release(self:Link):
     "Give the device back to the system, when no `recv` is under way any more"
     if sock := getattr(self,'sock',None): sock.close()
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #aec1612d
+# %% ../../nbs/api/13_mavlink.links.ipynb #59711eee
 class UDPIn(UDPLink):
     "`udpin:HOST:PORT`: answers everyone heard in the last `forget` seconds, and the latest in any case"
     prefixes,forget,most = ('udpin:','udp:'),60.,64
@@ -127,6 +128,8 @@ class UDPIn(UDPLink):
         self.peers[peer] = time.monotonic()
         while len(self.peers)>self.most: del self.peers[min(self.peers, key=self.peers.get)]
         return True
+
+    def unwelcome(self, peer): self.peers.pop(peer, None)
 
     def write(self, data, peer=None):
         if peer is not None: return self._send(data, peer)

@@ -111,7 +111,7 @@ def close(self:MAVCom):
 def _close_all():
     for com in list(_open): com.close()
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #10d4c719
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #754ecfe0
 @patch
 def _read(self:Channel):
     while not self._stop.is_set():
@@ -126,11 +126,12 @@ def take(self:Channel, data:bytes, peer=None):
     reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
     reader.heard,reader.check = time.monotonic(),self._check if com.forward or com.signing is not None or com.message_log is not None else None
     for msg in reader.feed(data): com._route(msg)
+    if not reader.seen: self.link.unwelcome(peer)
 
 @patch
 def _new_reader(self:Channel, peer)->FrameReader:
-    "A reader for a new peer, in the place of the one that was silent longest when there are too many"
-    if len(self.readers)>=self.most_peers: del self.readers[min(self.readers, key=lambda p: self.readers[p].heard)]
+    "A reader for a new peer; when there are too many, in the place of one who has never said anything sensible, or was silent longest"
+    if len(self.readers)>=self.most_peers: del self.readers[min(self.readers, key=lambda p: (bool(self.readers[p].seen), self.readers[p].heard))]
     self.readers[peer] = FrameReader(self.com.wanted, self.sources, self.link.datagrams)
     return self.readers[peer]
 
