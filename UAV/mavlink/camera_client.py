@@ -23,9 +23,10 @@ _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA
 __all__ = ['NAN', 'CameraClient', 'RemoteCamera', 'is_camera', 'PictureLog', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS',
            'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'LogLevels', 'mavlink']
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #7eb20c1f
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #7b27bdcc
 class CameraClient(Component):
     "Finds and commands MAVLink cameras"
+    most_cameras = 64 # whose pictures are noted, unasked
     def __init__(self,
         source_component:int, # Our component id, for example `MAV_COMP_ID_MISSIONPLANNER` (190)
         mav_type:int=mavlink.MAV_TYPE_GCS,
@@ -144,9 +145,10 @@ async def image_stop_capture(self:CameraClient, target_system:int|None=None, tar
     "Stop taking pictures"
     return await self.send_command(*self.target(target_system, target_component), mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #b9a06c08
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #fcf06154
 class PictureLog:
     "The picture notices of one camera: those that came, those nobody has seen, and the index of the next"
+    most = 2048     # notices kept; older ones can be asked for again
     def __init__(self, first:int|None=None): self.images,self.fresh,self.next,self.newest = {},{},first,0    # `None`: not known yet
 
     def add(self, msg):
@@ -155,6 +157,7 @@ class PictureLog:
         if self.next is None: self.next = i
         if i<self.next and msg.time_utc>self.newest>0 or i in self.images and self.images[i].time_utc!=msg.time_utc: self.__init__(i)
         if i not in self.images: self.images[i] = self.fresh[i] = msg
+        if len(self.images)>self.most: oldest = next(iter(self.images)); del self.images[oldest]; self.fresh.pop(oldest, None)
         self.newest = max(self.newest, msg.time_utc)
 
     def missing(self, count:int)->list:
@@ -170,7 +173,7 @@ class PictureLog:
         for m in found: self.fresh.pop(m.image_index, None); self.next = m.image_index+1
         return found
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #359e01fc
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #655ae77b
 @patch
 async def _mark(self:CameraClient, target:tuple):
     "Begin a log for a camera; one that we have not heard yet is asked only once"
@@ -183,7 +186,7 @@ async def _mark(self:CameraClient, target:tuple):
 @receives(CAMERA_IMAGE_CAPTURED)
 def on_image_captured(self:CameraClient, msg):
     "Keep the notice of a picture"
-    self.pictures.setdefault(address(msg), PictureLog()).add(msg)
+    if address(msg) in self.pictures or len(self.pictures)<self.most_cameras: self.pictures.setdefault(address(msg), PictureLog()).add(msg)
 
 # %% ../../nbs/api/31_mavlink.camera_client.ipynb #d0ea8513
 @patch

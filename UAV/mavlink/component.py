@@ -148,13 +148,13 @@ def stop_stream(self:Component, msg_id:int, *values):
     period,job = self._streams.pop((msg_id,*values), (None,None))
     if job: timers.cancel(job)
 
-# %% ../../nbs/api/18_mavlink.component.ipynb #6137257b
+# %% ../../nbs/api/18_mavlink.component.ipynb #39c08d58
 @patch
 @command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
 def _set_message_interval(self:Component, msg_id:int, interval:float, index:float=None):
     "Answer MAV_CMD_SET_MESSAGE_INTERVAL"
     if msg_id not in self.messages: raise Unsupported(f'no message {msg_id}')
-    if interval<-1: raise Denied(f'interval is {interval} µs')
+    if not (interval==-1 or 0<=interval<=0x7fffffff): raise Denied(f'interval is {interval} µs')     # more than MESSAGE_INTERVAL could tell
     values = (index,) if index and self.messages[msg_id].params else ()
     if interval>0: return self.start_stream(msg_id, interval, *values)
     for key in list(self._streams):

@@ -201,14 +201,14 @@ class TCPOut(Link):
         try: self.sock.shutdown(socket.SHUT_RDWR)
         except OSError: pass      # the other side was faster
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #c52a0628
+# %% ../../nbs/api/13_mavlink.links.ipynb #b952b283
 class TCPIn(Link):
     "`tcpin:HOST:PORT`: a server; whatever is written goes to all its clients"
-    prefixes = ('tcpin:',)
+    prefixes,most = ('tcpin:',),64     # clients; one more, and the one that was silent longest goes
     def __init__(self, name:str, baudrate:int=0):
-        self.sock,self.streams,self._inbox,self._peers = _socket(socket.SOCK_STREAM),{},deque(),{}
+        self.sock,self.streams,self._inbox,self._peers,self._heard = _socket(socket.SOCK_STREAM),{},deque(),{},{}
         self.sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try: self.sock.bind(_address(name)); self.sock.listen(8)
+        try: self.sock.bind(_address(name)); self.sock.listen(128)
         except OSError as e:
             self.sock.close()
             raise LinkError(f'cannot listen on TCP {name}: {e}') from e
@@ -223,17 +223,21 @@ class TCPIn(Link):
         try: self._ring.send(b'.')
         except OSError: pass      # closed before
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #748832fc
+# %% ../../nbs/api/13_mavlink.links.ipynb #ea34f83c
 @patch
 def _accept(self:TCPIn):
     try: sock,_ = self.sock.accept()
-    except OSError: return        # gone before we could greet it
-    self.streams[sock],self._peers[sock] = _stream(sock),object()     # an id() would be used again after a client has gone
+    except ConnectionError: return    # gone before we could greet it
+    except OSError as e:              # no file descriptor is left: nothing to be gained by trying again at once
+        log.warning('cannot accept a TCP client: %s', e)
+        return time.sleep(.1)
+    if len(self.streams)>=self.most: self._drop(min(self._heard, key=self._heard.get))
+    self.streams[sock],self._peers[sock],self._heard[sock] = _stream(sock),object(),time.monotonic()     # an id() would be used again
     self._ready.register(sock, selectors.EVENT_READ)
 
 @patch
 def _drop(self:TCPIn, sock):
-    del self.streams[sock],self._peers[sock]
+    del self.streams[sock],self._peers[sock],self._heard[sock]
     self._ready.unregister(sock)
     sock.close()
 
@@ -241,8 +245,9 @@ def _drop(self:TCPIn, sock):
 def _read(self:TCPIn, sock):
     try: data = sock.recv(65536)
     except OSError: data = b''
-    if data: self._inbox.append((data, self._peers[sock]))
-    else: self._drop(sock)
+    if not data: return self._drop(sock)
+    self._heard[sock] = time.monotonic()
+    self._inbox.append((data, self._peers[sock]))
 
 @patch
 def recv(self:TCPIn):
@@ -250,7 +255,8 @@ def recv(self:TCPIn):
         if self._bell.fileno()<0: return      # released
         for key,_ in self._ready.select():
             if key.fileobj is self._bell: return
-            self._accept() if key.fileobj is self.sock else self._read(key.fileobj)
+            if key.fileobj is self.sock: self._accept()
+            elif key.fileobj in self.streams: self._read(key.fileobj)     # and not just dropped
     return self._inbox.popleft()
 
 # %% ../../nbs/api/13_mavlink.links.ipynb #776686ac
