@@ -37,7 +37,7 @@ def _periods(value)->list:
     if all(0<=start<end for start,end in periods): return periods
     raise ValueError(f'outages is {value!r}, not a list of (start, end) in seconds, such as [(2, 5)]')
 
-# %% ../../nbs/api/14_mavlink.lossy.ipynb #817f53a2
+# %% ../../nbs/api/14_mavlink.lossy.ipynb #b095b3e5
 class LossyLink(Link):
     "Wraps a link, and treats what passes like a bad radio does; the same seed brings the same fate"
     buffer,hold = 4096,.1 # bytes that may wait for the line; seconds that a late frame waits to be overtaken
@@ -64,7 +64,7 @@ class LossyLink(Link):
         self._writer,self._reader,self._gone,self._rests = None,None,False,{}
         self.outgoing,self.incoming = Direction(self,'outgoing'),Direction(self,'incoming')
         self.link = open_link(link) if isinstance(link, str) else link
-        self.up,self.opened = True,time.monotonic()
+        self.up,self.opened,self.datagrams = True,time.monotonic(),self.link.datagrams
 
     def __setattr__(self, name, value):
         if name=='outages': value = _periods(value)

@@ -49,10 +49,10 @@ class MAVCom:
     def __exit__(self, *args): self.close()
     def __repr__(self): return f'MAVCom({self.connection_string!r}, source_system={self.source_system}) with components {sorted(self.component)}'
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #6f8ef482
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #7bfb7815
 def link_name(link:str|Link)->str:
     "What to call a link"
-    return link if isinstance(link, str) else type(link).__name__
+    return link if isinstance(link, str) else type(link).__name__+(f'({link._name})' if hasattr(link,'_name') else '')
 
 # %% ../../nbs/api/16_mavlink.mavcom.ipynb #ab60368c
 class Channel:
