@@ -24,7 +24,7 @@ from .mavcom import MAVCom
 # %% auto #0
 __all__ = ['BaseComponent', 'Question', 'tries_needed', 'TimeSync']
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #6428931c
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #100a191b
 class BaseComponent:
     "One component of a MAVLink system"
     in_progress_after,in_progress_timeout = .3,3. # seconds until we say IN_PROGRESS; seconds we wait after we heard it
@@ -43,7 +43,7 @@ class BaseComponent:
         self.message_cnts,self.num_msgs_rcvd,self.num_cmds_sent,self.num_cmds_rcvd = {},0,0,0
         self.num_acks_sent,self.num_acks_rcvd,self.num_acks_drop = 0,0,0
         self.waiters,self._turns,self._served,self._round_trips = Waiters(),Turns(),Served(),{}
-        self._lock,self._holds,self._pings = threading.Lock(),{},deque(maxlen=16)
+        self._lock,self._holds,self._pings,self._guesses = threading.Lock(),{},deque(maxlen=16),{}
         self._jobs,self._worker,self._working,self._closed,self._left = SimpleQueue(),None,{},False,False
 
 # %% ../../nbs/api/17_mavlink.basecomponent.ipynb #90cb032c
@@ -380,7 +380,7 @@ def tries(self:BaseComponent, target:tuple)->int:
     found = [] if self.mav_com.lost(target) else [c.sources[target] for c in self.mav_com.channels if target in c.sources]
     return min(self.max_tries, tries_needed(sum(s.received for s in found), sum(s.lost for s in found))) if found else 3
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #b16bf706
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #76184fb2
 @patch
 async def send_command(self:BaseComponent,
     target_system:int, # 0: all systems
@@ -395,7 +395,7 @@ async def send_command(self:BaseComponent,
     "Send a command and wait for its ack; the `Ack` is true when accepted, and prints its reason"
     target = target_system or 0,target_component or 0
     if self.mav_com is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
-    if timeout is None: timeout = max(self.command_timeout, min(2*self._round_trips.get(target, 0.), 3.))
+    if timeout is None: timeout = max(self.command_timeout, min(max(2*self._round_trips.get(target, 0.), self._guesses.pop(target, 0.)), 1.4))
     key,quiet,lost = (*target, command_id),0.,''
     turn = self._turns.join(key)
     try:
@@ -406,6 +406,7 @@ async def send_command(self:BaseComponent,
         quiet = begun+timeout           # in case that we are cancelled
         ack,times = await self._ask(target, command_id, params, timeout, retries, frame, until)
         quiet = 0. if ack and times==1 else begun+times*timeout
+        if ack and times>1: self._guesses[target],quiet = time.monotonic()-begun,max(quiet, 2*time.monotonic()-begun)
     except Lost as e: ack,lost = None,str(e)
     finally: self._turns.leave(key, turn, quiet)
     if ack: self.num_acks_rcvd += 1

@@ -307,7 +307,7 @@ def message_cnts(self:MAVCom)->dict:
             of[name] = of.get(name, 0)+n
     return counts
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #4f33ee70
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #2a8e8605
 @dataclass(frozen=True)
 class LinkQuality:
     "How well a component is heard on a link"
@@ -323,9 +323,13 @@ class LinkQuality:
         "What part of its frames was lost, 0 to 1"
         return self.lost/max(1, self.lost+self.received)
 
-    def __repr__(self):
-        there = '' if self.round_trip is None else f', {self.round_trip*1000:.2g} ms there and back'
-        return f'{self.system}/{self.component} on {self.link}: {self.received} frames, {self.loss:.0%} lost{there}'
+    @property
+    def says(self)->str:
+        "All but the names, as text"
+        ms = None if self.round_trip is None else self.round_trip*1000
+        return f'{self.received} frames, {self.loss:.0%} lost'+('' if ms is None else f', {ms:.{0 if ms>=10 else 1}f} ms there and back')
+
+    def __repr__(self): return f'{self.system}/{self.component} on {self.link}: {self.says}'
 
 @patch(as_prop=True)
 def link_quality(self:MAVCom)->list:
@@ -333,16 +337,15 @@ def link_quality(self:MAVCom)->list:
     found = [(*key, c.name, s.received, s.lost, s.doubled, self.round_trips.get(key)) for c in self.channels for key,s in list(c.sources.items())]
     return [LinkQuality(*f) for f in sorted(found, key=lambda f: f[:3])]
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #f506adb5
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #b44f473f
 @patch
 def summary(self:MAVCom)->str:
     "Who was heard, how well, and what our components did, as text"
     lines = [repr(self)]
     for q in self.link_quality:
         where = f' by {q.link}' if len(self.channels)>1 else ''
-        there = '' if q.round_trip is None else f', {q.round_trip*1000:.2g} ms there and back'
         lost = ', LOST' if self.lost((q.system,q.component)) else ''
-        lines.append(f'  heard {self.name_of((q.system,q.component))}{where}: {q.received} messages, {q.loss:.0%} lost{there}{lost}')
+        lines.append(f'  heard {self.name_of((q.system,q.component))}{where}: {q.says}{lost}')
     if not self.link_quality: lines.append('  heard nobody: does somebody send to this port, and from the other kind of link?')
     lines += [f'  {c!r}' for c in self.channels if not c.up]
     bad = sum(r.bad for c in self.channels for r in list(c.readers.values()))
