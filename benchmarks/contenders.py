@@ -146,6 +146,42 @@ def tight_client(port):
         return wire.until('COMMAND_ACK').result==0
     obey(run=batches(ask))
 
+# the least there is -------------------------------------------------------------------------------------------------------------------
+
+def handover_server(port):
+    "Sends back what comes: no MAVLink"
+    sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    sock.bind(('127.0.0.1', port))
+    def loop():
+        while True: sock.sendto(*sock.recvfrom(65535))
+    in_background(loop)
+    obey()
+
+def handover_client(port):
+    "A thread that reads, an event loop that awaits, and nothing else: what our way of waiting costs by itself"
+    import asyncio
+    sock,loop,woken = socket.socket(socket.AF_INET, socket.SOCK_DGRAM),asyncio.new_event_loop(),[None]
+    def read():
+        while True:
+            sock.recvfrom(65535)
+            loop.call_soon_threadsafe(woken[0].set_result, True)
+    async def ask():
+        woken[0] = loop.create_future()
+        sock.sendto(bytes(45), ('127.0.0.1', port))
+        return await woken[0]
+    sock.bind(('127.0.0.1', 0))
+    in_background(read)
+    obey(run=awaited(loop, ask))
+
+def receive_only(port):
+    "Takes what comes, and throws it away"
+    sock,got = socket.socket(socket.AF_INET, socket.SOCK_DGRAM),[0]
+    sock.bind(('127.0.0.1', port))
+    def loop():
+        while True: sock.recvfrom(65535); got[0] += 1
+    in_background(loop)
+    obey(received=lambda: got[0])
+
 # MAVSDK -------------------------------------------------------------------------------------------------------------------------------
 
 def mavsdk_asyncio(port):

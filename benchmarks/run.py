@@ -118,7 +118,8 @@ def start(pairs):
 COMMANDS = {'UAV': ('uav_client','uav_server'), 'UAV, one process': ('uav_client',), 'pymavlink loop': ('loop_client','loop_server'),
             'pymavlink tight': ('tight_client','tight_server'), 'MAVSDK asyncio to UAV': ('mavsdk_asyncio','uav_server'),
             'MAVSDK asyncio to pymavlink tight': ('mavsdk_asyncio','tight_server'), 'MAVSDK blocking to pymavlink tight': ('mavsdk_blocking','tight_server'),
-            'UAV to pymavlink tight': ('uav_client','tight_server'), 'pymavlink tight to UAV': ('tight_client','uav_server')}
+            'UAV to pymavlink tight': ('uav_client','tight_server'), 'pymavlink tight to UAV': ('tight_client','uav_server'),
+            'hand-over alone': ('handover_client','handover_server')}
 
 def command(quick):
     "COMMAND_LONG to COMMAND_ACK over UDP"
@@ -170,7 +171,7 @@ def used(w, what):
     s = b['at']-a['at']
     return dict(cpu=100*(b['cpu']-a['cpu'])/s, wakeups=(b['wakeups']-a['wakeups'])/s, **({} if heard is None else dict(received=(heard-got)/s)))
 
-LISTENERS = {'UAV': 'uav_server', 'pymavlink recv_match': 'loop_server', 'MAVSDK, nothing subscribed': 'mavsdk_listener'}
+LISTENERS = {'UAV': 'uav_server', 'pymavlink recv_match': 'loop_server', 'MAVSDK, nothing subscribed': 'mavsdk_listener', 'recvfrom alone': 'receive_only'}
 
 def link(quick):
     "A telemetry link of 2,000 messages a second, on which only commands are wanted"

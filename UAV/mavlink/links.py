@@ -116,10 +116,10 @@ def release(self:Link):
     "Give the device back to the system, when no `recv` is under way any more"
     if sock := getattr(self,'sock',None): sock.close()
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #59711eee
+# %% ../../nbs/api/13_mavlink.links.ipynb #572b03e1
 class UDPIn(UDPLink):
     "`udpin:HOST:PORT`: answers everyone heard in the last `forget` seconds, and the latest in any case"
-    prefixes,forget,most = ('udpin:','udp:'),60.,64
+    prefixes,forget,most = ('udpin:','udp:'),60.,256
     def __init__(self, name:str, baudrate:int=0):
         self.peers = {}
         super().__init__(_address(name))
@@ -201,10 +201,10 @@ class TCPOut(Link):
         try: self.sock.shutdown(socket.SHUT_RDWR)
         except OSError: pass      # the other side was faster
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #b952b283
+# %% ../../nbs/api/13_mavlink.links.ipynb #2773bd54
 class TCPIn(Link):
     "`tcpin:HOST:PORT`: a server; whatever is written goes to all its clients"
-    prefixes,most = ('tcpin:',),64     # clients; one more, and the one that was silent longest goes
+    prefixes,most = ('tcpin:',),256    # clients; one more, and the one that was silent longest goes
     def __init__(self, name:str, baudrate:int=0):
         self.sock,self.streams,self._inbox,self._peers,self._heard = _socket(socket.SOCK_STREAM),{},deque(),{},{}
         self.sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

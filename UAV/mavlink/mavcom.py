@@ -54,10 +54,10 @@ def link_name(link:str|Link)->str:
     "What to call a link"
     return link if isinstance(link, str) else type(link).__name__+(f'({link._name})' if hasattr(link,'_name') else '')
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #ab60368c
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #1c62954f
 class Channel:
     "A link of a `MAVCom`: the thread that reads it, who was heard there, and its way back when it has gone"
-    first_retry,last_retry,most_peers = .5,10.,64     # seconds between attempts to reopen it, doubled each time; frame readers that are kept
+    first_retry,last_retry,most_peers = .5,10.,256    # seconds between attempts to reopen it, doubled each time; frame readers that are kept
 
     def __init__(self, com:MAVCom, link:Link, name:str, number:int):
         self.com,self.link,self.name,self.number,self.up = com,link,name,number,True

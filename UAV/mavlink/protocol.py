@@ -16,7 +16,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 # %% auto #0
 __all__ = ['command_cancel', 'accepts', 'address', 'comes_from', 'enum_name', 'enum_value', 'Ack', 'MAVError', 'LinkError',
            'NoAnswer', 'Lost', 'CommandError', 'Busy', 'Denied', 'Unsupported', 'Failed', 'Cancelled', 'Place',
-           'Waiters', 'answer', 'Turns', 'given', 'parameters', 'wanted_parameters', 'arguments', 'Served',
+           'Waiters', 'Waiting', 'answer', 'Turns', 'given', 'parameters', 'wanted_parameters', 'arguments', 'Served',
            'marks_made', 'command', 'message', 'receives', 'Handler', 'marked']
 
 # %% ../../nbs/api/10_mavlink.protocol.ipynb #2413f3a0
@@ -179,26 +179,35 @@ def lose(self:Waiters, source:tuple, why:str):
             try: place.future.set_exception(Lost(why))
             except InvalidStateError: pass      # the answer was there before
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #602263b6
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #d0638d6b
+class Waiting:
+    "Waits in the running event loop for `fut`, for `timeout` seconds, or until one of `others` is there"
+    def __init__(self, fut:Future, timeout:float, *others:Future):
+        import asyncio
+        self.fut,self.loop = fut,asyncio.get_running_loop()
+        self.woken,self.timer = self.loop.create_future(),self.loop.call_later(timeout, self.wake)
+        for f in (fut,*others): f.add_done_callback(self.done)
+
+    def wake(self):
+        if not self.woken.done(): self.woken.set_result(None)
+
+    def done(self, _):
+        try: self.loop.call_soon_threadsafe(self.wake)
+        except RuntimeError: pass   # the loop was closed while we waited: nobody is there to be told
+
+    async def wait(self):
+        try: await self.woken
+        finally: self.timer.cancel()
+        return self.fut.result() if self.fut.done() and not self.fut.cancelled() else None
+
 async def answer(
     fut:Future, # What we wait for
     timeout:float, # In seconds
     *others:Future, # Give up waiting also when one of these is there
 ):
     "The result of `fut`, or `None` if it is not there in time; raises `Lost` when whoever should answer has fallen silent"
-    import asyncio
     if fut.done() or timeout<=0: return fut.result() if fut.done() and not fut.cancelled() else None
-    loop = asyncio.get_running_loop()
-    woken = loop.create_future()
-    def wake(): woken.done() or woken.set_result(None)
-    def done(_):
-        try: loop.call_soon_threadsafe(wake)
-        except RuntimeError: pass   # the loop was closed while we waited: nobody is there to be told
-    timer = loop.call_later(timeout, wake)
-    for f in (fut,*others): f.add_done_callback(done)
-    try: await woken
-    finally: timer.cancel()
-    return fut.result() if fut.done() and not fut.cancelled() else None
+    return await Waiting(fut, timeout, *others).wait()
 
 # %% ../../nbs/api/10_mavlink.protocol.ipynb #4582add6
 class Turns:
