@@ -1221,6 +1221,7 @@ d = { 'settings': { 'branch': 'main',
                                    'UAV.utils.general.Timers.cancel': ('api/utils.general.html#timers.cancel', 'UAV/utils/general.py'),
                                    'UAV.utils.general.Timers.every': ('api/utils.general.html#timers.every', 'UAV/utils/general.py'),
                                    'UAV.utils.general.date_time_str': ('api/utils.general.html#date_time_str', 'UAV/utils/general.py'),
+                                   'UAV.utils.general.own_environment': ('api/utils.general.html#own_environment', 'UAV/utils/general.py'),
                                    'UAV.utils.general.time_UTC_usec': ('api/utils.general.html#time_utc_usec', 'UAV/utils/general.py'),
                                    'UAV.utils.general.time_since_boot_ms': ( 'api/utils.general.html#time_since_boot_ms',
                                                                              'UAV/utils/general.py')}}}

@@ -36,12 +36,12 @@ class CameraClient(Component):
         self.pictures = {}     # `{(system,component): PictureLog}`
         self._sequence = int(time.time())%10_000_000    # restarts of a client must not repeat the numbers of its shots
 
-# %% ../../nbs/api/31_mavlink.camera_client.ipynb #a10aa70c
+# %% ../../nbs/api/31_mavlink.camera_client.ipynb #f9f5ae30
 @patch
 async def _ask_for(self:CameraClient, target:tuple, msg_id:int, index:float, legacy:int, legacy_params:list, fits=None):
     "A message of `target`, by REQUEST_MESSAGE or else by the `legacy` command; `None` when it has none"
-    msg,_ = await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, index], msg_id, target, fits=fits)
-    if msg is None: msg,_ = await self._request(legacy, legacy_params, msg_id, target, fits=fits)
+    msg,ack = await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, index], msg_id, target, fits=fits)
+    if msg is None and not ack.lost: msg,_ = await self._request(legacy, legacy_params, msg_id, target, fits=fits)
     return msg
 
 # %% ../../nbs/api/31_mavlink.camera_client.ipynb #8981f33c

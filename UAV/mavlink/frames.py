@@ -110,21 +110,25 @@ class Wanted:
                 if self.counts[i]>1: self.counts[i] -= 1
                 else: del self.counts[i]
 
-# %% ../../nbs/api/11_mavlink.frames.ipynb #9444ba2a
+# %% ../../nbs/api/11_mavlink.frames.ipynb #f9a67426
 class Source:
     "What was heard of one component: frames by message id, and how many were lost on the way"
-    def __init__(self): self.counts,self.next,self.lost,self.doubled,self._missing = Counter(),None,0,0,{}
+    def __init__(self): self.counts,self.next,self.lost,self.doubled,self._missing,self._late = Counter(),None,0,0,{},(0,0,0)
     @property
     def received(self): return sum(self.counts.copy().values())
 
     def gap(self, seq:int):
-        "The sequence number is not the next one: frames were lost, or (over 128 ahead) this one comes late, or again"
+        "The sequence number is not the next one: frames were lost, or (over 128 ahead) this one comes late, or again; eight in a row are a long gap"
         ahead,at = 0 if self.next is None else (seq-self.next)&255,self.received+self.lost
         if ahead<128:
             self._missing = {**{s:p for s,p in self._missing.items() if at-p<128}, **{(self.next+i)&255:at+i for i in range(ahead)}}
             self.lost,self.next = self.lost+ahead,(seq+1)&255
         elif at-self._missing.pop(seq, -999)<256: self.lost -= 1
-        else: self.doubled += 1
+        else:
+            self.doubled += 1
+            before,when,run = self._late
+            self._late = seq,self.received,run+1 if seq==(before+1)&255 and self.received==when+1 else 1
+            if self._late[2]==8: self.lost,self.doubled,self.next = self.lost+((seq-7-self.next)&255),self.doubled-8,(seq+1)&255
 
 # %% ../../nbs/api/11_mavlink.frames.ipynb #64e3db0e
 class FrameReader:

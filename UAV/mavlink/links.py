@@ -266,7 +266,7 @@ def release(self:TCPIn):
     self._ready.close()
     for sock in (self.sock,self._bell,self._ring): sock.close()
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #e04a22f4
+# %% ../../nbs/api/13_mavlink.links.ipynb #0ea2f6f9
 class SerialLink(Link):
     "A serial port, `DEVICE` or `DEVICE,BAUDRATE`"
     def __init__(self, name:str, baudrate:int=57600):
@@ -277,7 +277,7 @@ class SerialLink(Link):
         import serial
         class SerialLinkError(LinkError, serial.SerialException): "A serial port that cannot be opened"
         name,(device,_,rate) = self.name,self.name.partition(',')
-        try: self.port = serial.Serial(device, int(rate or self.baudrate), timeout=None, write_timeout=0)
+        try: self.port = serial.Serial(device, int(rate or self.baudrate), timeout=None, write_timeout=0, exclusive=True if os.name=='posix' else None)
         except (serial.SerialException, ValueError, OSError) as e: raise SerialLinkError(
             f'cannot open serial port {name}: {e} (what does not begin with udpin:, udpout:, tcp:, tcpin: or virtual: is a serial port)') from e
         self._outbox = Outbox(self._send)
