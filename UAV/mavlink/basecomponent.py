@@ -116,7 +116,7 @@ def want(self:BaseComponent, *msg_ids):
     self._wanted |= new
     self.mav_com.wanted.add(*new)
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #293c77ca
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #b8d1e7ab
 @patch
 def close(self:BaseComponent):
     "Leave the link; safe to call twice"
@@ -126,19 +126,20 @@ def close(self:BaseComponent):
     if self._worker and self._worker is not threading.current_thread(): self._worker.join()
     self.mav_com.wanted.remove(*self._wanted)
     if not self.mav_com._closed: self.mav_com.component.pop(self.source_component, None)
+    self.mav_com.remotes.pop((self.source_system,self.source_component), None)
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #71dd7d5c
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #f3dc58b2
 @patch
 def _send(self:BaseComponent, msg):
     if self.mav is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
     with self._lock:
         try: frame = pack(msg, self.mav)
-        except (struct.error, TypeError) as e: raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
+        except (struct.error, TypeError, OverflowError) as e: raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
         self.mav.seq = (self.mav.seq+1)%256
         self.mav_com.write(frame)
     self.mav_com.share(frame, msg.get_msgId(), self)
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #32a1b5d9
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #ed6a924c
 @patch
 @contextmanager
 def ack_first(self:BaseComponent,
@@ -164,7 +165,7 @@ def _release(self:BaseComponent, key, hold):
         if not msgs: return
         for msg in msgs:
             try: self._send(msg)
-            except ValueError: self.log.exception('held back, and then lost')      # the others still go
+            except Exception: self.log.exception('held back, and then lost')      # the others still go
 
 # %% ../../nbs/api/17_mavlink.basecomponent.ipynb #2b366f01
 @patch
@@ -326,12 +327,13 @@ def cancel_command(self:BaseComponent, target_system:int, target_component:int, 
     "Take back a command that is under way: whoever awaits its ack gets CANCELLED, or the result if it was too late"
     self.send_message(command_cancel(target_system, target_component, command_id))
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #0d7109b8
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #32117c9c
 @patch
 def _encode_command(self:BaseComponent, target:tuple, command_id:int, params, confirmation:int=0, frame:int|None=None):
     "COMMAND_LONG, or COMMAND_INT in a MAV_FRAME `frame`"
     p = ([float(p) for p in params]+[0.]*7)[:7]
-    if frame is None: return self.mav.command_long_encode(*target, command_id, confirmation, *p)
+    if frame is None: return self.mav.command_long_encode(*target, command_id, min(confirmation,255), *p)
+    if any(math.isinf(v) for v in p[4:6]): raise ValueError(f'parameters 5 and 6 of a COMMAND_INT are integers, not {p[4:6]}')
     x,y = (0x7fffffff if v!=v else int(v) for v in p[4:6])
     return self.mav.command_int_encode(*target, frame, command_id, 0, 0, *p[:4], x, y, p[6])
 
@@ -382,7 +384,7 @@ def tries(self:BaseComponent, target:tuple)->int:
     found = [] if self.mav_com.lost(target) else [c.sources[target] for c in self.mav_com.channels if target in c.sources]
     return min(self.max_tries, tries_needed(sum(s.received for s in found), sum(s.lost for s in found))) if found else 3
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #76184fb2
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #138797d4
 @patch
 async def send_command(self:BaseComponent,
     target_system:int, # 0: all systems
@@ -397,18 +399,23 @@ async def send_command(self:BaseComponent,
     "Send a command and wait for its ack; the `Ack` is true when accepted, and prints its reason"
     target = target_system or 0,target_component or 0
     if self.mav_com is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
+    if self.mav_com._closed: raise LinkError(f'{self.mav_com!r} is closed')
+    if len(params)>7: raise ValueError(f'a command has seven parameters, not {len(params)}')
     if timeout is None: timeout = max(self.command_timeout, min(max(2*self._round_trips.get(target, 0.), self._guesses.pop(target, 0.)), 1.4))
     key,quiet,lost = (*target, command_id),0.,''
     turn = self._turns.join(key)
     try:
-        echo = (turn.quiet if turn.turn is None else await answer(turn.turn, self.longest_turn)) or 0.
+        if turn.turn and await answer(turn.turn, self.longest_turn) is None: self._turns.overtake(key, turn)
+        quiet = echo = turn.quiet or 0.
         if echo and echo>time.monotonic(): await answer(Future(), echo-time.monotonic())
         self.num_cmds_sent += 1
         begun = time.monotonic()
         quiet = begun+timeout           # in case that we are cancelled
         ack,times = await self._ask(target, command_id, params, timeout, retries, frame, until)
+        now = time.monotonic()
         quiet = 0. if ack and times==1 else begun+times*timeout
-        if ack and times>1: self._guesses[target],quiet = time.monotonic()-begun,max(quiet, 2*time.monotonic()-begun)
+        if ack and times>1: self._guesses[target],quiet = now-begun,max(quiet, 2*now-begun)
+        if not ack and target in self.remotes and not any(f.done() for f in until): self._guesses[target],quiet = now-begun,now+1.4
     except Lost as e: ack,lost = None,str(e)
     finally: self._turns.leave(key, turn, quiet)
     if ack: self.num_acks_rcvd += 1
@@ -446,12 +453,13 @@ async def wait_heartbeat(self:BaseComponent,
         msg = await answer(fut, timeout)
     return address(msg) if msg else None
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #42735de2
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #be89d927
 @patch
 def send_ping(self:BaseComponent, target_system:int=0, target_component:int=0, ping_num:int|None=None):
     "Measure round trips: the answers go to `round_trips`. MAVLink's PING is always for all, so the target is not sent"
-    self._pings.append(time_UTC_usec())
-    self.send_message(self.mav.ping_encode(self._pings[-1], ping_num or 0, 0, 0))
+    now = time_UTC_usec()
+    self._pings.append((now, time.monotonic()))
+    self.send_message(self.mav.ping_encode(now, ping_num or 0, 0, 0))
 
 @patch(as_prop=True)
 def round_trips(self:BaseComponent)->dict:
@@ -463,9 +471,9 @@ def round_trips(self:BaseComponent)->dict:
 def on_ping(self:BaseComponent, msg):
     "Answer a PING, or note how long ours took"
     if not msg.target_system: self.send_message(self.mav.ping_encode(msg.time_usec, msg.seq, *address(msg)))
-    elif msg.time_usec in self._pings and address(msg) in self.remotes: self._round_trips[address(msg)] = (time_UTC_usec()-msg.time_usec)/1e6
+    elif address(msg) in self.remotes and (sent := dict(self._pings).get(msg.time_usec)): self._round_trips[address(msg)] = time.monotonic()-sent
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #dfb7d940
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #24170c99
 @dataclass(frozen=True)
 class TimeSync:
     "How long a question and its answer take, and how far the other's clock is ahead of ours; seconds"
@@ -486,11 +494,12 @@ async def timesync(self:BaseComponent, target_system:int, target_component:int,
     "Compare clocks with a component; `None` when it does not answer, raises `Lost` when it falls silent"
     found,target = [],(target_system, target_component)
     for _ in range(count):
-        sent,came = time.time_ns(),[]
-        def ours(m): return m.ts1==sent and m.tc1 and comes_from(m, *target) and not came.append(time.time_ns())
+        sent,came,clock = time.time_ns(),[],time.monotonic_ns
+        began = clock()
+        def ours(m): return m.ts1==sent and m.tc1 and comes_from(m, *target) and not came.append(clock()-began)
         with self.waiters.expecting(mavlink.MAVLINK_MSG_ID_TIMESYNC, ours, target) as fut:
             self.send_message(self.mav.timesync_encode(0, sent))
-            if msg := await answer(fut, timeout): found.append(TimeSync((came[0]-sent)/1e9, (msg.tc1-(sent+came[0])/2)/1e9))
+            if msg := await answer(fut, timeout): found.append(TimeSync(came[0]/1e9, (msg.tc1-sent-came[0]/2)/1e9))
     best = min(found, key=lambda t: t.round_trip, default=None)
     if best: self._round_trips[target] = best.round_trip
     return best

@@ -102,14 +102,16 @@ def port(self:UDPLink)->int:
     "Our own port"
     return self.sock.getsockname()[1]
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #124bf07e
+# %% ../../nbs/api/13_mavlink.links.ipynb #35f2bdbb
 @patch
 def close(self:UDPLink):
     if self._closed: return
     self._closed = True
-    host,port = self.sock.getsockname()
+    host,port = self._bound
     try: self.sock.sendto(b'', ('127.0.0.1' if host=='0.0.0.0' else host, port))
-    except OSError: self.sock.shutdown(socket.SHUT_RDWR)
+    except OSError:
+        try: self.sock.shutdown(socket.SHUT_RDWR)
+        except OSError: pass
 
 @patch
 def release(self:Link):
@@ -266,7 +268,7 @@ def release(self:TCPIn):
     self._ready.close()
     for sock in (self.sock,self._bell,self._ring): sock.close()
 
-# %% ../../nbs/api/13_mavlink.links.ipynb #0ea2f6f9
+# %% ../../nbs/api/13_mavlink.links.ipynb #062b04b7
 class SerialLink(Link):
     "A serial port, `DEVICE` or `DEVICE,BAUDRATE`"
     def __init__(self, name:str, baudrate:int=57600):
@@ -278,7 +280,7 @@ class SerialLink(Link):
         class SerialLinkError(LinkError, serial.SerialException): "A serial port that cannot be opened"
         name,(device,_,rate) = self.name,self.name.partition(',')
         try: self.port = serial.Serial(device, int(rate or self.baudrate), timeout=None, write_timeout=0, exclusive=True if os.name=='posix' else None)
-        except (serial.SerialException, ValueError, OSError) as e: raise SerialLinkError(
+        except Exception as e: raise SerialLinkError(
             f'cannot open serial port {name}: {e} (what does not begin with udpin:, udpout:, tcp:, tcpin: or virtual: is a serial port)') from e
         self._outbox = Outbox(self._send)
 

@@ -199,7 +199,7 @@ def _write_late(self:LossyLink):
             except Exception: log.exception('%s cannot write', self._name)
             self.outgoing.wait()
 
-# %% ../../nbs/api/14_mavlink.lossy.ipynb #cf049819
+# %% ../../nbs/api/14_mavlink.lossy.ipynb #36aabe38
 @patch
 def recv(self:LossyLink):
     way = self.incoming
@@ -217,7 +217,9 @@ def recv(self:LossyLink):
 
 @patch
 def _read_ahead(self:LossyLink):
-    while got := self.link.recv(): self._arrive(*got)
+    try:
+        while got := self.link.recv(): self._arrive(*got)
+    except Exception: log.exception('%s cannot be read', self._name)
     with self.incoming.changed:
         self._gone = True
         self.incoming.changed.notify()

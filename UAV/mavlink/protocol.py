@@ -126,7 +126,7 @@ def check(self:Ack)->Ack:
     if self.result is None: raise (Lost if self.lost else NoAnswer)(str(self))
     raise _errors.get(self.result, CommandError)(str(self))
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #cb5b6866
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #73ad66e9
 class Place:
     "Where somebody waits for a message; in a `with` it is the `Future`"
     def __init__(self, waiters, msg_id:int, test, source): self.waiters,self.msg_id,self.test,self.source,self.future = waiters,msg_id,test,source,Future()
@@ -150,19 +150,24 @@ class Waiters:
 
     def close(self, place):
         "Stop waiting"
-        with self._lock: self._places[place.msg_id].remove(place)
+        with self._lock:
+            if place not in self._places[place.msg_id]: return
+            self._places[place.msg_id].remove(place)
         if self.wanted is not None: self.wanted.remove(place.msg_id)
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #b30241ba
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #32e5b6bc
 @patch
 def offer(self:Waiters, msg):
     "Give `msg` to those who wait for it; an ack to the first of them"
     if not (places := self._places.get(msg.get_msgId())): return
     with self._lock:
         for place in places:
-            if place.future.done() or not place.test(msg): continue
-            try: place.future.set_result(msg)
+            if place.future.done(): continue
+            try:
+                if not place.test(msg): continue
+                place.future.set_result(msg)
             except InvalidStateError: continue   # it gave up just now: try the next
+            except Exception as e: place.future.set_exception(e); continue      # whoever brought the test gets its error
             if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_COMMAND_ACK: return
 
 @patch
@@ -209,7 +214,7 @@ async def answer(
     if fut.done() or timeout<=0: return fut.result() if fut.done() and not fut.cancelled() else None
     return await Waiting(fut, timeout, *others).wait()
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #4582add6
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #6b5373a8
 class Turns:
     "Whose turn is it to ask? One asks at a time for each key, in order of arrival"
     def __init__(self): self._queues,self._quiet,self._lock = {},{},threading.Lock()
@@ -227,7 +232,8 @@ class Turns:
     def leave(self, key, place, quiet:float=0.):
         "Our turn is over, or we no longer want it; whoever is next waits until `quiet` (monotonic time) first"
         with self._lock:
-            queue = self._queues[key]
+            queue = self._queues.get(key, ())
+            if place not in queue: return           # it was overtaken
             first = queue[0] is place
             queue.remove(place)
             if queue:
@@ -235,6 +241,13 @@ class Turns:
                 return
             del self._queues[key]
             if first and quiet: self._quiet[key] = quiet
+
+    def overtake(self, key, place):
+        "Those before us do not move any more: their event loop has died"
+        with self._lock:
+            queue = self._queues[key]
+            while queue[0] is not place: queue.popleft()
+            place.quiet = 0.
 
 # %% ../../nbs/api/10_mavlink.protocol.ipynb #6cfcf00a
 def given(value:float)->float|None:
@@ -264,11 +277,11 @@ def arguments(wanted:list, values:list)->dict:
     "Arguments for a handler: one for each of its `wanted_parameters`, raises `Denied`"
     return {name:_value(name, default, whole, value) for (name,default,whole),value in zip(wanted, values)}
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #00b24838
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #a267d90e
 class Served:
     "Commands that were answered lately, to recognise duplicates and retransmissions"
     def __init__(self, window:float=1.5, echo:float=.3):    # seconds
-        self.window,self.echo,self._recent,self._frames = window,echo,deque(maxlen=64),{}
+        self.window,self.echo,self._recent,self._frames,self._lock = window,echo,deque(maxlen=64),{},threading.Lock()
 
     def _key(self, msg): return address(msg),msg.command,[str(p) for p in parameters(msg)]
 
@@ -285,14 +298,17 @@ def find(self:Served, msg, now:float)->int|None:
         if k!=key or now-when>=self.window*abs(again-confirmation): continue
         if again>confirmation or (s-seq)%256<128: return result
 
-# %% ../../nbs/api/10_mavlink.protocol.ipynb #0d4195b9
+# %% ../../nbs/api/10_mavlink.protocol.ipynb #ca2948e2
 @patch
 def doubled(self:Served, msg, now:float)->bool:
     "Did this very frame come a moment ago?"
-    frame = bytes(msg.get_msgbuf())
-    before,self._frames[frame] = self._frames.pop(frame, -math.inf),now
-    if len(self._frames)>64: del self._frames[next(iter(self._frames))]
-    return now-before<self.echo
+    frame,way = bytes(msg.get_msgbuf()),getattr(msg,'came_by',None)
+    if frame[0]==0xfd and frame[2]&1: frame = frame[:-13]         # each link has a signature of its own
+    with self._lock:
+        when,first = self._frames.pop(frame, (-math.inf,None))
+        self._frames[frame] = now,first if now-when<self.window else way
+        if len(self._frames)>64: del self._frames[next(iter(self._frames))]
+    return now-when<(self.echo if way==first else self.window)
 
 # %% ../../nbs/api/10_mavlink.protocol.ipynb #4cdc5038
 _marks = ns(made=0)
