@@ -33,7 +33,7 @@ class FakeCamera:
     "A camera that can only say what it would be"
     information = CameraInformation('UAV', 'FakeCamera', (0,0,0,0), 2.8, 3.2, 2.4, 640, 480)
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #4743faa5
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #7105e17d
 class CameraServer(Component):
     "Serves a camera object as a MAVLink camera"
     greet_again = 5. # seconds after which who asks for CAMERA_INFORMATION is a new peer
@@ -45,6 +45,7 @@ class CameraServer(Component):
         camera=None, # A Camera, or any object with `information` and some of its verbs
         loglevel:int=LogLevels.INFO,
     ):
+        if 1<=source_component<=6: raise ValueError(f'a camera cannot be component {source_component}: 1 to 6 mean cameras of the autopilot')
         super().__init__(source_component, mav_type, loglevel)
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
         elif not hasattr(camera,'information'): raise TypeError(f'{camera!r} is no camera: it has no `information`')
@@ -210,7 +211,7 @@ class Shots:
         other,_ = self._single.pop(source[0], (kind,0.))
         if other==kind: self._single[source[0]] = kind,now
 
-# %% ../../nbs/api/30_mavlink.camera_server.ipynb #e139d2e0
+# %% ../../nbs/api/30_mavlink.camera_server.ipynb #a9d60be8
 @patch
 def _shoot(self:CameraServer, kind:int, interval:float, count:int, sequence:int, msg):
     "Start capture, unless this very shot was taken"
@@ -224,6 +225,7 @@ def _shoot(self:CameraServer, kind:int, interval:float, count:int, sequence:int,
 def _image_start_capture(self:CameraServer, camera_id:int=0, interval:float=0., count:int=1, sequence:int=0, *, msg):
     "MAV_CMD_IMAGE_START_CAPTURE: `count` pictures (0: until stopped), one every `interval` s"
     self.for_us(camera_id)
+    if camera_id and not msg.target_component: raise Denied('parameter 1 is for relays: a broadcast names no camera')
     if sequence<0: raise Denied(f'sequence is {sequence}')
     self._shoot(msg.command, interval, count, sequence, msg)
 

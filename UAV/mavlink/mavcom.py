@@ -21,10 +21,11 @@ _all_ = ['date_time_str', 'time_since_boot_ms', 'time_UTC_usec']
 # %% auto #0
 __all__ = ['MAVCom', 'link_name', 'Channel', 'Remote', 'LinkQuality', 'date_time_str', 'time_since_boot_ms', 'time_UTC_usec']
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #b214e442
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #4dade846
 class MAVCom:
     "One MAVLink system on one link or several; close it, or use it in a `with`"
     beat_period,lost_after = 1.,5. # seconds between two heartbeats of each component; seconds of silence after which another one is lost
+    stuck_after = 2. # seconds after which a handler that does not return silences our heartbeats: nobody would answer either
 
     def __init__(self,
         connection_string:str|Link, # pymavlink's: `udpin:HOST:PORT`, `udpout:…`, `tcp:…`, `tcpin:…`, `/dev/ttyACM0`, or `virtual:NAME`; or a `Link`
@@ -39,7 +40,7 @@ class MAVCom:
         self.connection_string,self.source_system = link_name(connection_string),source_system
         self.component,self.remotes,self.channels,self.round_trips = {},{},[],{}
         self.wanted,self.log = Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT),get_logger(f'mavcom.{source_system}', loglevel)
-        self.message_log,self.forward,self._closed,self._lock,self._greeted,self._passed = message_log,forward,False,threading.Lock(),0.,{}
+        self.message_log,self.forward,self._closed,self._lock,self._greeted,self._passed,self._stuck = message_log,forward,False,threading.Lock(),0.,{},False
         self.signing = signing if signing is None or isinstance(signing, Signing) else Signing(signing)
         self.add_link(connection_string, baudrate)
         self._beats = timers.every(self.beat_period, self._beat, delay=self.beat_period)
@@ -54,7 +55,7 @@ def link_name(link:str|Link)->str:
     "What to call a link"
     return link if isinstance(link, str) else type(link).__name__+(f'({link._name})' if hasattr(link,'_name') else '')
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #6d986138
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #7b653934
 class Channel:
     "A link of a `MAVCom`: the thread that reads it, who was heard there, and its way back when it has gone"
     first_retry,last_retry,most_peers = .5,10.,256    # seconds between attempts to reopen it, doubled each time; frame readers that are kept
@@ -62,6 +63,7 @@ class Channel:
     def __init__(self, com:MAVCom, link:Link, name:str, number:int):
         self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
         self.readers,self.sources,self._stop = {},Sources(),threading.Event()
+        self.since = None       # when the bytes came that are being worked on
         self.thread = threading.Thread(target=self._read, name=f'reader of {name}', daemon=True)
 
     def __repr__(self): return f'{self.name}{"" if self.up else " (gone)"}'
@@ -118,7 +120,7 @@ def close(self:MAVCom):
 def _close_all():
     for com in list(_open): com.close()
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #7f2854e0
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #abd718ab
 @patch
 def _read(self:Channel):
     while not self._stop.is_set():
@@ -128,17 +130,19 @@ def _read(self:Channel):
             if not self._stop.is_set(): self._come_back()
             continue
         try: self.take(*got)
-        except Exception: self.com.log.exception('%s gave what cannot be taken', self)
+        except Exception: self.since = self.com.log.exception('%s gave what cannot be taken', self)
 
 @patch
 def take(self:Channel, data:bytes, peer=None):
     "Bytes came from `peer`"
+    self.since = time.monotonic()
     reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
     reader.heard,reader.check = time.monotonic(),self._check if com.forward or com.signing is not None or com.message_log is not None else None
     for msg in reader.feed(data):
         msg.came_by = self,peer
         com._route(msg)
     if not reader.seen: self.link.unwelcome(peer)
+    self.since = None
 
 @patch
 def _new_reader(self:Channel, peer)->FrameReader:
@@ -159,7 +163,7 @@ def _route(self:MAVCom, msg, origin=None):
         try: c.deliver(msg)
         except Exception: self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #80503466
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #04f85e6a
 @dataclass
 class Remote:
     "A component that beats: what its last HEARTBEAT said, when that came and when any frame did (monotonic time), and is it lost?"
@@ -183,7 +187,16 @@ def _heard(self:MAVCom, msg, source:tuple, origin):
         self._beat()
 
 @patch
+def _is_stuck(self:MAVCom)->bool:
+    "Has a handler held up a reader for long? Says so once"
+    stuck = any((s := c.since) is not None and time.monotonic()-s>self.stuck_after for c in self.channels)
+    if stuck and not self._stuck: self.log.error('a handler does not return: no heartbeats until it does')
+    self._stuck = stuck
+    return stuck
+
+@patch
 def _beat(self:MAVCom):
+    if self._is_stuck(): return self._watch()
     for c in list(self.component.values()):
         try: c.beat()
         except Exception: self.log.exception('component %s cannot beat', c.source_component)
