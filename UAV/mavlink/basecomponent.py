@@ -24,7 +24,7 @@ from .mavcom import MAVCom
 # %% auto #0
 __all__ = ['BaseComponent', 'Question', 'tries_needed', 'TimeSync']
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #100a191b
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #9bc1d7ec
 class BaseComponent:
     "One component of a MAVLink system"
     in_progress_after,in_progress_timeout = .3,3. # seconds until we say IN_PROGRESS; seconds we wait after we heard it
@@ -44,6 +44,7 @@ class BaseComponent:
         self.num_acks_sent,self.num_acks_rcvd,self.num_acks_drop = 0,0,0
         self.waiters,self._turns,self._served,self._round_trips = Waiters(),Turns(),Served(),{}
         self._lock,self._holds,self._pings,self._guesses = threading.Lock(),{},deque(maxlen=16),{}
+        self._repeated = {}
         self._jobs,self._worker,self._working,self._closed,self._left = SimpleQueue(),None,{},False,False
 
 # %% ../../nbs/api/17_mavlink.basecomponent.ipynb #90cb032c
@@ -386,7 +387,7 @@ def tries(self:BaseComponent, target:tuple)->int:
     found = [] if self.mav_com.lost(target) else [c.sources[target] for c in self.mav_com.channels if target in c.sources]
     return min(self.max_tries, tries_needed(sum(s.received for s in found), sum(s.lost for s in found))) if found else 3
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #e4007e7a
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #d0ba8958
 @patch
 async def send_command(self:BaseComponent,
     target_system:int, # 0: all systems
@@ -415,15 +416,25 @@ async def send_command(self:BaseComponent,
         begun = time.monotonic()
         quiet = begun+timeout           # in case that we are cancelled
         ack,times = await self._ask(target, command_id, params, timeout, retries, frame, until)
-        now = time.monotonic()
-        quiet = 0. if ack and times==1 else begun+times*timeout
-        if ack and times>1: self._guesses[target],quiet = now-begun,max(quiet, 2*now-begun)
-        if not ack and target in self.remotes and not any(f.done() for f in until): self._guesses[target],quiet = now-begun,now+1.4
+        quiet = self._quiet_until(target, begun, times, timeout, bool(ack), any(f.done() for f in until))
     except Lost as e: ack,lost = None,str(e)
     finally: self._turns.leave(key, turn, quiet)
     if ack: self.num_acks_rcvd += 1
     elif not any(f.done() for f in until): self.num_acks_drop += 1
     return Ack(ack.result, address(ack), command_id) if ack else Ack(None, None, command_id, lost or self.mav_com.lost(target))
+
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #1d132f04
+@patch
+def _quiet_until(self:BaseComponent, target:tuple, begun:float, times:int, timeout:float, answered:bool, needless:bool)->float:
+    "Until when an echo of this command may come (monotonic time); learns what the next one should expect"
+    if answered and times==1: self._repeated.pop(target, None); return 0.
+    now,repeated = time.monotonic(),self._repeated.get(target, 0)+1
+    if needless or target not in self.remotes: return begun+times*timeout
+    self._repeated[target] = repeated
+    if repeated>=4: self._round_trips.pop(target, None)
+    if (known := self._round_trips.get(target)) is not None: return max(begun+times*timeout, now+2*known)
+    self._guesses[target] = now-begun
+    return max(begun+times*timeout, 2*now-begun if answered else now+1.4)
 
 # %% ../../nbs/api/17_mavlink.basecomponent.ipynb #77d8c570
 @patch
