@@ -674,7 +674,7 @@ class ReplayLink(Link):
     def close(self): self._closed.set()
     def release(self): self._frames.close()
 
-# %% ../../nbs/api/15_mavlink.message_log.ipynb #6d43b4b6
+# %% ../../nbs/api/15_mavlink.message_log.ipynb #857c7197
 @patch
 def recv(self:ReplayLink):
     if self._next is None:
@@ -692,4 +692,4 @@ def recv(self:ReplayLink):
         self._next = None
     return frame,'tlog'
 
-link_types.append(ReplayLink)
+link_types.insert(0, ReplayLink)
