@@ -423,7 +423,7 @@ async def send_command(self:BaseComponent,
     elif not any(f.done() for f in until): self.num_acks_drop += 1
     return Ack(ack.result, address(ack), command_id) if ack else Ack(None, None, command_id, lost or self.mav_com.lost(target))
 
-# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #1d132f04
+# %% ../../nbs/api/17_mavlink.basecomponent.ipynb #7485b638
 @patch
 def _quiet_until(self:BaseComponent, target:tuple, begun:float, times:int, timeout:float, answered:bool, needless:bool)->float:
     "Until when an echo of this command may come (monotonic time); learns what the next one should expect"
@@ -433,7 +433,7 @@ def _quiet_until(self:BaseComponent, target:tuple, begun:float, times:int, timeo
     self._repeated[target] = repeated
     if repeated>=4: self._round_trips.pop(target, None)
     if (known := self._round_trips.get(target)) is not None: return max(begun+times*timeout, now+2*known)
-    self._guesses[target] = now-begun
+    self._guesses[target] = 1.5*(now-begun)
     return max(begun+times*timeout, 2*now-begun if answered else now+1.4)
 
 # %% ../../nbs/api/17_mavlink.basecomponent.ipynb #77d8c570

@@ -120,7 +120,7 @@ def close(self:MAVCom):
 def _close_all():
     for com in list(_open): com.close()
 
-# %% ../../nbs/api/16_mavlink.mavcom.ipynb #abd718ab
+# %% ../../nbs/api/16_mavlink.mavcom.ipynb #2b041a9f
 @patch
 def _read(self:Channel):
     while not self._stop.is_set():
@@ -135,9 +135,9 @@ def _read(self:Channel):
 @patch
 def take(self:Channel, data:bytes, peer=None):
     "Bytes came from `peer`"
-    self.since = time.monotonic()
+    now = self.since = time.monotonic()
     reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
-    reader.heard,reader.check = time.monotonic(),self._check if com.forward or com.signing is not None or com.message_log is not None else None
+    reader.heard,reader.check = now,self._check if com.forward or com.signing is not None or com.message_log is not None else None
     for msg in reader.feed(data):
         msg.came_by = self,peer
         com._route(msg)
