@@ -1,0 +1,1 @@
+"""The wire: bytes in, frames and bytes out. It has never heard of components."""
