@@ -45,7 +45,13 @@ class Job:
 # %% ../../nbs/api/01_utils.general.ipynb #6638cb94
 class Timers:
     "Calls functions at regular times from one thread, which lives as long as it has a job"
-    def __init__(self, name:str='timers'): self.name,self._jobs,self._changed,self._thread,self._running = name,[],threading.Condition(),None,None
+    def __init__(self, name:str='timers'):
+        self.name = name
+        self._restart()
+
+    def _restart(self):
+        self._jobs,self._changed = [],threading.Condition()
+        self._thread = self._running = None
 
     def every(self,
         period:float, # Seconds between two calls
@@ -103,8 +109,26 @@ def cancel(self:Timers, job:Job):
         if self._thread is thread: return
     thread.join()
 
+# %% ../../nbs/api/01_utils.general.ipynb #fcc2fbe1
+@patch
+def alarm(self:Timers, f)->Job:
+    "A job that calls `f` when `move` has set it, once each time"
+    return self.every(math.inf, f, delay=math.inf)
+
+@patch
+def move(self:Timers, job:Job, due:float):
+    "Have `job` called at `due` (monotonic time), or when it rings before that"
+    if due>=job.due: return
+    with self._changed:
+        job.due = min(due, job.due)
+        heapq.heapify(self._jobs)
+        if self._jobs[0] is job: self._changed.notify_all()
+
 # %% ../../nbs/api/01_utils.general.ipynb #c9a9a8e3
 timers = Timers()
+
+# %% ../../nbs/api/01_utils.general.ipynb #f224e0dc
+if hasattr(os,'register_at_fork'): os.register_at_fork(after_in_child=timers._restart)
 
 # %% ../../nbs/api/01_utils.general.ipynb #cfde711a
 def own_environment(
