@@ -11,8 +11,8 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..wire.dialect import Ack, LinkError, MAVError, address, enum_name, enum_value, given, parameters
 
 # %% auto #0
-__all__ = ['accepts', 'comes_from', 'NoAnswer', 'Lost', 'CommandError', 'Busy', 'Denied', 'Unsupported', 'Failed', 'Cancelled',
-           'Answer', 'Expected', 'Expectations']
+__all__ = ['patience', 'longest_rto', 'remembered', 'accepts', 'comes_from', 'NoAnswer', 'Lost', 'CommandError', 'Busy', 'Denied',
+           'Unsupported', 'Failed', 'Cancelled', 'Answer', 'Expected', 'Expectations']
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #0020fd1f
 def accepts(
@@ -55,6 +55,11 @@ def check(self:Ack)->Ack:
     if self.result is None: raise (Lost if self.lost else NoAnswer)(str(self))
     raise _errors.get(self.result, CommandError)(str(self))
 
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #6d67ea39
+patience = 10.    # s after its first copy in which a command is sent again
+longest_rto = 5.  # s that its sender waits at most after a copy
+remembered = patience+longest_rto # s that a server remembers what must not be done twice
+
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #73ad66e9
 class Answer:
     "What a coroutine waits for, and any thread may bring"
@@ -70,7 +75,7 @@ class Answer:
         for future in self._waiting: _wake(future)
         return True
 
-# %% ../../nbs/api/20_mavlink.protocol.ipynb #355eed7d
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #9557b964
 def _wake(future):
     try: future.get_loop().call_soon_threadsafe(_woken, future)
     except RuntimeError: pass           # the loop was closed while we waited
@@ -78,7 +83,7 @@ def _wake(future):
 def _woken(future):
     if not future.done(): future.set_result(None)
 
-# %% ../../nbs/api/20_mavlink.protocol.ipynb #80b5985e
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #8255282d
 @patch
 async def wait(self:Answer,
     timeout:float|None=None, # Seconds; `None` waits as long as it takes
@@ -95,18 +100,24 @@ async def wait(self:Answer,
     if isinstance(self.value, Exception): raise self.value
     return self.value
 
-# %% ../../nbs/api/20_mavlink.protocol.ipynb #c960c0cc
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #a9ddf66e
 class Expected(Answer):
     "A message that we wait for; use it in a `with`"
-    __slots__ = 'msg_id','fits','source','expectations'
+    __slots__ = 'msg_id','fits','source','expectations','then'
     def __init__(self, expectations, msg_id:int, fits, source:tuple|None):
         super().__init__()
         self.expectations,self.msg_id,self.fits,self.source = expectations,msg_id,fits,source
+        self.then = None        # called when it is there: another question needs no answer any more
+
+    def set(self, value)->bool:
+        news = super().set(value)
+        if news and self.then: self.then()
+        return news
 
     def __enter__(self): return self
     def __exit__(self, *args): self.expectations.remove(self)
 
-# %% ../../nbs/api/20_mavlink.protocol.ipynb #fa795b75
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #e39b9179
 class Expectations:
     "Messages that somebody waits for, by their ids"
     def __init__(self,
@@ -125,7 +136,7 @@ class Expectations:
         if self.wanted is not None: self.wanted.add(msg_id)
         return expected
 
-# %% ../../nbs/api/20_mavlink.protocol.ipynb #0c1adffd
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #663698b0
 @patch
 def remove(self:Expectations, expected:Expected):
     "Stop waiting; safe to call twice"
@@ -135,7 +146,7 @@ def remove(self:Expectations, expected:Expected):
         if not self._expected[expected.msg_id]: del self._expected[expected.msg_id]
     if self.wanted is not None: self.wanted.remove(expected.msg_id)
 
-# %% ../../nbs/api/20_mavlink.protocol.ipynb #ebdc4288
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #8284982a
 @patch
 def offer(self:Expectations, msg):
     "Give `msg` to those who expect it; who brought a test that fails gets its error"
