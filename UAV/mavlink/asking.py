@@ -15,8 +15,8 @@ from .protocol import Answer, Lost
 from .remotes import Remotes, RoundTrip, first_rto, longest_rto
 
 # %% auto #0
-__all__ = ['patience', 'in_progress_timeout', 'remembered', 'longest_stray', 'fence_tries', 'log', 'Command', 'Line', 'Commands',
-           'Fence']
+__all__ = ['patience', 'in_progress_timeout', 'remembered', 'longest_stray', 'fence_tries', 'log', 'Command', 'Line', 'Outbox',
+           'Commands', 'Fence']
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #3b22a835
 patience = 10. # s after its first copy in which a command is sent again
@@ -25,7 +25,8 @@ remembered = patience+longest_rto # s that a server must remember a command: the
 
 class Command(Answer):
     "One command under way; its value will be the COMMAND_ACK, or `None`"
-    __slots__ = 'key','params','frame','timeout','retries','copies','first','due','deadline','held','in_progress','dropped'
+    __slots__ = ('key','params','frame','timeout','retries','copies','first','due','deadline',
+                 'held','in_progress','dropped')
     def __init__(self,
         target:tuple, # `(system, component)`; 0 is all
         command_id:int, # A MAV_CMD
@@ -62,6 +63,28 @@ class Line:
         "The command that was sent"
         return self.queue[0] if self.queue and self.queue[0].copies else None
 
+    @property
+    def is_broadcast(self)->bool: return 0 in self.key[1:]
+
+# %% ../../nbs/api/23_mavlink.asking.ipynb #620f7408
+class Outbox:
+    "A lock, and calls that are made when it was let go; what they bring about is called after them, not within"
+    def __init__(self): self._calls,self._lock,self._busy = deque(),threading.RLock(),threading.Lock()
+    def add(self, f, *args): self._calls.append((f,args))
+    def __enter__(self): self._lock.acquire()
+    def __exit__(self, *args):
+        self._lock.release()
+        self.flush()
+
+    def flush(self):
+        "Make the calls, unless another thread is at it: then it makes ours as well"
+        while self._calls and self._busy.acquire(blocking=False):
+            try:
+                while self._calls:
+                    f,args = self._calls.popleft()
+                    f(*args)
+            finally: self._busy.release()
+
 # %% ../../nbs/api/23_mavlink.asking.ipynb #6ded0786
 class Commands:
     "All commands of one component that are under way"
@@ -75,16 +98,16 @@ class Commands:
         self.remotes,self.clock = remotes,clock
         self._send,self._ask,self._alarm = send,ask,alarm
         self._lines,self._fences = {},{}        # lines by key, and by the numbers that their fences have asked with
-        self._lock,self._number = threading.RLock(),0
+        self._outbox,self._number = Outbox(),0
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #ef7693ef
 @patch
 def start(self:Commands, command:Command):
     "Send `command`, or let it wait behind an identical one"
-    with self._lock:
+    with self._outbox:
         line = self._lines.get(command.key) or self._new_line(command.key)
         line.queue.append(command)
-        if line.queue[0] is command: self._advance(line)
+        self._advance(line)
 
 @patch
 def _new_line(self:Commands, key:tuple)->Line:
@@ -92,31 +115,39 @@ def _new_line(self:Commands, key:tuple)->Line:
     line = self._lines[key] = Line(key, remote.round_trip if remote else RoundTrip())
     return line
 
+# %% ../../nbs/api/23_mavlink.asking.ipynb #df109665
+@patch
+def _advance(self:Commands, line:Line):
+    "Let the first command of a line begin, now or after a fence; a line with nothing to do goes"
+    if line.on_wire or line.fence: return
+    if self.clock()>=line.hard: line.dirty = False
+    if not line.queue:
+        if not line.dirty: self._lines.pop(line.key, None)
+    elif line.dirty: self._raise_fence(line)
+    else: self._copy(line, line.queue[0])
+
 # %% ../../nbs/api/23_mavlink.asking.ipynb #f7b7d99e
 @patch
-def _copy(self:Commands, line:Line, command:Command)->bool:
-    "Put a copy of `command` on the wire; false when that cannot be done, and the command ends with the error"
+def _copy(self:Commands, line:Line, command:Command):
+    "Put a copy of `command` on the wire"
     now = line.last = self.clock()
     unheard = line.key[1:] not in self.remotes
     if not command.copies: command.first,command.deadline = now,now+patience
     if unheard and command.retries is None: command.retries = 2
     command.copies += 1
     command.due = now+(command.timeout or (first_rto if unheard else line.round_trip.wait(command.copies)))
-    try: self._send(command)
-    except Exception as e: return not command.set(e)
+    self._outbox.add(self._transmit, command)
     self._alarm(command.due)
-    return True
 
-# %% ../../nbs/api/23_mavlink.asking.ipynb #62552048
 @patch
-def _advance(self:Commands, line:Line):
-    "Put the first command of a line on the wire, now or after a fence"
-    while line.queue:
-        if line.dirty and self.clock()<line.hard: return self._raise_fence(line)
-        line.dirty = False
-        if self._copy(line, line.queue[0]): return
-        line.queue.popleft()
-    if not line.dirty: self._lines.pop(line.key, None)
+def _transmit(self:Commands, command:Command):
+    "Send it; one that cannot be sent ends with the error"
+    if command.there: return
+    try: self._send(command)
+    except Exception as e:
+        with self._outbox:
+            line = self._lines.get(command.key)
+            if line and line.on_wire is command: self._end(line, e, clean=command.copies==1)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #ac2cd0f1
 @patch
@@ -125,7 +156,7 @@ def offer(self:Commands,
 )->bool:
     "Give an ack to the command that it answers; false when there is none"
     source,now = address(ack),self.clock()
-    with self._lock:
+    with self._outbox:
         line = self._line_of(ack.command, source)
         if line is None: return False
         command = line.on_wire
@@ -147,8 +178,9 @@ def _line_of(self:Commands, command_id:int, source:tuple)->Line|None:
 @patch
 def _sample(self:Commands, line:Line, source:tuple, seconds:float):
     "Learn a round trip; a component that answers is known from now on"
+    if line.is_broadcast: return
+    line.round_trip = self.remotes.known(source).round_trip
     line.round_trip.sample(seconds)
-    if 0 not in line.key[1:]: self.remotes.known(source).round_trip = line.round_trip
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #22b75820
 @patch
@@ -163,42 +195,49 @@ longest_stray = 5. # s: acks on their way for longer than this, or twice the lar
 @patch
 def _end(self:Commands, line:Line, value, clean:bool):
     "The first command of a line has its answer; the next one may begin"
-    command,trip = line.queue.popleft(),line.round_trip
-    if not clean:
-        longest = max(trip.largest or 0., self.clock()-command.first)
-        line.dirty,line.hard = True,line.last+(first_rto if 0 in line.key[1:] else max(longest_stray, 2*longest))
+    command = line.queue.popleft()
+    if line.fence: self._drop_fence(line)           # it was asked before the last copy went out
+    if line.is_broadcast or not clean: self._spoil(line, command)
     command.set(value)
     self._advance(line)
-    if line.dirty: self._alarm(line.hard)
+
+@patch
+def _spoil(self:Commands, line:Line, command:Command):
+    "Acks of `command` may still come, until `hard`"
+    longest = max(line.round_trip.largest or 0., self.clock()-command.first)
+    line.dirty,line.hard = True,line.last+(first_rto if line.is_broadcast else max(longest_stray, 2*longest))
+    self._alarm(line.hard)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #0b08388b
 @patch
 def tick(self:Commands):
     "Do what is due; called when the alarm rings, and at any other time"
-    with self._lock:
+    with self._outbox:
         now = self.clock()
         for line in list(self._lines.values()):
-            if line.fence is not None: self._fence_due(line, now)
+            if line.fence: self._fence_due(line, now)
             if (command := line.on_wire) and now>=command.due: self._overdue(line, command, now)
-            if not line.queue and now>=line.hard: self._lines.pop(line.key, None)
+            if not line.queue: self._advance(line)
         self._alarm(min(map(_due, self._lines.values()), default=math.inf))
 
 def _due(line:Line)->float:
     "When something must be done about a line"
-    command,fence = line.on_wire,line.fence
-    return min(command.due if command else math.inf, fence.due if fence else math.inf, math.inf if line.queue else line.hard)
+    fence = line.fence.due if line.fence else math.inf
+    return min(fence, line.on_wire.due if line.on_wire else math.inf if line.queue else line.hard)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #97123604
 @patch
 def _overdue(self:Commands, line:Line, command:Command, now:float):
     "No answer came: send `command` again, or give it up"
     again = now<command.deadline if command.retries is None else command.copies<=command.retries
-    if again and not command.dropped and self._copy(line, command): return
-    self._end(line, None, clean=line.key[1:] not in self.remotes)       # a component that nobody has heard sends no late acks
+    if command.held and line.round_trip.deaf: return self._take_held(line, command)
+    if again and not command.dropped: return self._copy(line, command)
+    self._end(line, None, clean=line.key[1:] not in self.remotes)       # a component that was never heard sends no late acks
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #b5fbbc6a
 @patch
 def _in_progress(self:Commands, command:Command, now:float)->bool:
+    "The work has begun: wait longer"
     command.in_progress,command.due,command.deadline = True,now+in_progress_timeout,now+patience
     return True
 
@@ -217,22 +256,28 @@ class Fence:
 @patch
 def _raise_fence(self:Commands, line:Line):
     "Ask before the next command of a line is sent"
-    if line.fence is None:
-        line.fence = Fence()
-        self._ask_fence(line)
+    if line.fence: return
+    line.fence = Fence()
+    self._ask_fence(line)
 
 @patch
 def _ask_fence(self:Commands, line:Line):
     "Ask with a new number; after the last try, or for a broadcast, wait until `hard`"
     fence,target,now = line.fence,line.key[1:],self.clock()
-    fence.passing = len(fence.asked)>=fence_tries or 0 in target
+    over = len(fence.asked)>=fence_tries and (not line.round_trip.answers or now>=line.last+remembered)
+    fence.passing = over or line.is_broadcast
     fence.due = line.hard if fence.passing else now+line.round_trip.wait(len(fence.asked)+1)
-    if not fence.passing:
-        self._number = max(self._number+1, int(now*1e6))
-        fence.asked[self._number],self._fences[self._number] = now,line
-        try: self._ask(target, self._number)
-        except Exception as e: log.info('cannot ask %s: %s', target, e)
     self._alarm(fence.due)
+    if fence.passing: return
+    self._number = max(self._number+1, int(now*1e6))
+    fence.asked[self._number],self._fences[self._number] = now,line
+    line.round_trip.asked += 1
+    self._outbox.add(self._put_question, target, self._number)
+
+@patch
+def _put_question(self:Commands, target:tuple, number:int):
+    try: self._ask(target, number)
+    except Exception as e: log.info('cannot ask %s: %s', target, e)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #c4a61191
 log = get_logger('asking')
@@ -244,17 +289,24 @@ def answered(self:Commands,
     source:tuple, # `(system, component)` that answers
 )->bool:
     "A TIMESYNC or PING of ours was answered; false when no fence waits for it"
-    with self._lock:
+    with self._outbox:
         line = self._fences.get(number)
         if line is None or line.key[1:]!=source: return False
-        now,fence,trip = self.clock(),line.fence,line.round_trip
+        now,fence = self.clock(),line.fence
         self._sample(line, source, now-fence.asked[number])
-        if line.on_wire: return self._judge_held(line)
-        if not fence.passing: fence.due = max(now+4*trip.rttvar, line.last+1.25*trip.largest)
-        fence.passing = True
-        self._fence_due(line, now)
-        self._alarm(fence.due)
+        line.round_trip.answers = True
+        if line.on_wire: self._judge_held(line)
+        elif not fence.passing: self._pass_soon(line, now)
         return True
+
+# %% ../../nbs/api/23_mavlink.asking.ipynb #15a47bac
+@patch
+def _pass_soon(self:Commands, line:Line, now:float):
+    "The fence was answered: let the line pass when the margin is over"
+    fence,trip = line.fence,line.round_trip
+    fence.passing,fence.due = True,max(now+4*trip.rttvar, line.last+1.25*trip.largest)
+    self._fence_due(line, now)
+    self._alarm(fence.due)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #db9371cb
 @patch
@@ -281,26 +333,33 @@ def _hold(self:Commands, line:Line, command:Command, ack, now:float)->bool:
     return True
 
 @patch
-def _judge_held(self:Commands, line:Line)->bool:
+def _judge_held(self:Commands, line:Line):
     "A fence was answered while a command is on the wire: was the ack that we hold possible?"
     command = line.on_wire
-    (ack,came),command.held = command.held or (None,0.),None
+    (ack,came),command.held = command.held or (None,-math.inf),None
     self._drop_fence(line)
-    if ack is not None and came-command.first>=.8*line.round_trip.least: self._end(line, ack, clean=False)
-    return True
+    if came-command.first>=.8*line.round_trip.least: self._end(line, ack, clean=False)
+
+@patch
+def _take_held(self:Commands, line:Line, command:Command):
+    "No other ack came in time, and no fence will tell: what we hold was the answer"
+    ack,came = command.held
+    self._sample(line, address(ack), came-command.first)
+    self._end(line, ack, clean=False)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #6bd1fc30
 @patch
 def drop(self:Commands, command:Command):
     "The answer of `command` is not needed any more"
-    with self._lock:
-        line = self._lines.get(command.key)
+    with self._outbox:
         command.set(None)
+        line = self._lines.get(command.key)
         if line is None or command not in line.queue: return
         command.dropped = True
-        if line.queue[0] is command and command.copies: return
-        line.queue.remove(command)
-        if not line.queue and not line.dirty: self._lines.pop(line.key, None)
+        if command is not line.on_wire: line.queue.remove(command)
+        elif not command.in_progress: command.due = min(command.due, line.last+line.round_trip.wait(command.copies))
+        self._advance(line)
+        self._alarm(_due(line))
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #adbf8a7a
 @patch
@@ -309,10 +368,10 @@ def lose(self:Commands,
     error:Exception, # What the coroutines get
 ):
     "End all commands to `target` with an error"
-    with self._lock:
+    with self._outbox:
         for line in [l for l in self._lines.values() if target in (None,l.key[1:])]:
-            sent = line.on_wire
-            for command in line.queue: command.set(error)
-            line.queue.clear()
-            if sent: line.dirty,line.hard = True,line.last+max(longest_stray, 2*(line.round_trip.largest or 0.))
-            if not line.dirty: self._lines.pop(line.key, None)
+            if line.on_wire: self._spoil(line, line.on_wire)
+            if line.fence: self._drop_fence(line)
+            lost,line.queue = line.queue,deque()
+            for command in lost: command.set(error)
+            self._advance(line)
