@@ -63,16 +63,17 @@ remembered = patience+longest_rto # s that a server remembers what must not be d
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #73ad66e9
 class Answer:
     "What a coroutine waits for, and any thread may bring"
-    __slots__ = 'value','there','_waiting'
+    __slots__ = 'value','there','_waiting','_lock'
     def __init__(self):
-        self.value,self.there,self._waiting = None,False,()
+        self.value,self.there,self._waiting,self._lock = None,False,[],threading.Lock()
 
     def set(self, value)->bool:
         "Bring `value`; false when one was there before. An exception is raised where we wait"
-        if self.there: return False
-        self.value = value
-        self.there = True
-        for future in self._waiting: _wake(future)
+        with self._lock:
+            if self.there: return False
+            self.value,self.there,waiting = value,True,self._waiting
+            self._waiting = []
+        for future in waiting: _wake(future)
         return True
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #9557b964
@@ -92,11 +93,15 @@ async def wait(self:Answer,
     import asyncio
     loop = asyncio.get_running_loop()
     future = loop.create_future()
-    self._waiting += (future,)
-    if not self.there:
+    with self._lock:
+        there = self.there
+        if not there: self._waiting.append(future)
+    if not there:
         timer = timeout is not None and loop.call_later(timeout, _woken, future)
         try: await future
-        finally: timer and timer.cancel()
+        finally:
+            timer and timer.cancel()
+            with self._lock: self._waiting = [f for f in self._waiting if f is not future]
     if isinstance(self.value, Exception): raise self.value
     return self.value
 
@@ -154,9 +159,9 @@ def offer(self:Expectations, msg):
     with self._lock: found = list(found)
     for expected in found:
         if expected.there: continue
-        try: fits = expected.fits(msg)
+        try:
+            if expected.fits(msg): expected.set(msg)
         except Exception as e: expected.set(e)
-        else: fits and expected.set(msg)
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #255c11aa
 @patch

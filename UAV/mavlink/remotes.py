@@ -26,12 +26,16 @@ class RoundTrip:
         self.srtt = None     # smoothed
         self.rttvar = None   # its variation
         self.least = self.largest = None     # lately
+        self.asked,self.answers = 0,False   # how many TIMESYNC and PING we sent; was ever one answered?
 
     @property
     def rto(self)->float:
         "The retransmission time-out"
         if self.srtt is None: return first_rto
         return min(max(self.srtt+4*self.rttvar, least_rto), longest_rto)
+
+    @property
+    def deaf(self)->bool: return self.asked>=3 and not self.answers
 
 # %% ../../nbs/api/22_mavlink.remotes.ipynb #08d6aef4
 @patch
