@@ -1192,4 +1192,5 @@ d = { 'settings': { 'branch': 'main',
                                'UAV.wire.tlog.is_secret': ('api/wire.tlog.html#is_secret', 'UAV/wire/tlog.py'),
                                'UAV.wire.tlog.read_tlog': ('api/wire.tlog.html#read_tlog', 'UAV/wire/tlog.py'),
                                'UAV.wire.tlog.record': ('api/wire.tlog.html#record', 'UAV/wire/tlog.py'),
-                               'UAV.wire.tlog.unsigned': ('api/wire.tlog.html#unsigned', 'UAV/wire/tlog.py')}}}
+                               'UAV.wire.tlog.unsigned': ('api/wire.tlog.html#unsigned', 'UAV/wire/tlog.py'),
+                               'UAV.wire.tlog.without_secrets': ('api/wire.tlog.html#without_secrets', 'UAV/wire/tlog.py')}}}

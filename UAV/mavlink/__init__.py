@@ -2,7 +2,8 @@
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from UAV.mavlink.mavcom import MAVCom
 from UAV.wire.lossy import LossyLink
-from UAV.wire.message_log import MessageLog, ReplayLink
+from UAV.wire.message_log import MessageLog
+from UAV.wire.tlog import ReplayLink
 from UAV.mavlink.component import Component, __getattr__   # mavutil, when somebody asks for it
 from UAV.mavlink.camera_client import CameraClient
 from UAV.mavlink.camera_server import CameraServer
