@@ -7,17 +7,17 @@ __all__ = ['letter_height', 'letter_width', 'dark_pages', 'element', 'path', 'te
            'colour_rules', 'Drawing', 'solid_arrow', 'open_arrow', 'crossed_out', 'time_unit', 'tick_step',
            'time_ruler', 'contrast']
 
-# %% ../../nbs/api/09_utils.svg.ipynb #785fc84f
+# %% ../../nbs/api/09_utils.svg.ipynb #c11bca1d
 from html import escape
 from pathlib import Path
 
 from fastcore.basics import patch, store_attr
 
-# %% ../../nbs/api/09_utils.svg.ipynb #a917c182
+# %% ../../nbs/api/09_utils.svg.ipynb #d8e67597
 def _name(attribute:str)->str: return 'class' if attribute=='cls' else attribute.replace('_','-')
 def _value(value)->str: return f'{value:g}' if isinstance(value, float) else escape(str(value))
 
-# %% ../../nbs/api/09_utils.svg.ipynb #8751b449
+# %% ../../nbs/api/09_utils.svg.ipynb #42b2c3ed
 def element(
     tag:str, # As in 'rect'
     *inside:str, # Other elements
@@ -27,7 +27,7 @@ def element(
     given = ''.join(f' {_name(k)}="{_value(v)}"' for k,v in attributes.items() if v is not None)
     return f'<{tag}{given}>{"".join(inside)}</{tag}>' if inside else f'<{tag}{given}/>'
 
-# %% ../../nbs/api/09_utils.svg.ipynb #6089d176
+# %% ../../nbs/api/09_utils.svg.ipynb #05fb26c0
 def path(
     d:str, # As in 'M0 0H10': from 0,0 to the right
     **attributes,
@@ -35,7 +35,7 @@ def path(
     "A line in the current colour"
     return element('path', d=d, **attributes)
 
-# %% ../../nbs/api/09_utils.svg.ipynb #43a89044
+# %% ../../nbs/api/09_utils.svg.ipynb #8bc4e3fd
 def text(
     x:float, y:float, # Pixels; `y` is the base line
     words:str, # Escaped here
@@ -44,7 +44,7 @@ def text(
     "Words"
     return element('text', escape(words), x=round(x), y=round(y), cls=' '.join(classes) or None)
 
-# %% ../../nbs/api/09_utils.svg.ipynb #06971183
+# %% ../../nbs/api/09_utils.svg.ipynb #db63e813
 letter_height = 12      # pixels; under 11 they cannot be read
 letter_width = .603*letter_height
 
@@ -52,10 +52,10 @@ def text_width(words:str)->float:
     "Pixels that `words` need"
     return len(words)*letter_width
 
-# %% ../../nbs/api/09_utils.svg.ipynb #1c60afa7
+# %% ../../nbs/api/09_utils.svg.ipynb #c5238377
 dark_pages = ':is([data-jp-theme-light="false"],[data-bs-theme=dark],.quarto-dark,.vscode-dark)'
 
-# %% ../../nbs/api/09_utils.svg.ipynb #0d6cbf22
+# %% ../../nbs/api/09_utils.svg.ipynb #1aab675e
 _shapes = {     # how the elements of any drawing look
     '': 'border-radius:8px;max-width:100%;height:auto;'
         f'font:{letter_height}px ui-monospace,"DejaVu Sans Mono",Menlo,Consolas,monospace',
@@ -67,7 +67,7 @@ _shapes = {     # how the elements of any drawing look
     ' .bold': 'font-weight:700',
     ' .plain': 'stroke-width:0'}
 
-# %% ../../nbs/api/09_utils.svg.ipynb #d684dae8
+# %% ../../nbs/api/09_utils.svg.ipynb #e6cf8113
 def css_class(name:str)->str: "`name` as a class; a class has no spaces"; return name.replace(' ','-')
 
 def css(
@@ -77,7 +77,7 @@ def css(
     "`rules` as a style sheet"
     return ''.join(f'{of}{selector}{{{declarations}}}' for selector,declarations in rules.items())
 
-# %% ../../nbs/api/09_utils.svg.ipynb #5a95cb5b
+# %% ../../nbs/api/09_utils.svg.ipynb #cab5cc12
 def colour_rules(
     colours:dict, # `{name: (on light pages, on dark pages)}`, with one named `paper`
     dark:bool, # For dark pages
@@ -87,7 +87,7 @@ def colour_rules(
     rules = {f' .{css_class(name)}':f'color:{colour}' for name,colour in chosen.items()}
     return {**rules, ' text':f'stroke:{chosen["paper"]}', ' .paper':f'fill:{chosen["paper"]}'}
 
-# %% ../../nbs/api/09_utils.svg.ipynb #ee9a800d
+# %% ../../nbs/api/09_utils.svg.ipynb #24643a39
 class Drawing:
     "An SVG that shows itself in a notebook, in the colours of the page"
     least = 11      # pixels: the height of letters on a narrow page
@@ -106,7 +106,7 @@ class Drawing:
 
     def __repr__(self): return f'Drawing: {self.name}, {self.width}×{self.height}'
 
-# %% ../../nbs/api/09_utils.svg.ipynb #16515f9a
+# %% ../../nbs/api/09_utils.svg.ipynb #f70df679
 @patch(as_prop=True)
 def svg(self:Drawing)->str:
     "All of it, with the colours for light pages"
@@ -117,7 +117,7 @@ def svg(self:Drawing)->str:
     return element('svg', style, paper, *self.inside, xmlns='http://www.w3.org/2000/svg', cls=self.name,
                    width=w, height=h, viewBox=f'0 0 {w} {h}', style=f'min-width:{w*self.least/letter_height:.0f}px')
 
-# %% ../../nbs/api/09_utils.svg.ipynb #bb7bae48
+# %% ../../nbs/api/09_utils.svg.ipynb #3c3fb5cc
 @patch
 def _repr_svg_(self:Drawing)->str: return self.svg
 
@@ -126,7 +126,7 @@ def _repr_html_(self:Drawing)->str:
     dark = element('style', css(colour_rules(self.colours, dark=True), f'{dark_pages} .{self.name}'))
     return dark+f'<div style="overflow-x:auto">{self.svg}</div>'
 
-# %% ../../nbs/api/09_utils.svg.ipynb #4c562f7f
+# %% ../../nbs/api/09_utils.svg.ipynb #2c1cc925
 @patch
 def save(self:Drawing,
     file, # An `.svg`
@@ -134,13 +134,13 @@ def save(self:Drawing,
     "Write it"
     Path(file).write_text(self.svg, encoding='utf-8')
 
-# %% ../../nbs/api/09_utils.svg.ipynb #61a62d4f
+# %% ../../nbs/api/09_utils.svg.ipynb #d41c7dd8
 def solid_arrow(x0, x1, y, way, weight=2, dashes=None)->str:
     "From `x0` to `x1`, with a solid head"
     head = path(f'M{x1} {y}l{-way*9} -4v8z', cls='solid')
     return path(f'M{x0} {y}H{x1-way*7}', stroke_width=weight, stroke_dasharray=dashes)+head
 
-# %% ../../nbs/api/09_utils.svg.ipynb #8b206761
+# %% ../../nbs/api/09_utils.svg.ipynb #15c0bc3d
 def open_arrow(x0, x1, y, way, weight=1.5)->str:
     "From `x0` to `x1`, with an open head"
     return path(f'M{x0} {y}H{x1}M{x1-way*7} {y-4}L{x1} {y}L{x1-way*7} {y+4}', stroke_width=weight)
@@ -151,7 +151,7 @@ def crossed_out(x, y, way, words, cross='failed')->str:
     mark = path(f'M{x-way*32-4} {y-4}l8 8m0 -8l-8 8', cls=cross, stroke_width=2)
     return dashes+text(x-way*42, y+4, words, 'bold', *(['end'] if way>0 else []))+mark
 
-# %% ../../nbs/api/09_utils.svg.ipynb #c691a697
+# %% ../../nbs/api/09_utils.svg.ipynb #4fabe7e3
 def time_unit(
     span:float, # Seconds
 )->tuple:
@@ -166,7 +166,7 @@ def tick_step(
     "Seconds from one tick to the next: 1, 2 or 5 of a power of ten"
     return next(s for s in (m*10**k for k in range(-6,99) for m in (1,2,5)) if pixels*s>=apart*span)
 
-# %% ../../nbs/api/09_utils.svg.ipynb #2b93e3fc
+# %% ../../nbs/api/09_utils.svg.ipynb #5ab08f50
 def time_ruler(
     span:float, # Seconds
     top:float, bottom:float, # Pixels: where 0 is, and where `span` is
@@ -179,7 +179,7 @@ def time_ruler(
     ticks = [path(f'M56 {at(t)}h-5')+text(46, at(t)+4, f'{t*scale:.6g}', 'end') for t in times]
     return element('g', path(f'M58 {top}V{bottom}'), *ticks, text(46, top-16, unit, 'end'), cls=colour)
 
-# %% ../../nbs/api/09_utils.svg.ipynb #3120b2c3
+# %% ../../nbs/api/09_utils.svg.ipynb #567a2717
 def contrast(one:str, other:str)->float:
     "Of two colours, written as '#rrggbb': 1 (the same) to 21 (black and white), as WCAG 2.1 defines it"
     def linear(c): return c/12.92 if c<=.03928 else ((c+.055)/1.055)**2.4
