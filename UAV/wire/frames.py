@@ -16,7 +16,7 @@ import UAV.wire.dialect     # teaches pymavlink what its dialect lacks
 # %% auto #0
 __all__ = ['promised', 'crc', 'Kind', 'decode', 'good_length', 'target', 'pack']
 
-# %% ../../nbs/api/11_wire.frames.ipynb #3f0e7e41
+# %% ../../nbs/api/11_wire.frames.ipynb #4c3777bf
 def promised(
     buf:bytes,
     pos:int, # Where a frame could start
@@ -54,7 +54,7 @@ def _mark(msg, header, frame:bytes):
     if frame[2]&1: msg._signed,msg._link_id = True,frame[-13]
     return msg
 
-# %% ../../nbs/api/11_wire.frames.ipynb #550cba6e
+# %% ../../nbs/api/11_wire.frames.ipynb #9d822594
 _ours = '_header','_msgbuf','_payload','_crc'      # differ from message to message
 
 def _text(cls)->tuple:
@@ -66,7 +66,7 @@ def _text(cls)->tuple:
         constants='\n    '.join(f'msg.{name} = {name}' for name in constants))
     return text,constants
 
-# %% ../../nbs/api/11_wire.frames.ipynb #6258ab51
+# %% ../../nbs/api/11_wire.frames.ipynb #9f7e4777
 def _is_plain(cls)->bool:
     "Are all fields of `cls` single numbers?"
     return not any(cls.array_lengths) and 'char' not in cls.fieldtypes
@@ -78,7 +78,7 @@ def _arrange(cls, values:tuple)->list:
         return values[first] if n==1 else list(values[first:first+n])
     return [one(sum(cls.lengths[:o]), cls.lengths[o]) for o in cls.orders]
 
-# %% ../../nbs/api/11_wire.frames.ipynb #44152f89
+# %% ../../nbs/api/11_wire.frames.ipynb #f6d18768
 @lru_cache(None)
 def _builder(cls):
     "A function of `(frame, head, seq, sender)` that makes the message in a frame, whose payload begins at `head`"
@@ -102,7 +102,7 @@ def _slow_builder(cls):
         return _mark(msg, header, frame) if head==10 else msg
     return build
 
-# %% ../../nbs/api/11_wire.frames.ipynb #e39f6749
+# %% ../../nbs/api/11_wire.frames.ipynb #be999a09
 class Kind:
     "What all frames with the same sender, message id and MAVLink version have in common"
     __slots__ = 'header','head','seq_at','key','msg_id','counted','extra','build','source'
@@ -116,7 +116,7 @@ class Kind:
         self.extra,self.build = (None,lambda *args: None) if cls is None else (_crc_extra[self.msg_id],_builder(cls))
         self.source = None      # for the reader: its `Source`, when a frame was accepted
 
-# %% ../../nbs/api/11_wire.frames.ipynb #97031301
+# %% ../../nbs/api/11_wire.frames.ipynb #9ab2f5e4
 def decode(
     frame:bytes, # One whole frame, its CRC checked
 ):
@@ -138,7 +138,7 @@ def good_length(buf:bytes, pos:int)->int:
     else: good = crc(buf[pos+1:tail]+extra)==buf[tail]|buf[tail+1]<<8
     return n if good else -1
 
-# %% ../../nbs/api/11_wire.frames.ipynb #acaae29e
+# %% ../../nbs/api/11_wire.frames.ipynb #99819c12
 @patch
 def is_whole(self:Kind, data:bytes)->bool:
     "Is `data`, whose header is ours, one good MAVLink 2 frame without a signature?"
