@@ -11,7 +11,8 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import LogLevels, get_logger
 from ..utils.general import date_time_str, time_since_boot_ms, time_UTC_usec, timers
-from ..wire.frames import FrameReader, Sources, Wanted, decode, target
+from ..wire.frames import decode, target
+from ..wire.reader import FrameReader, Sources, Wanted
 from ..wire.signing import Signing
 from ..wire.links import Link, open_link
 from .protocol import LinkError, accepts, address, enum_name
@@ -58,7 +59,8 @@ def link_name(link:str|Link)->str:
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #7b653934
 class Channel:
     "A link of a `MAVCom`: the thread that reads it, who was heard there, and its way back when it has gone"
-    first_retry,last_retry,most_peers = .5,10.,256    # seconds between attempts to reopen it, doubled each time; frame readers that are kept
+    first_retry,last_retry = .5,10. # seconds between attempts to reopen it, doubled each time
+    most_peers,most_strangers = 256,32 # frame readers that are kept: of peers that sent good frames, and of others
 
     def __init__(self, com:MAVCom, link:Link, name:str, number:int):
         self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
@@ -138,17 +140,21 @@ def take(self:Channel, data:bytes, peer=None):
     now = self.since = time.monotonic()
     reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
     reader.heard,reader.check = now,self._check if com.forward or com.signing is not None or com.message_log is not None else None
-    for msg in reader.feed(data):
+    messages = reader.feed(data)
+    if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
+    for msg in messages:
         msg.came_by = self,peer
         com._route(msg)
-    if not reader.seen: self.link.unwelcome(peer)
     self.since = None
 
 @patch
 def _new_reader(self:Channel, peer)->FrameReader:
-    "A reader for a new peer; when there are too many, in the place of one who has never said anything sensible, or was silent longest"
-    if len(self.readers)>=self.most_peers: del self.readers[min(self.readers, key=lambda p: (bool(self.readers[p].seen), self.readers[p].heard))]
-    self.readers[peer] = FrameReader(self.com.wanted, self.sources, self.link.datagrams)
+    "A reader for a new peer. It is a stranger until a good frame comes (with a key: a signed one); strangers push only one another out"
+    known,strangers = [],[]
+    for p,reader in self.readers.items(): (known if reader.seen else strangers).append(p)
+    for peers,most in ((known,self.most_peers),(strangers,self.most_strangers-1)):
+        for p in sorted(peers, key=lambda p: self.readers[p].heard)[:max(0, len(peers)-most)]: del self.readers[p]
+    self.readers[peer] = FrameReader(self.com.wanted, self.sources, self.link.datagrams, only_signed=self.com.signing is not None)
     return self.readers[peer]
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #c2f728ea
@@ -223,6 +229,8 @@ def _watch(self:MAVCom):
         if frames!=remote.frames: remote.frames,remote.alive = frames,now
         if remote.lost or self._is_here(source) or now-max(remote.alive, remote.heard)<self.lost_after: continue
         remote.lost = True
+        for c in self.channels:
+            if source in c.sources: c.sources[source].restart()     # what it sent in between was not for us
         self.log.warning(self.lost(source))
         for c in list(self.component.values()):
             if hasattr(c, 'lose'): c.lose(source, self.lost(source))

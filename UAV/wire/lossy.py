@@ -33,7 +33,7 @@ def _number(name:str, value)->float:
     if not good: raise ValueError(f'{name} is {value!r}, not a number from {least} to {most}{unit}')
     return float(value)
 
-# %% ../../nbs/api/15_wire.lossy.ipynb #4b26efe1
+# %% ../../nbs/api/15_wire.lossy.ipynb #0c34c7fb
 def _periods(value)->list:
     "`value` as a list of `(start, end)`; raises `ValueError`"
     try: periods = [(float(start),float(end)) for start,end in value]
@@ -67,17 +67,14 @@ class LossyLink(Link):
         self.outgoing,self.incoming = Direction(self,'outgoing'),Direction(self,'incoming')
         self.up,self.opened,self._closed,self.datagrams = True,time.monotonic(),False,self.link.datagrams
 
-# %% ../../nbs/api/15_wire.lossy.ipynb #d98b6236
-@patch
-def __setattr__(self:LossyLink, name, value):
-    if name=='outages': value = _periods(value)
-    elif name in _ranges and not (name=='baudrate' and value is None): value = _number(name, value)
-    object.__setattr__(self, name, value)
+    def __setattr__(self, name, value):
+        if name=='outages': value = _periods(value)
+        elif name in _ranges and not (name=='baudrate' and value is None): value = _number(name, value)
+        super().__setattr__(name, value)
 
-@patch
-def __getattr__(self:LossyLink, name):
-    if name=='link': raise AttributeError(name)     # not there yet
-    return getattr(self.link, name)
+    def __getattr__(self, name):
+        if name=='link': raise AttributeError(name)     # not there yet
+        return getattr(self.link, name)
 
 # %% ../../nbs/api/15_wire.lossy.ipynb #6394d155
 class Direction:
@@ -125,6 +122,7 @@ def put(self:Direction, data:bytes, peer, now:float):
     elif dice[0]<link.loss: self.lost += 1
     else: self._put(bytes(data), peer, free, *dice[1:])
 
+# %% ../../nbs/api/15_wire.lossy.ipynb #7bda7a16
 @patch
 def _occupy(self:Direction, size:int, now:float)->float|None:
     "When the line has sent `size` more bytes; `None` when too many wait for it already"
@@ -147,6 +145,7 @@ def _put(self:Direction, good:bytes, peer, free:float, twice:float, late:float, 
     if is_doubled or not is_late: self._overtake(due)
     if is_late: self.late.append(self._line_up(due+link.hold, data, peer))
 
+# %% ../../nbs/api/15_wire.lossy.ipynb #25bfc769
 @patch
 def _line_up(self:Direction, due:float, data:bytes, peer)->tuple:
     self._count += 1
@@ -154,7 +153,6 @@ def _line_up(self:Direction, due:float, data:bytes, peer)->tuple:
     insort(self.waiting, entry)
     return entry
 
-# %% ../../nbs/api/15_wire.lossy.ipynb #a4aa7fb3
 @patch
 def _overtake(self:Direction, due:float):
     "The frame due at `due` passes all that are late"
@@ -251,14 +249,7 @@ def cut(buf:bytes)->tuple:
         pos = end
     return frames,buf[pos:]
 
-# %% ../../nbs/api/15_wire.lossy.ipynb #4f8cf1f3
-@patch
-def _arrive(self:LossyLink, data:bytes, peer):
-    way,now = self.incoming,time.monotonic()
-    with way.changed:
-        for frame in self._frames(data, peer): way.put(frame, peer, now)
-        way.changed.notify()
-
+# %% ../../nbs/api/15_wire.lossy.ipynb #d5343c2a
 @patch
 def _frames(self:LossyLink, data:bytes, peer)->list:
     "The frames that are complete with `data`"
@@ -267,6 +258,14 @@ def _frames(self:LossyLink, data:bytes, peer)->list:
     if rest: self._rests[peer] = rest
     if len(self._rests)>64: del self._rests[next(iter(self._rests))]      # peers that left in the middle of a frame
     return frames
+
+# %% ../../nbs/api/15_wire.lossy.ipynb #4f8cf1f3
+@patch
+def _arrive(self:LossyLink, data:bytes, peer):
+    way,now = self.incoming,time.monotonic()
+    with way.changed:
+        for frame in self._frames(data, peer): way.put(frame, peer, now)
+        way.changed.notify()
 
 # %% ../../nbs/api/15_wire.lossy.ipynb #f494f933
 @patch
@@ -287,7 +286,7 @@ def release(self:LossyLink): self.link.release()
 @patch
 def welcome(self:LossyLink, peer): self.link.welcome(peer)
 
-# %% ../../nbs/api/15_wire.lossy.ipynb #99c112cb
+# %% ../../nbs/api/15_wire.lossy.ipynb #c8e3673c
 @patch
 def reopen(self:LossyLink):
     self.link.reopen()
