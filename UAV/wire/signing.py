@@ -57,7 +57,7 @@ def _flag_crc(n:int)->int:
     rest = bytes(n+8)     # 7 bytes of header, the payload, and the message's own byte
     return crc(bytes([n,0])+rest)^crc(bytes([n,1])+rest)
 
-# %% ../../nbs/api/12_wire.signing.ipynb #1e4952eb
+# %% ../../nbs/api/12_wire.signing.ipynb #ec749541
 class Reserve:
     "Keeps a file ahead of the timestamps in use: ours, and those that were accepted"
     period,lead = 500_000,200_000 # in 10 µs: between two writes at most; ahead of what was accepted
@@ -72,7 +72,7 @@ class Reserve:
         self.ours,self.streams = -1,{}      # what the file holds
         self._renew,self._saved,self._step = -1,0,self.period//20
 
-# %% ../../nbs/api/12_wire.signing.ipynb #5b92ff43
+# %% ../../nbs/api/12_wire.signing.ipynb #94d96983
 @patch
 def load(self:Reserve)->tuple:
     "`(timestamp, streams)` to begin with; what we send is later than all that we may have accepted"
@@ -80,7 +80,7 @@ def load(self:Reserve)->tuple:
     timestamp,self.streams = self.file.load()
     return max(timestamp, *self.streams.values(), 0),dict(self.streams)
 
-# %% ../../nbs/api/12_wire.signing.ipynb #fe6c3e5d
+# %% ../../nbs/api/12_wire.signing.ipynb #6ff988f6
 @patch
 def cover(self:Reserve,
     timestamp:int, # Ours, that is used now
@@ -95,7 +95,7 @@ def cover(self:Reserve,
     soon = timestamp>self._renew or left<self.lead//2 or not 0<=now-self._saved<self.period
     if behind or soon: self._save(timestamp, streams, now, behind)
 
-# %% ../../nbs/api/12_wire.signing.ipynb #7665d506
+# %% ../../nbs/api/12_wire.signing.ipynb #bb284520
 @patch
 def _save(self:Reserve, timestamp:int, streams:dict, now:int, wait:bool):
     "Reserve ahead; nothing happens when we need not `wait` and another program is writing"
@@ -106,7 +106,7 @@ def _save(self:Reserve, timestamp:int, streams:dict, now:int, wait:bool):
     self.ours,self.streams = ours,ahead
     self._renew,self._saved,self._step = timestamp+step//2,now,step
 
-# %% ../../nbs/api/12_wire.signing.ipynb #d1aba25b
+# %% ../../nbs/api/12_wire.signing.ipynb #1bc43942
 @patch
 def settle(self:Reserve, timestamp:int, streams:dict):
     "Write the exact timestamps; afterwards more may still be used"
@@ -133,10 +133,12 @@ class Signing:
         self.timestamp,self.streams = self.reserve.load()   # ours; the newest accepted of each stream
         self._forgotten = min(self.streams.values()) if len(self.streams)>=self.most else 0
 
+    @property
+    def file(self): return self.reserve.file
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-# %% ../../nbs/api/12_wire.signing.ipynb #ed4bdb1b
+# %% ../../nbs/api/12_wire.signing.ipynb #475edff5
 @patch
 def __repr__(self:Signing):
     dropped = ', '.join(f'{n} {why}' for why,n in sorted(self.dropped.items())) or 'nothing'
@@ -180,7 +182,7 @@ def _judge(self:Signing, frame:bytes, source:tuple)->str:
         self.reserve.cover(self.timestamp, self.streams, now, stream)
     return ''
 
-# %% ../../nbs/api/12_wire.signing.ipynb #520f79bf
+# %% ../../nbs/api/12_wire.signing.ipynb #91771877
 @patch
 def _unsigned(self:Signing, msg_id:int, source:tuple)->bool:
     "May this message come without a signature?"
@@ -213,7 +215,7 @@ def _new_stream(self:Signing):
     oldest = min(self.streams, key=self.streams.get)
     self._forgotten = max(self._forgotten, self.streams.pop(oldest))
 
-# %% ../../nbs/api/12_wire.signing.ipynb #542ba5fb
+# %% ../../nbs/api/12_wire.signing.ipynb #e062c64b
 @patch
 def close(self:Signing):
     "Write the exact timestamps; frames may still be signed and checked afterwards"
