@@ -1,4 +1,4 @@
 """The wire: bytes in, frames and bytes out. It has never heard of components."""
-from UAV.wire import dialect, frames, timestamps, reader, signing, links, streams, lossy     # each may patch those before it
+from UAV.wire import dialect, frames, reader, signing, links, streams, lossy     # each may patch those before it
 
-__all__ = ['dialect', 'frames', 'timestamps', 'reader', 'signing', 'links', 'streams', 'lossy']
+__all__ = ['dialect', 'frames', 'reader', 'signing', 'links', 'streams', 'lossy']

@@ -14,7 +14,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger
 from .frames import crc
-from .timestamps import TimestampFile, latest, state_file, ticks
+from ..utils.timestamps import TimestampFile, latest, state_file, ticks
 
 # %% auto #0
 __all__ = ['log', 'secret_key', 'Reserve', 'Signing']
@@ -57,7 +57,7 @@ def _flag_crc(n:int)->int:
     rest = bytes(n+8)     # 7 bytes of header, the payload, and the message's own byte
     return crc(bytes([n,0])+rest)^crc(bytes([n,1])+rest)
 
-# %% ../../nbs/api/12_wire.signing.ipynb #ec749541
+# %% ../../nbs/api/12_wire.signing.ipynb #923c71a9
 class Reserve:
     "Keeps a file ahead of the timestamps in use: ours, and those that were accepted"
     period,lead = 500_000,200_000 # in 10 µs: between two writes at most; ahead of what was accepted
@@ -72,7 +72,7 @@ class Reserve:
         self.ours,self.streams = -1,{}      # what the file holds
         self._renew,self._saved,self._step = -1,0,self.period//20
 
-# %% ../../nbs/api/12_wire.signing.ipynb #94d96983
+# %% ../../nbs/api/12_wire.signing.ipynb #19048eb4
 @patch
 def load(self:Reserve)->tuple:
     "`(timestamp, streams)` to begin with; what we send is later than all that we may have accepted"
@@ -80,7 +80,7 @@ def load(self:Reserve)->tuple:
     timestamp,self.streams = self.file.load()
     return max(timestamp, *self.streams.values(), 0),dict(self.streams)
 
-# %% ../../nbs/api/12_wire.signing.ipynb #6ff988f6
+# %% ../../nbs/api/12_wire.signing.ipynb #0f80ba78
 @patch
 def cover(self:Reserve,
     timestamp:int, # Ours, that is used now
@@ -95,7 +95,7 @@ def cover(self:Reserve,
     soon = timestamp>self._renew or left<self.lead//2 or not 0<=now-self._saved<self.period
     if behind or soon: self._save(timestamp, streams, now, behind)
 
-# %% ../../nbs/api/12_wire.signing.ipynb #bb284520
+# %% ../../nbs/api/12_wire.signing.ipynb #4f1a85cf
 @patch
 def _save(self:Reserve, timestamp:int, streams:dict, now:int, wait:bool):
     "Reserve ahead; nothing happens when we need not `wait` and another program is writing"
@@ -106,7 +106,7 @@ def _save(self:Reserve, timestamp:int, streams:dict, now:int, wait:bool):
     self.ours,self.streams = ours,ahead
     self._renew,self._saved,self._step = timestamp+step//2,now,step
 
-# %% ../../nbs/api/12_wire.signing.ipynb #1bc43942
+# %% ../../nbs/api/12_wire.signing.ipynb #d2bd0527
 @patch
 def settle(self:Reserve, timestamp:int, streams:dict):
     "Write the exact timestamps; afterwards more may still be used"
@@ -138,7 +138,7 @@ class Signing:
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-# %% ../../nbs/api/12_wire.signing.ipynb #475edff5
+# %% ../../nbs/api/12_wire.signing.ipynb #6380699a
 @patch
 def __repr__(self:Signing):
     dropped = ', '.join(f'{n} {why}' for why,n in sorted(self.dropped.items())) or 'nothing'
@@ -182,7 +182,7 @@ def _judge(self:Signing, frame:bytes, source:tuple)->str:
         self.reserve.cover(self.timestamp, self.streams, now, stream)
     return ''
 
-# %% ../../nbs/api/12_wire.signing.ipynb #91771877
+# %% ../../nbs/api/12_wire.signing.ipynb #e47c73bf
 @patch
 def _unsigned(self:Signing, msg_id:int, source:tuple)->bool:
     "May this message come without a signature?"
@@ -215,7 +215,7 @@ def _new_stream(self:Signing):
     oldest = min(self.streams, key=self.streams.get)
     self._forgotten = max(self._forgotten, self.streams.pop(oldest))
 
-# %% ../../nbs/api/12_wire.signing.ipynb #e062c64b
+# %% ../../nbs/api/12_wire.signing.ipynb #b8cb2c0b
 @patch
 def close(self:Signing):
     "Write the exact timestamps; frames may still be signed and checked afterwards"
