@@ -289,7 +289,7 @@ def message():
     "What one received message costs, each way of reading it in turn"
     from pymavlink import mavutil
     from pymavlink.dialects.v20 import ardupilotmega as mavlink
-    from UAV.wire.frames import FrameReader, Wanted
+    from UAV.wire.reader import FrameReader, Wanted
     frames = telemetry()[1:]
     def seen(m): return getattr(m, m.fieldnames[0])
     class Replay(mavutil.mavudp):

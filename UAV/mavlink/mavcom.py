@@ -11,7 +11,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import LogLevels, get_logger
 from ..utils.general import date_time_str, time_since_boot_ms, time_UTC_usec, timers
 from ..utils.seen import Seen
-from ..wire.frames import FrameReader, Sources, Wanted
+from ..wire.reader import FrameReader, Sources, Wanted
 from ..wire.signing import Signing
 from ..wire.links import Link, open_link
 from .protocol import LinkError, accepts, address
@@ -71,7 +71,7 @@ def __repr__(self:MAVCom):
 class Channel:
     "A link of a `MAVCom`: the thread that reads it, who was heard there, and its way back when it has gone"
     first_retry,last_retry = .5,10. # s between attempts to reopen it, doubled each time
-    most_peers = 256 # frame readers that are kept
+    most_peers,most_strangers = 256,32 # frame readers that are kept: of peers that sent good frames, and of others
 
     def __init__(self, com:MAVCom, link:Link, name:str, number:int):
         self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
@@ -158,25 +158,30 @@ def _take_safely(self:Channel, *got):
     except Exception: self.com.log.exception('%s gave what cannot be taken', self)
     finally: self.busy_since = None
 
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #f0ebad1e
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #4f97aad0
 @patch
 def take(self:Channel, data:bytes, peer=None):
     "Bytes came from `peer`"
     now = self.busy_since = time.monotonic()
     reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
     reader.heard,reader.check = now,self._check if com.forward or com.signing is not None or com.message_log is not None else None
-    for msg in reader.feed(data):
+    messages = reader.feed(data)
+    if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
+    for msg in messages:
         msg.came_by = self,peer
         com.route(msg)
-    if not reader.seen: self.link.unwelcome(peer)
 
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #55998f2d
 @patch
 def _new_reader(self:Channel, peer)->FrameReader:
-    "A reader for a new peer; when there are too many, one that never said anything sensible goes, or was silent longest"
-    def worth(p): return bool(self.readers[p].seen),self.readers[p].heard
-    if len(self.readers)>=self.most_peers: del self.readers[min(self.readers, key=worth)]
-    self.readers[peer] = FrameReader(self.com.wanted, self.sources, self.link.datagrams)
-    return self.readers[peer]
+    "A reader for a new peer; when there are too many, those go that were silent longest"
+    known,strangers = [],[]
+    for p,reader in self.readers.items(): (known if reader.seen else strangers).append(p)
+    for peers,most in ((known,self.most_peers),(strangers,self.most_strangers-1)):
+        for p in sorted(peers, key=lambda p: self.readers[p].heard)[:max(0, len(peers)-most)]: del self.readers[p]
+    reader = FrameReader(self.com.wanted, self.sources, self.link.datagrams, only_signed=self.com.signing is not None)
+    self.readers[peer] = reader
+    return reader
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #c2f728ea
 @patch
@@ -276,7 +281,10 @@ def _watch(self:MAVCom):
 
 @patch
 def _lose(self:MAVCom, source:tuple):
+    "`source` has fallen silent"
     self.log.warning(self.lost(source))
+    for c in self.channels:
+        if source in c.sources: c.sources[source].restart()     # what it sends meanwhile is not lost on the way
     for c in list(self.component.values()):
         if hasattr(c, 'lose'): c.lose(source, self.lost(source))
 
