@@ -12,8 +12,8 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_
     MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED, MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION,
     MAVLINK_MSG_ID_CAMERA_SETTINGS as CAMERA_SETTINGS, MAVLINK_MSG_ID_STORAGE_INFORMATION as STORAGE_INFORMATION,
     MAVLINK_MSG_ID_VIDEO_STREAM_INFORMATION as VIDEO_STREAM_INFORMATION, MAVLINK_MSG_ID_VIDEO_STREAM_STATUS as VIDEO_STREAM_STATUS)
-from ..cameras.values import (CameraBusy, CameraError, CameraInformation, CameraSettings, CaptureStatus, DeviceStatus, Picture,
-                                StorageInformation)
+from ..cameras.storage import (CameraBusy, CameraError, CameraInformation, CameraSettings, CaptureStatus, Picture, StorageInformation)
+from ..cameras.camera import DeviceStatus
 from ..logging import LogLevels
 from ..utils.general import time_since_boot_ms
 from .protocol import Denied, Unsupported, address, command, enum_name, enum_value, message
