@@ -18,6 +18,10 @@ from ..logging import LogLevels, get_logger
 # %% ../../nbs/api/45_cameras.camera.ipynb #bda0fa15
 _cameras = weakref.WeakSet()
 
+def _check_unused(storage):
+    "Raise `StorageInUse` when a camera has this storage"
+    if any(camera.storage is storage for camera in _cameras): raise StorageInUse(f'{storage!r} has a camera already')
+
 class Camera:
     "A camera; subclasses give `information` and `read()`, and the optional verbs they can do"
     information = CameraInformation()
@@ -36,7 +40,7 @@ class Camera:
         storage:Storage|None=None, # In place of `folder` and `quota`; `close` closes it
     ):
         "Raises `StorageInUse` when another camera has the folder or the storage"
-        if storage is not None and any(c.storage is storage for c in _cameras): raise StorageInUse(f'{storage!r} has a camera already')
+        if storage is not None: _check_unused(storage)
         self.storage = Storage(folder, quota) if storage is None else storage
         self.log = get_logger(f'camera.{self.information.model}')
         self.captures,self.device = CaptureQueue(self),DeviceWatch(self)
@@ -44,7 +48,9 @@ class Camera:
         self._closing,self._storage_status = threading.Event(),'ready'
         _cameras.add(self)
 
-    def read(self)->Frame: raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
+    def read(self)->Frame:
+        "The newest frame; a subclass has it"
+        raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
 
     fault = property(lambda self: self.device.fault, doc="What is wrong with the device; `None`: it works")
     def __enter__(self): return self
@@ -52,7 +58,8 @@ class Camera:
     def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
     def close(self):
         "Stop, wait for the picture being taken (`patience` at most), and let go of the storage; may be called twice"
-        if not self.captures.close(self.patience): self.log.error('%r does not come back from read(); closed without it', self)
+        done = self.captures.close(self.patience)
+        if not done: self.log.error('%r does not come back from read(); closed without it', self)
         self._closing.set()
         self.storage.close()
         self.device.close()
@@ -61,9 +68,9 @@ class Camera:
 # %% ../../nbs/api/45_cameras.camera.ipynb #bd57d5b3
 @patch
 def subscribe(self:Camera,
-    callback, # Called with each Picture, CaptureStatus, CameraSettings, StorageInformation and DeviceStatus; must be quick
+    callback, # Called with each event; must be quick
 ):
-    "Tell `callback` what happens"
+    "Tell `callback` of each Picture, CaptureStatus, CameraSettings, StorageInformation and DeviceStatus"
     with self._lock: self._callbacks = self._callbacks + [callback]
 
 @patch
@@ -71,12 +78,14 @@ def unsubscribe(self:Camera, callback):
     "Stop telling `callback`"
     with self._lock: self._callbacks = [c for c in self._callbacks if c != callback]
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #5c0a5311
 @patch
 def announce(self:Camera, event):
     "Tell every listener"
     for callback in self._callbacks:
+        name = getattr(callback, '__name__', callback)
         try: callback(event)
-        except (Exception, SystemExit): self.log.exception('%r failed on %r', getattr(callback, '__name__', callback), event)
+        except (Exception, SystemExit): self.log.exception('%r failed on %r', name, event)
 
 # %% ../../nbs/api/45_cameras.camera.ipynb #3d913554
 @patch
@@ -84,17 +93,19 @@ def settings(self:Camera)->CameraSettings:
     "How the camera is set"
     return CameraSettings(self.mode, self.lens.percent if self.lens else NAN, self.focus.percent if self.focus else NAN)
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #5c0a5313
 @patch
 def capture_status(self:Camera)->CaptureStatus:
     "What the camera is doing"
-    capturing,interval = self.captures.state
-    return CaptureStatus(capturing, interval, len(self.storage), self.storage.information().available, self.recording, self.recording_time)
+    available = self.storage.information().available
+    return CaptureStatus(*self.captures.state, len(self.storage), available, self.recording, self.recording_time)
 
 @patch
 def storage_information(self:Camera)->list:
     "How full the storages are"
     return [self.storage.information()]
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #5c0a5316
 @patch
 def set_fault(self:Camera,
     fault:str|None, # What is wrong with the device; `None`: it works
@@ -114,6 +125,7 @@ def image_start_capture(self:Camera,
     if self.mode == 'video' and not self.image_in_video_mode: raise WrongMode('no pictures in video mode')
     return self.captures.start(interval, count)
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #5c0a5318
 @patch
 def image_stop_capture(self:Camera):
     "End a sequence, and return at once; what was accepted is taken: the picture under way, and singles that wait"
@@ -132,6 +144,7 @@ def read_still(self:Camera)->Frame:
     "The frame a picture is made of; override it when the camera has something better than `read()` for stills"
     return self.read()
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #5c0a5319
 @patch
 def _read_watched(self:Camera)->Frame:
     "The frame of a picture; sets the fault, or clears it"
@@ -140,6 +153,7 @@ def _read_watched(self:Camera)->Frame:
         if not isinstance(frame, Frame): raise CameraError(f'read() must return a Frame, not {type(frame).__name__}')
         return frame
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #5c0a531b
 @patch
 def _encode(self:Camera, frame)->bytes:
     "The frame as JPEG"
@@ -151,7 +165,7 @@ def _encode(self:Camera, frame)->bytes:
 # %% ../../nbs/api/45_cameras.camera.ipynb #1facd10c
 @patch
 def _take_picture(self:Camera)->Picture|None:
-    "Take one picture and keep it; a failure is kept, too. `None`: we were closed meanwhile, and it is recorded already"
+    "Take one picture and keep it; a failure is kept, too. `None`: closed meanwhile, and recorded already"
     started = time.time()
     try:
         frame,information = self._read_watched(),self.information
@@ -162,16 +176,19 @@ def _take_picture(self:Camera)->Picture|None:
     except BaseException as e:
         if self.captures.running: return self._failed(started, e)
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #5c0a531e
 @patch
 def _failed(self:Camera, started:float, error:BaseException)->Picture:
     "Record a shot that failed; a storage that takes no more ends the sequence"
     level = LogLevels.INFO if self.fault else LogLevels.WARNING
-    self.log.log(level, 'a picture failed: %s', error, exc_info=None if isinstance(error, CameraError) else error)
+    traceback = None if isinstance(error, CameraError) else error
+    self.log.log(level, 'a picture failed: %s', error, exc_info=traceback)
     if isinstance(error, StorageError):
         self.captures.stop()
         self._storage_status = 'refused a picture'       # so it is announced
     return self.storage.fail(started, str(error) or type(error).__name__)
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #5c0a531f
 @patch
 def _tell_picture(self:Camera, picture):
     "Announce a picture, and the storage when its status is another one"
@@ -187,6 +204,7 @@ def pictures(self:Camera)->tuple:
     "All shots in the storage, by index"
     return tuple(self.storage.pictures)
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #5c0a5321
 @patch
 def picture(self:Camera,
     index:int, # From 0
@@ -227,7 +245,7 @@ def close_cameras():
 # %% ../../nbs/api/45_cameras.camera.ipynb #5c0a530e
 @patch
 def after_fork(self:Camera):
-    "In a forked process: this camera is the parent's. Locks are made anew, a thread that is not here may have held them"
+    "In a forked process: this camera is the parent's. Its locks are made anew, a thread of the parent may have held them"
     self.captures,self.device = CaptureQueue(self),DeviceWatch(self)
     self._lock,self._closing = threading.Lock(),threading.Event()
     self.captures.refusal = CameraError,f'{self!r} is closed: it belongs to process {os.getppid()}'

@@ -31,7 +31,8 @@ def check_sequence(
 )->tuple:
     "`interval` and `count`, made possible; raises `ValueError` when they make no sense"
     if not 0 <= interval <= 1e6: raise ValueError(f'interval must be 0 to 1000000 s, not {interval}')
-    if not 0 <= count < math.inf or count != int(count): raise ValueError(f'count must be a whole number, 0 or more, not {count}')
+    whole = 0 <= count < math.inf and count == int(count)
+    if not whole: raise ValueError(f'count must be a whole number, 0 or more, not {count}')
     return (0. if count == 1 else max(float(interval), min_interval)), int(count)
 
 # %% ../../nbs/api/44_cameras.capture.ipynb #5c0a5206
@@ -84,12 +85,19 @@ def start(self:CaptureQueue,
     with self.changed:
         self._check(single=count == 1)
         if not self.running: self._start_thread()
-        if not self.jobs: self.next_index,self.state = len(self.camera.storage),(True,interval)
+        if not self.jobs: self.next_index,self.state,self.progress = len(self.camera.storage),(True,interval),time.monotonic()
         self.jobs.append(CaptureJob(interval, count, self.next_index))
         self.next_index += 1            # its first picture is certain
-        if len(self.jobs) == 1: self.progress = time.monotonic()
         return self.jobs[-1].index
 
+# %% ../../nbs/api/44_cameras.capture.ipynb #5c0a53f0
+@patch
+def stop(self:CaptureQueue):
+    "End a sequence after the picture being taken; what was accepted is taken"
+    with self.changed:
+        for job in self.jobs: job.stop.set()
+
+# %% ../../nbs/api/44_cameras.capture.ipynb #5c0a521d
 @patch
 def _start_thread(self:CaptureQueue):
     "A new capture thread; raises `CameraError` when the system has none left"
@@ -101,13 +109,7 @@ def _start_thread(self:CaptureQueue):
         raise CameraError(f'no thread for a picture: {e}') from e
     self.running = True
 
-@patch
-def stop(self:CaptureQueue):
-    "End a sequence after the picture being taken; what was accepted is taken"
-    with self.changed:
-        for job in self.jobs: job.stop.set()
-
-# %% ../../nbs/api/44_cameras.capture.ipynb #1be232c9
+# %% ../../nbs/api/44_cameras.capture.ipynb #5c0a53f1
 @patch
 def tell_state(self:CaptureQueue, state:tuple|None=None):
     "Announce the state, unless it was announced already"
@@ -116,16 +118,17 @@ def tell_state(self:CaptureQueue, state:tuple|None=None):
         changed,self.told = self.state != self.told,self.state
     if changed: self.camera.announce(self.camera.capture_status())
 
+# %% ../../nbs/api/44_cameras.capture.ipynb #1be232c9
 @patch
 def _begin(self:CaptureQueue, job)->bool:
-    "Is one more picture of `job` to be taken? From here on it is certain"
+    "Begin one more picture of `job`, unless it was stopped"
     with self.changed:
         if job.begun and job.stop.is_set(): return False
-        self.next_index += job.begun > 0       # the first was promised when the job was accepted
-        job.begun += 1
-        self.progress = time.monotonic()
+        if job.begun: self.next_index += 1       # the first was promised when the job was accepted
+        job.begun,self.progress = job.begun+1,time.monotonic()
         return True
 
+# %% ../../nbs/api/44_cameras.capture.ipynb #5c0a53f2
 @patch
 def _finish(self:CaptureQueue, job):
     "The job occupies the camera no longer"
@@ -150,6 +153,7 @@ def _do(self:CaptureQueue, job):
         slot = next_slot(slot, time.monotonic()-t0, job.interval)
         job.stop.wait(max(0, t0+slot*job.interval-time.monotonic()))
 
+# %% ../../nbs/api/44_cameras.capture.ipynb #5c0a5222
 @patch
 def _next_job(self:CaptureQueue):
     "What to do next; `None` ends the thread, after all have heard that the camera is idle"
@@ -172,6 +176,7 @@ def _run(self:CaptureQueue):
         except BaseException: self.camera.log.exception('%r goes on, after', self)
         self._finish(job)
 
+# %% ../../nbs/api/44_cameras.capture.ipynb #5c0a53f3
 @patch
 def wait_idle(self:CaptureQueue,
     timeout:float|None=None, # s; `None` waits as long as it takes
@@ -188,6 +193,7 @@ def _fail_rest(self:CaptureQueue):
         self.jobs.clear()
     for job in rest: self.camera._tell_picture(self.camera.storage.fail(time.time(), f'{self.camera!r} was closed'))
 
+# %% ../../nbs/api/44_cameras.capture.ipynb #5c0a5223
 @patch
 def close(self:CaptureQueue,
     patience:float, # s that a picture may take
@@ -198,7 +204,8 @@ def close(self:CaptureQueue,
     self.stop()
     if self.thread in (None, threading.current_thread()): return True        # a listener may close the camera
     soon = time.monotonic()+.5
-    while self.thread.is_alive() and (left := max(soon, self.progress+patience)-time.monotonic()) > 0: self.thread.join(left)
+    while self.thread.is_alive() and (left := max(soon, self.progress+patience)-time.monotonic()) > 0:
+        self.thread.join(left)
     with self.changed:
         hangs,self.running = self.running,False
         self.changed.notify_all()
@@ -228,22 +235,24 @@ class DeviceWatch:
     ):
         self.camera,self.fault,self.closed,self._lock = camera,None,False,threading.Lock()
 
-    def set(self,
-        fault:str|None, # What is wrong with the device; `None`: it works
-        error:BaseException|None=None, # What was raised, when it is a surprise
-    ):
-        "Note whether the device works, and tell when that is news"
-        with self._lock:
-            if self.closed: return
-            was,self.fault = self.fault,fault or None
-        if (was is None) == (self.fault is None): return
-        if fault: self.camera.log.warning('%s', fault, exc_info=error)
-        else: self.camera.log.warning('works again, after: %s', was)
-        self.camera.announce(DeviceStatus(fault or None))
-
     def close(self):
         "Nothing changes any more"
         with self._lock: self.closed,self.fault = True,self.fault or 'closed'
+
+# %% ../../nbs/api/44_cameras.capture.ipynb #5c0a5224
+@patch
+def set(self:DeviceWatch,
+    fault:str|None, # What is wrong with the device; `None`: it works
+    error:BaseException|None=None, # What was raised, when it is a surprise
+):
+    "Note whether the device works, and tell when that is news"
+    with self._lock:
+        if self.closed: return
+        was,self.fault = self.fault,fault or None
+    if (was is None) == (not fault): return
+    if fault: self.camera.log.warning('%s', fault, exc_info=error)
+    else: self.camera.log.warning('works again, after: %s', was)
+    self.camera.announce(DeviceStatus(fault or None))
 
 # %% ../../nbs/api/44_cameras.capture.ipynb #5c0a5218
 @patch

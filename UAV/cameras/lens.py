@@ -60,11 +60,37 @@ class Lens:
         store_attr('sensor_size_h,step')
         self.travel = Travel(focal_length, max_focal_length, duration, clock)
 
-    focal_length = property(lambda self: self.travel.position, doc="mm, now")
-    percent = property(lambda self: self.travel.percent, doc="0..100 % of the range, now")
-    horizontal_fov = property(lambda self: self.fov(self.focal_length), doc="Degrees, now")
-    def fov(self, focal_length): return math.degrees(2*math.atan(self.sensor_size_h/2/focal_length))
-    def reset(self): self.travel.go(self.travel.low)
+# %% ../../nbs/api/43_cameras.lens.ipynb #5c0a510e
+@patch(as_prop=True)
+def focal_length(self:Lens)->float:
+    "mm, now"
+    return self.travel.position
+
+@patch(as_prop=True)
+def percent(self:Lens)->float:
+    "0..100 % of the range, now"
+    return self.travel.percent
+
+@patch
+def reset(self:Lens): self.travel.go(self.travel.low)
+
+# %% ../../nbs/api/43_cameras.lens.ipynb #5c0a5107
+@patch
+def fov(self:Lens, focal_length:float)->float:
+    "Horizontal field of view at `focal_length` (mm), degrees"
+    return math.degrees(2*math.atan(self.sensor_size_h/2/focal_length))
+
+@patch(as_prop=True)
+def horizontal_fov(self:Lens)->float:
+    "Horizontal field of view now, degrees"
+    return self.fov(self.focal_length)
+
+# %% ../../nbs/api/43_cameras.lens.ipynb #5c0a510a
+@patch
+def _limits(self:Lens, kind:str)->tuple:
+    "The least and the greatest value for a `kind` of zooming"
+    low,high = self.travel.low,self.travel.high
+    return dict(range=(0,100), focal_length=(low,high), horizontal_fov=(self.fov(high),self.fov(low))).get(kind, (-99,99))
 
 # %% ../../nbs/api/43_cameras.lens.ipynb #b2dba0e1
 @patch
@@ -73,9 +99,7 @@ def zoom(self:Lens,
     value:float, # Steps (tele is positive), speed -1..1, % of the range, mm or degrees
 ):
     "Zoom one of five ways (CAMERA_ZOOM_TYPE); raises `ValueError`"
-    travel = self.travel
-    ends = dict(range=(0,100), focal_length=(travel.low,travel.high), horizontal_fov=(self.fov(travel.high),self.fov(travel.low)))
-    value = inside(kind, value, *ends.get(one_of('kind', kind, self.kinds), (-99,99)))
+    travel,value = self.travel,inside(kind, value, *self._limits(one_of('kind', kind, self.kinds)))
     if   kind == 'step':         travel.go(travel.position*self.step**value)
     elif kind == 'continuous':   travel.move(value)
     elif kind == 'range':        travel.percent = value
@@ -97,16 +121,19 @@ class Focus:
         self.reset()
 
     percent = property(lambda self: self.travel.percent, doc="0 is nearest, 100 is infinity")
-    def reset(self): self.focus('auto')
+    def reset(self): self.travel.go(self.at(self.distance))
+    def at(self, distance): return 100*(1 - self.near/distance)
 
-    def focus(self,
-        kind:str, # One of `kinds`
-        value:float=0., # Steps of 5 %, speed -1..1, % of the range or m; 'auto…' needs none
-    ):
-        "Focus one of seven ways (SET_FOCUS_TYPE); raises `ValueError`"
-        auto = one_of('kind', kind, self.kinds).startswith('auto')
-        if not auto: value = inside(kind, value, *dict(range=(0,100), meters=(self.near,1e6)).get(kind, (-99,99)))
-        if   kind == 'step':       self.travel.go(self.percent + 5*value)
-        elif kind == 'continuous': self.travel.move(value)
-        elif kind == 'range':      self.travel.percent = value
-        else: self.travel.go(100*(1 - self.near/(self.distance if auto else value)))
+# %% ../../nbs/api/43_cameras.lens.ipynb #5c0a510d
+@patch
+def focus(self:Focus,
+    kind:str, # One of `kinds`
+    value:float=0., # Steps of 5 %, speed -1..1, % of the range or m; 'auto…' needs none
+):
+    "Focus one of seven ways (SET_FOCUS_TYPE); raises `ValueError`"
+    if one_of('kind', kind, self.kinds).startswith('auto'): return self.reset()
+    value = inside(kind, value, *dict(range=(0,100), meters=(self.near,1e6)).get(kind, (-99,99)))
+    if   kind == 'step':       self.travel.go(self.percent + 5*value)
+    elif kind == 'continuous': self.travel.move(value)
+    elif kind == 'range':      self.travel.percent = value
+    else: self.travel.go(self.at(value))
