@@ -85,7 +85,9 @@ def start(self:CaptureQueue,
     with self.changed:
         self._check(single=count == 1)
         if not self.running: self._start_thread()
-        if not self.jobs: self.next_index,self.state,self.progress = len(self.camera.storage),(True,interval),time.monotonic()
+        if not self.jobs:
+            self.next_index,self.state = len(self.camera.storage),(True,interval)
+            self.progress = time.monotonic()
         self.jobs.append(CaptureJob(interval, count, self.next_index))
         self.next_index += 1            # its first picture is certain
         return self.jobs[-1].index

@@ -4,8 +4,8 @@
 
 # %% auto #0
 __all__ = ['check_information', 'check_frame', 'check_read', 'check_single', 'check_interval', 'check_bad_values', 'check_stop',
-           'check_mode', 'check_reset', 'check_zoom', 'check_focus', 'check_close', 'Report', 'SeenEvents',
-           'check_camera']
+           'check_mode', 'check_reset', 'check_zoom', 'check_focus', 'check_close', 'SeenEvents', 'Report',
+           'checks_for', 'check_camera']
 
 # %% ../../nbs/api/46_cameras.contract.ipynb #5c0a5402
 import math, threading
@@ -21,6 +21,7 @@ def check_information(camera, seen):
     for name in (info.vendor, info.model):
         assert len(name.encode()) <= 31, f'{name!r} is longer than the 31 bytes the wire has room for'
 
+# %% ../../nbs/api/46_cameras.contract.ipynb #5c0a5410
 def check_frame(camera, frame):
     "Raise `AssertionError` unless `frame` is a good one"
     assert isinstance(frame, Frame), f'read() must return a Frame, not {type(frame).__name__}'
@@ -31,11 +32,12 @@ def check_frame(camera, frame):
     assert not (width and height) or (width,height) == (shape[1],shape[0]), \
         f'information says {width}x{height}, but frames are {shape[1]}x{shape[0]}'
 
+# %% ../../nbs/api/46_cameras.contract.ipynb #5c0a5412
 def check_read(camera, seen):
     "reads frames of the size it announces"
     first,second = camera.read(),camera.read()
     for frame in (first, second): check_frame(camera, frame)
-    assert second.number >= first.number, f'frame numbers must not go back, but {second.number} came after {first.number}'
+    assert second.number >= first.number, f'frame numbers go back: {second.number} after {first.number}'
     assert second.time_utc >= first.time_utc > 0, 'time_utc must be seconds since 1970, and must not go back'
 
 # %% ../../nbs/api/46_cameras.contract.ipynb #2ebe9745
@@ -51,6 +53,7 @@ def _pictures(camera, seen, timeout=30., **how):
     assert idle, 'the last CaptureStatus must say that the camera is idle'
     return [e for e in seen if isinstance(e, Picture)]
 
+# %% ../../nbs/api/46_cameras.contract.ipynb #5c0a5413
 def check_single(camera, seen):
     "takes one picture, and keeps it as a JPEG"
     import cv2
@@ -63,6 +66,7 @@ def check_single(camera, seen):
     assert image is not None, f'{pictures[0].file} is not a readable JPEG'
     check_frame(camera, Frame(image, 0, 0))
 
+# %% ../../nbs/api/46_cameras.contract.ipynb #5c0a5414
 def check_interval(camera, seen):
     "takes a sequence of three, and says what it is doing"
     pictures = _pictures(camera, seen, interval=camera.min_interval, count=3)
@@ -78,6 +82,7 @@ def _refuses(what, call, *args, **kwargs):
     except ValueError: return
     raise AssertionError(f'{what} must raise ValueError')
 
+# %% ../../nbs/api/46_cameras.contract.ipynb #5c0a5417
 def check_bad_values(camera, seen):
     "refuses what makes no sense"
     seen.clear()
@@ -86,6 +91,7 @@ def check_bad_values(camera, seen):
     _refuses('storage_format(99)', camera.storage_format, 99)
     assert not seen, f'a refused call must have no effect, but there was {seen[0]}'
 
+# %% ../../nbs/api/46_cameras.contract.ipynb #5c0a5418
 def check_stop(camera, seen):
     "stops an endless sequence, and may be stopped when idle"
     first = threading.Event()
@@ -109,15 +115,18 @@ def _check_settings(camera, seen, what, call, field, value):
     told = any(isinstance(e, CameraSettings) for e in seen)
     assert told, f'{what}, and no listener was told: announce(settings()) is missing'
 
+# %% ../../nbs/api/46_cameras.contract.ipynb #5c0a5419
 def check_mode(camera, seen):
     "changes its mode"
     for mode in (*camera.modes, camera.modes[0]):
-        _check_settings(camera, seen, f'set_camera_mode({mode!r}) was called', lambda: camera.set_camera_mode(mode), 'mode', mode)
+        def call(): camera.set_camera_mode(mode)
+        _check_settings(camera, seen, f'set_camera_mode({mode!r}) was called', call, 'mode', mode)
     _refuses("set_camera_mode('no such mode')", camera.set_camera_mode, 'no such mode')
 
 def check_reset(camera, seen):
     "resets its settings"
-    _check_settings(camera, seen, 'reset_camera_settings() was called', camera.reset_camera_settings, 'mode', camera.modes[0])
+    call,first = camera.reset_camera_settings,camera.modes[0]
+    _check_settings(camera, seen, 'reset_camera_settings() was called', call, 'mode', first)
 
 # %% ../../nbs/api/46_cameras.contract.ipynb #5c0a540b
 def _check_drive(camera, seen, name):
@@ -126,7 +135,8 @@ def _check_drive(camera, seen, name):
     for kind,value in (('no such kind',0.), ('range',NAN), ('range',-5.), ('range',105.)):
         _refuses(f'set_camera_{name}{kind,value}', verb, kind, value)
     for value in (100., 0.):
-        _check_settings(camera, seen, f"set_camera_{name}('range', {value:g}) was called", lambda: verb('range', value), name, value)
+        def call(): verb('range', value)
+        _check_settings(camera, seen, f"set_camera_{name}('range', {value:g}) was called", call, name, value)
 
 def check_zoom(camera, seen):
     "zooms"
@@ -141,23 +151,30 @@ def check_close(camera, seen):
     "closes, and leaves no thread behind"
     camera.close()
     camera.close()
-    left = [t.name for t in threading.enumerate() if t not in seen.threads or t.name.endswith(f' {camera.information.model}')]
+    ours = f' {camera.information.model}'
+    left = [t.name for t in threading.enumerate() if t not in seen.threads or t.name.endswith(ours)]
     assert not left, f'threads are left after close(): {", ".join(left)}'
     try: camera.image_start_capture()
     except CameraError: return
     raise AssertionError('image_start_capture must raise CameraError after close()')
 
-class Report(str):
-    "Text that shows itself as it is"
-    def __repr__(self): return str(self)
-
+# %% ../../nbs/api/46_cameras.contract.ipynb #5c0a541b
 class SeenEvents(list):
     "The events of a camera, and the threads that ran before"
     def __init__(self): self.threads = threading.enumerate()
 
-# %% ../../nbs/api/46_cameras.contract.ipynb #b21410b7
-_optional = dict(mode=check_mode, zoom=check_zoom, focus=check_focus)
+class Report(str):
+    "Text that shows itself as it is"
+    def __repr__(self): return str(self)
 
+# %% ../../nbs/api/46_cameras.contract.ipynb #b21410b7
+def checks_for(camera)->list:
+    "The checks that `camera` must pass"
+    optional = dict(mode=check_mode, zoom=check_zoom, focus=check_focus)
+    first = [check_information, check_read, check_single, check_interval, check_bad_values, check_stop]
+    return first + [check for verb,check in optional.items() if hasattr(camera, f'set_camera_{verb}')] + [check_reset, check_close]
+
+# %% ../../nbs/api/46_cameras.contract.ipynb #5c0a541e
 def check_camera(
     camera, # A Camera; it is closed at the end
 )->Report:
@@ -165,13 +182,12 @@ def check_camera(
     assert hasattr(camera, 'captures'), f'{type(camera).__name__}.__init__ must call super().__init__(...)'
     seen,told = SeenEvents(),[]
     camera.subscribe(seen.append)
-    optional = [check for verb,check in _optional.items() if hasattr(camera, f'set_camera_{verb}')]
-    checks = [check_information, check_read, check_single, check_interval, check_bad_values, check_stop, *optional, check_reset, check_close]
     try:
-        for check in checks:
+        for check in checks_for(camera):
             try: check(camera, seen)
             except AssertionError: raise
-            except Exception as e: raise AssertionError(f'{camera!r} {check.__doc__}: not so, {type(e).__name__}: {e}') from e
+            except Exception as e:
+                raise AssertionError(f'{camera!r} {check.__doc__}: not so, {type(e).__name__}: {e}') from e
             told.append(check.__doc__)
     finally: camera.close()
     return Report(f'{camera!r}\n' + '\n'.join(f'  ✓ {t}' for t in told))

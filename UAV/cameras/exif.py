@@ -55,7 +55,8 @@ def gps_tags(pose:Pose, time_utc:float)->dict:
     from PIL.ExifTags import GPS
     when = _utc(time_utc)
     clock = when.hour, when.minute, when.second + round(when.microsecond/1e6, 3)
-    tags = {GPS.GPSVersionID: b'\2\3\0\0', GPS.GPSTimeStamp: clock, GPS.GPSDateStamp: f'{when:%Y:%m:%d}'} | place_tags(pose)
+    tags = {GPS.GPSVersionID: b'\2\3\0\0', GPS.GPSTimeStamp: clock, GPS.GPSDateStamp: f'{when:%Y:%m:%d}'}
+    tags |= place_tags(pose)
     if known(pose.yaw): tags |= {GPS.GPSImgDirectionRef: 'T', GPS.GPSImgDirection: round(pose.yaw % 360, 2)}
     return {int(tag): value for tag,value in tags.items()}
 

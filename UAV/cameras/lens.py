@@ -30,11 +30,15 @@ class Travel:
     def _between_ends(self, position): return min(max(position, self.low), self.high)
 
     @property
-    def position(self): return self._between_ends(self._start + self._speed*(self.clock()-self._since))
-    @property
     def percent(self): return 100*(self.position-self.low)/(self.high-self.low) if self.high > self.low else NAN
     @percent.setter
     def percent(self, value): self.go(self.low + inside('percent', value, 0, 100)/100*(self.high-self.low))
+
+# %% ../../nbs/api/43_cameras.lens.ipynb #5c0a510f
+@patch(as_prop=True)
+def position(self:Travel)->float:
+    "Where it is now"
+    return self._between_ends(self._start + self._speed*(self.clock()-self._since))
 
 # %% ../../nbs/api/43_cameras.lens.ipynb #5c0a5104
 @patch
@@ -90,7 +94,8 @@ def horizontal_fov(self:Lens)->float:
 def _limits(self:Lens, kind:str)->tuple:
     "The least and the greatest value for a `kind` of zooming"
     low,high = self.travel.low,self.travel.high
-    return dict(range=(0,100), focal_length=(low,high), horizontal_fov=(self.fov(high),self.fov(low))).get(kind, (-99,99))
+    known = dict(range=(0,100), focal_length=(low,high), horizontal_fov=(self.fov(high),self.fov(low)))
+    return known.get(kind, (-99,99))
 
 # %% ../../nbs/api/43_cameras.lens.ipynb #b2dba0e1
 @patch

@@ -279,7 +279,7 @@ def fail(self:Storage,
             if not self._release.alive: raise OSError('the storage is closed')
             self._append(picture)
         except OSError as e:                          # a full disk must not stop the count
-            self._log.warning('picture %d is not in the log: %s', picture.index, e)
+            self._log.warning('picture %d is not in the log: %s', picture.index, e.strerror or e)
             self.pictures.append(picture)
         return picture
 

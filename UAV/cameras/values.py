@@ -125,7 +125,7 @@ _our_name = re.compile(r'IMG_\d{6,}_*\.jpg')
 def check_picture(picture:Picture):
     "Raise `ValueError` unless `picture` is one that a storage may have written"
     if type(picture.index) is not int or picture.index < 0: raise ValueError(f'{picture.index!r} is no index')
-    if picture.file and not _our_name.fullmatch(str(picture.file)): raise ValueError(f'{picture.file!r} is no name of ours')
+    if picture.file and not _our_name.fullmatch(str(picture.file)): raise ValueError(f'{picture.file!r} is not ours')
     if not isinstance(picture.ok, bool): raise ValueError(f'ok must be true or false, not {picture.ok!r}')
     if not isinstance(picture.error, str): raise ValueError(f'error must be a text, not {picture.error!r}')
     inside('time_utc', picture.time_utc)
