@@ -171,8 +171,9 @@ class Report(str):
 def checks_for(camera)->list:
     "The checks that `camera` must pass"
     optional = dict(mode=check_mode, zoom=check_zoom, focus=check_focus)
-    first = [check_information, check_read, check_single, check_interval, check_bad_values, check_stop]
-    return first + [check for verb,check in optional.items() if hasattr(camera, f'set_camera_{verb}')] + [check_reset, check_close]
+    optional = [check for verb,check in optional.items() if hasattr(camera, f'set_camera_{verb}')]
+    always = [check_information, check_read, check_single, check_interval, check_bad_values, check_stop]
+    return always + optional + [check_reset, check_close]
 
 # %% ../../nbs/api/46_cameras.contract.ipynb #5c0a541e
 def check_camera(
