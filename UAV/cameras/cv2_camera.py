@@ -48,7 +48,8 @@ def how_to_open(source, open_timeout:float, read_timeout:float, backend:int|None
     "The arguments of `cv2.VideoCapture`: name, backend and parameters; raises `CameraError` when there is no such file"
     import cv2
     kind,name = source_kind(source),int(source) if str(source).isdigit() else os.fspath(source)
-    if kind == 'file' and backend is None and not os.path.isfile(name): raise CameraError(f'there is no file {source_name(source)}')
+    missing = kind == 'file' and backend is None and not os.path.isfile(name)
+    if missing: raise CameraError(f'there is no file {source_name(source)}')
     if backend is None: backend = cv2.CAP_FFMPEG if kind == 'url' else cv2.CAP_ANY
     if kind != 'url' or backend != cv2.CAP_FFMPEG: return name, backend, []
     timeouts = {cv2.CAP_PROP_OPEN_TIMEOUT_MSEC: open_timeout, cv2.CAP_PROP_READ_TIMEOUT_MSEC: read_timeout}
@@ -192,6 +193,7 @@ def _start_reader(self:CV2Camera):
     self._reader.start()
     self._watch = timers.every(max(self.read_timeout/4, .1), self._look, delay=self.read_timeout)
 
+# %% ../../nbs/api/49_cameras.cv2.ipynb #5c0a5710
 @patch
 def _stop_reader(self:CV2Camera):
     "Wait for the reader, but not for ever"
@@ -208,6 +210,7 @@ def _publish(self:CV2Camera, image):
     self._newest.put(image)
     if self.fault: self.set_fault(None)
 
+# %% ../../nbs/api/49_cameras.cv2.ipynb #5c0a5711
 @patch
 def _read_on(self:CV2Camera):
     "The reader thread: read until closed, or until a file that does not loop has ended"
@@ -250,6 +253,7 @@ def _silence(self:CV2Camera)->str|None:
     if silent <= self.read_timeout or self.lockstep: return None
     return f'{source_name(self.source)} has given no frame for {silent:.0f} s'
 
+# %% ../../nbs/api/49_cameras.cv2.ipynb #5c0a5713
 @patch
 def _look(self:CV2Camera):
     "Has a frame come lately? Called by the timer"
@@ -272,6 +276,7 @@ def next_frame(self:CV2Camera,
     if frame is None: raise CameraError(f'{source_name(self.source)} has given no frame for {self.read_timeout:g} s')
     return frame
 
+# %% ../../nbs/api/49_cameras.cv2.ipynb #5c0a5715
 @patch
 def read(self:CV2Camera)->Frame:
     "The newest frame; raises `CameraError` when the source has given none for `read_timeout`, has ended, or is closed"

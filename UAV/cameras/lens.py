@@ -94,8 +94,8 @@ def horizontal_fov(self:Lens)->float:
 def _limits(self:Lens, kind:str)->tuple:
     "The least and the greatest value for a `kind` of zooming"
     low,high = self.travel.low,self.travel.high
-    known = dict(range=(0,100), focal_length=(low,high), horizontal_fov=(self.fov(high),self.fov(low)))
-    return known.get(kind, (-99,99))
+    limits = dict(range=(0,100), focal_length=(low,high), horizontal_fov=(self.fov(high),self.fov(low)))
+    return limits.get(kind, (-99,99))
 
 # %% ../../nbs/api/43_cameras.lens.ipynb #b2dba0e1
 @patch

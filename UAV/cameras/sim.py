@@ -17,7 +17,8 @@ from .values import *
 # %% ../../nbs/api/48_cameras.sim.ipynb #5c0a5603
 def sim_information(model:str, width:int, height:int)->CameraInformation:
     "What a `SimCamera` says it is; raises `ValueError` for a size (px) that cannot be made"
-    if not (16 <= width <= 8192 and 16 <= height <= 8192): raise ValueError(f'a picture of {width}x{height} cannot be made')
+    possible = 16 <= width <= 8192 and 16 <= height <= 8192
+    if not possible: raise ValueError(f'a picture of {width}x{height} cannot be made')
     return CameraInformation(model=model, focal_length=2.8, sensor_size_h=3.2, sensor_size_v=3.2*height/width,
                              resolution_h=width, resolution_v=height)
 
