@@ -5,15 +5,14 @@
 # %% auto #0
 __all__ = ['Peer', 'free_port']
 
-# %% ../../nbs/api/90_testing.peer.ipynb #03773392
+# %% ../../nbs/api/90_testing.peer.ipynb #afb9806a
 from collections import deque
 import asyncio, select, socket, time
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..mavlink.protocol import enum_name
 
-# %% ../../nbs/api/90_testing.peer.ipynb #54346a66
+# %% ../../nbs/api/90_testing.peer.ipynb #f1705237
 class Peer:
     "The other end of a link: a socket, and pymavlink"
     def __init__(self,
@@ -34,7 +33,7 @@ class Peer:
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-# %% ../../nbs/api/90_testing.peer.ipynb #95ae8868
+# %% ../../nbs/api/90_testing.peer.ipynb #5e0bc44c
 @patch(as_prop=True)
 def port(self:Peer)->int:
     "Our own port on this machine"
@@ -44,7 +43,7 @@ def free_port()->int:
     "A UDP port of this machine that is not in use, for programs that cannot choose one themselves"
     with Peer() as peer: return peer.port
 
-# %% ../../nbs/api/90_testing.peer.ipynb #d4b9a7f9
+# %% ../../nbs/api/90_testing.peer.ipynb #b52a54c6
 @patch
 def pack(self:Peer,
     msg, # A message, as `mav.…_encode` makes it
@@ -56,7 +55,7 @@ def pack(self:Peer,
     self.mav.seq = (self.mav.seq+1)%256
     return bytes(frame)
 
-# %% ../../nbs/api/90_testing.peer.ipynb #70f4833a
+# %% ../../nbs/api/90_testing.peer.ipynb #374a4c0a
 @patch
 def write(self:Peer, frame:bytes): self.sock.send(frame)
 
@@ -65,13 +64,13 @@ def send(self:Peer, *msgs, source:tuple|None=None):
     "Send messages, in the name of `source`"
     for msg in msgs: self.write(self.pack(msg, source))
 
-# %% ../../nbs/api/90_testing.peer.ipynb #ffb948f2
+# %% ../../nbs/api/90_testing.peer.ipynb #938f5467
 @patch
 def beat(self:Peer, mav_type:int=mavlink.MAV_TYPE_GCS):
     "Send a HEARTBEAT"
     self.send(self.mav.heartbeat_encode(mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, mavlink.MAV_STATE_ACTIVE))
 
-# %% ../../nbs/api/90_testing.peer.ipynb #172ea50a
+# %% ../../nbs/api/90_testing.peer.ipynb #595baa4e
 @patch
 def command(self:Peer,
     command:str|int, # A MAV_CMD, or its name without `MAV_CMD_`
@@ -83,7 +82,7 @@ def command(self:Peer,
     cmd = getattr(mavlink, f'MAV_CMD_{command}') if isinstance(command, str) else command
     return self.mav.command_long_encode(*(to or self.other), cmd, confirmation, *params, *[0.]*(7-len(params)))
 
-# %% ../../nbs/api/90_testing.peer.ipynb #68e3d531
+# %% ../../nbs/api/90_testing.peer.ipynb #097e4cca
 @patch
 def hear(self:Peer, data:bytes):
     "Put the messages of `data` into the inbox"
@@ -98,7 +97,7 @@ def _receive(self:Peer):
     if not data: raise EOFError('the other end has closed the connection')
     self.hear(data)
 
-# %% ../../nbs/api/90_testing.peer.ipynb #622a1002
+# %% ../../nbs/api/90_testing.peer.ipynb #786d4cc0
 @patch
 def _pick(self:Peer, name, fits):
     "The first of the inbox that is looked for, or `None`; what came before it is forgotten"
@@ -106,7 +105,7 @@ def _pick(self:Peer, name, fits):
         msg = self.inbox.popleft()
         if (name is None or msg.get_type()==name) and fits(msg): return msg
 
-# %% ../../nbs/api/90_testing.peer.ipynb #4d6e6e4d
+# %% ../../nbs/api/90_testing.peer.ipynb #6b0cd892
 @patch
 def wait(self:Peer,
     name:str|None=None, # Of the message, for example 'HEARTBEAT'; `None` takes any
@@ -121,7 +120,7 @@ def wait(self:Peer,
         self._receive()
     return msg
 
-# %% ../../nbs/api/90_testing.peer.ipynb #13fe2ead
+# %% ../../nbs/api/90_testing.peer.ipynb #705a853b
 @patch
 async def _readable(self:Peer):
     "Until the socket has something"
@@ -138,7 +137,7 @@ async def _search(self:Peer, name, fits):
         self._receive()
     return msg
 
-# %% ../../nbs/api/90_testing.peer.ipynb #7714bdde
+# %% ../../nbs/api/90_testing.peer.ipynb #34205f34
 @patch
 async def next(self:Peer,
     name:str|None=None, # Of the message; `None` takes any
@@ -149,7 +148,7 @@ async def next(self:Peer,
     try: return await asyncio.wait_for(self._search(name, fits), timeout)
     except asyncio.TimeoutError: raise TimeoutError(f'{name} did not come') from None
 
-# %% ../../nbs/api/90_testing.peer.ipynb #a978f208
+# %% ../../nbs/api/90_testing.peer.ipynb #64161849
 @patch
 def result(self:Peer, command:int, timeout:float=10.)->str:
     "What the other end says to `command` in the end, a MAV_RESULT; raises `TimeoutError` when nothing comes"
@@ -157,7 +156,7 @@ def result(self:Peer, command:int, timeout:float=10.)->str:
         ours = ack.command==command and (ack.target_system,ack.target_component)==self.address
         return ours and ack.result!=mavlink.MAV_RESULT_IN_PROGRESS
     ack = self.wait('COMMAND_ACK', answers, timeout)
-    return enum_name('MAV_RESULT', ack.result, 'MAV_RESULT_')
+    return mavlink.enums['MAV_RESULT'][ack.result].name.removeprefix('MAV_RESULT_')
 
 @patch
 def ask(self:Peer, command:str|int, *params:float, timeout:float=10., **how)->str:
@@ -166,7 +165,7 @@ def ask(self:Peer, command:str|int, *params:float, timeout:float=10., **how)->st
     self.send(msg)
     return self.result(msg.command, timeout)
 
-# %% ../../nbs/api/90_testing.peer.ipynb #b35f314f
+# %% ../../nbs/api/90_testing.peer.ipynb #b2a73aad
 @patch
 def sign(self:Peer,
     key:bytes, # 32 bytes
