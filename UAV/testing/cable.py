@@ -5,13 +5,13 @@
 # %% auto #0
 __all__ = ['Cable']
 
-# %% ../../nbs/api/92_testing.cable.ipynb #bf4ee4b6
+# %% ../../nbs/api/92_testing.cable.ipynb #864a9a96
 from pathlib import Path
 import os, select, tempfile, threading, tty
 
 from fastcore.basics import patch
 
-# %% ../../nbs/api/92_testing.cable.ipynb #383a33e1
+# %% ../../nbs/api/92_testing.cable.ipynb #e5300a87
 class Cable:
     "A serial cable with a port at each end; while one plug is out, what the other end sends is lost"
     def __init__(self,
@@ -26,7 +26,7 @@ class Cable:
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-# %% ../../nbs/api/92_testing.cable.ipynb #1c4ef6a7
+# %% ../../nbs/api/92_testing.cable.ipynb #ff920c3f
 @patch
 def _carry(self:Cable):
     "Carry bytes both ways until the bell rings; runs on the cable's thread"
@@ -38,13 +38,13 @@ def _carry(self:Cable):
             try: other[end] is not None and os.write(other[end], data)
             except BlockingIOError: pass        # the port is full: a serial line forgets, too
 
-# %% ../../nbs/api/92_testing.cable.ipynb #cb01b374
+# %% ../../nbs/api/92_testing.cable.ipynb #c75d0d15
 @patch
 def _go(self:Cable):
     self._thread = threading.Thread(target=self._carry, name='cable')
     self._thread.start()
 
-# %% ../../nbs/api/92_testing.cable.ipynb #28777017
+# %% ../../nbs/api/92_testing.cable.ipynb #6674d139
 @patch
 def _halt(self:Cable):
     if self._thread is None: return
@@ -53,7 +53,7 @@ def _halt(self:Cable):
     os.read(self._ear, 1)
     self._thread = None
 
-# %% ../../nbs/api/92_testing.cable.ipynb #853ad7dd
+# %% ../../nbs/api/92_testing.cable.ipynb #7d8defde
 @patch
 def plug_in(self:Cable, name:str):
     "The port `name` appears"
@@ -66,7 +66,7 @@ def plug_in(self:Cable, name:str):
     self._plugs[name] = end,port
     self._go()
 
-# %% ../../nbs/api/92_testing.cable.ipynb #d0c2abd7
+# %% ../../nbs/api/92_testing.cable.ipynb #78c34e19
 @patch
 def pull(self:Cable, name:str):
     "The port `name` is gone"
@@ -75,7 +75,7 @@ def pull(self:Cable, name:str):
     for fd in self._plugs.pop(name): os.close(fd)
     self._go()
 
-# %% ../../nbs/api/92_testing.cable.ipynb #60e08deb
+# %% ../../nbs/api/92_testing.cable.ipynb #f156b548
 @patch
 def close(self:Cable):
     "Pull both plugs; no thread, no file and no port is left"

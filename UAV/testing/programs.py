@@ -5,12 +5,12 @@
 # %% auto #0
 __all__ = ['own_environment', 'mavproxy']
 
-# %% ../../nbs/api/94_testing.programs.ipynb #b1337314
+# %% ../../nbs/api/94_testing.programs.ipynb #a22a1b87
 from contextlib import contextmanager
 from pathlib import Path
 import os, subprocess, sys, tempfile, venv
 
-# %% ../../nbs/api/94_testing.programs.ipynb #7005d1de
+# %% ../../nbs/api/94_testing.programs.ipynb #4cb3a27e
 @contextmanager
 def _alone(path):
     "Others who come here with the same `path` wait until we have left"
@@ -20,14 +20,14 @@ def _alone(path):
             fcntl.flock(lock, fcntl.LOCK_EX)
         yield
 
-# %% ../../nbs/api/94_testing.programs.ipynb #6fa2acb5
+# %% ../../nbs/api/94_testing.programs.ipynb #3f199a2b
 def _make(home, pip, installs):
     venv.create(home, clear=True, with_pip=bool(installs))
     for what in installs:
         install = [pip, 'install', '-q', '--disable-pip-version-check', *what.split()]
         subprocess.run(install, check=True, capture_output=True)
 
-# %% ../../nbs/api/94_testing.programs.ipynb #21f80910
+# %% ../../nbs/api/94_testing.programs.ipynb #a23f06f2
 def own_environment(
     name:str, # Of the environment, for example 'mavproxy'
     *installs:str, # What to tell `pip install`, one call each; words are split at blanks
@@ -40,7 +40,7 @@ def own_environment(
         ready.touch()
     return programs
 
-# %% ../../nbs/api/94_testing.programs.ipynb #e38dfd59
+# %% ../../nbs/api/94_testing.programs.ipynb #4f61dd71
 def _start(options, modules, home, popen):
     programs = own_environment('mavproxy', 'pymavlink pyserial numpy', '--no-deps MAVProxy')
     program = [programs/'python', programs/'mavproxy.py']
@@ -48,7 +48,7 @@ def _start(options, modules, home, popen):
     how = dict.fromkeys(('stdin','stdout','stderr'), subprocess.DEVNULL)|popen
     return subprocess.Popen(command, cwd=home, env=dict(os.environ, HOME=home, PYTHONUNBUFFERED='1'), **how)
 
-# %% ../../nbs/api/94_testing.programs.ipynb #d73030fe
+# %% ../../nbs/api/94_testing.programs.ipynb #5bc0de95
 @contextmanager
 def mavproxy(
     *options:str, # As in its command line, for example `--master=/dev/ttyUSB0`

@@ -5,15 +5,15 @@
 # %% auto #0
 __all__ = ['Logged', 'Quick']
 
-# %% ../../nbs/api/96_testing.watching.ipynb #bf73f8ea
+# %% ../../nbs/api/96_testing.watching.ipynb #bdf9d16b
 import logging, threading
 
 from fastcore.basics import patch
 from ..mavlink.mavcom import MAVCom
 
-# %% ../../nbs/api/96_testing.watching.ipynb #a8355dea
+# %% ../../nbs/api/96_testing.watching.ipynb #6b0f58bc
 class Logged(logging.Handler):
-    "What a logger says while the `with` lasts: kept, and not shown"
+    "What a logger says until `close`, or while the `with` lasts: kept, and not shown"
     def __init__(self,
         logger:str|logging.Logger='UAV', # And all below it
         level:int=logging.NOTSET, # Lesser records are dropped
@@ -21,17 +21,18 @@ class Logged(logging.Handler):
         super().__init__(level)
         self.logger = logging.getLogger(logger) if isinstance(logger, str) else logger
         self.records,self._news = [],threading.Condition()
-
-    def __enter__(self):
-        self._propagate,self.logger.propagate = self.logger.propagate,False
+        self._propagated,self.logger.propagate = self.logger.propagate,False
         self.logger.addHandler(self)
-        return self
 
-    def __exit__(self, *args):
+    def close(self):
         self.logger.removeHandler(self)
-        self.logger.propagate = self._propagate
+        self.logger.propagate = self._propagated
+        super().close()
 
-# %% ../../nbs/api/96_testing.watching.ipynb #07795053
+    def __enter__(self): return self
+    def __exit__(self, *args): self.close()
+
+# %% ../../nbs/api/96_testing.watching.ipynb #58030617
 @patch
 def emit(self:Logged, record):
     "Keep a record; `logging` calls this"
@@ -46,7 +47,7 @@ def lines(self:Logged,
     "The messages so far"
     return [r.getMessage() for r in self.records if name in ('',r.name)]
 
-# %% ../../nbs/api/96_testing.watching.ipynb #b5942145
+# %% ../../nbs/api/96_testing.watching.ipynb #414dce43
 @patch
 def until(self:Logged,
     words:str, # That a message must contain
@@ -58,7 +59,7 @@ def until(self:Logged,
     with self._news:
         if not self._news.wait_for(said, timeout): raise TimeoutError(f'not logged: {words}')
 
-# %% ../../nbs/api/96_testing.watching.ipynb #eacb4bdb
+# %% ../../nbs/api/96_testing.watching.ipynb #ee05da29
 class Quick(MAVCom):
     "A `MAVCom` in which hearts beat fifty times faster, and silence is noticed as much sooner"
     beat_period,lost_after = .02,.1 # Seconds
