@@ -5,14 +5,14 @@
 # %% auto #0
 __all__ = ['Peer', 'free_port']
 
-# %% ../../nbs/api/90_testing.peer.ipynb #afb9806a
+# %% ../../nbs/api/90_testing.peer.ipynb #c98a96e4
 from collections import deque
 import asyncio, select, socket, time
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
-# %% ../../nbs/api/90_testing.peer.ipynb #f1705237
+# %% ../../nbs/api/90_testing.peer.ipynb #a70c56da
 class Peer:
     "The other end of a link: a socket, and pymavlink"
     def __init__(self,
@@ -21,11 +21,13 @@ class Peer:
         component:int=190, # Our own component id
         other:tuple=(222,100), # (system, component) that our commands are for
         kind=socket.SOCK_DGRAM, # UDP, or `SOCK_STREAM` for TCP
+        buffer:int=1<<22, # That the system keeps for us of what arrives, bytes
     ):
         self.address,self.other,self.inbox = (system,component),other,deque()
         self.mav,self.parser = mavlink.MAVLink(None, system, component),mavlink.MAVLink(None)
         self.parser.robust_parsing = True
         self.sock,self._listening = socket.socket(socket.AF_INET, kind),port is None
+        self.sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, buffer)
         self.sock.bind(('127.0.0.1',0)) if self._listening else self.sock.connect(('127.0.0.1',port))
         self.sock.setblocking(False)
 
@@ -33,7 +35,7 @@ class Peer:
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-# %% ../../nbs/api/90_testing.peer.ipynb #5e0bc44c
+# %% ../../nbs/api/90_testing.peer.ipynb #1da64e22
 @patch(as_prop=True)
 def port(self:Peer)->int:
     "Our own port on this machine"
@@ -43,7 +45,7 @@ def free_port()->int:
     "A UDP port of this machine that is not in use, for programs that cannot choose one themselves"
     with Peer() as peer: return peer.port
 
-# %% ../../nbs/api/90_testing.peer.ipynb #b52a54c6
+# %% ../../nbs/api/90_testing.peer.ipynb #7381a944
 @patch
 def pack(self:Peer,
     msg, # A message, as `mav.…_encode` makes it
@@ -55,7 +57,7 @@ def pack(self:Peer,
     self.mav.seq = (self.mav.seq+1)%256
     return bytes(frame)
 
-# %% ../../nbs/api/90_testing.peer.ipynb #374a4c0a
+# %% ../../nbs/api/90_testing.peer.ipynb #1a68bb9d
 @patch
 def write(self:Peer, frame:bytes): self.sock.send(frame)
 
@@ -64,13 +66,13 @@ def send(self:Peer, *msgs, source:tuple|None=None):
     "Send messages, in the name of `source`"
     for msg in msgs: self.write(self.pack(msg, source))
 
-# %% ../../nbs/api/90_testing.peer.ipynb #938f5467
+# %% ../../nbs/api/90_testing.peer.ipynb #f3365c70
 @patch
 def beat(self:Peer, mav_type:int=mavlink.MAV_TYPE_GCS):
     "Send a HEARTBEAT"
     self.send(self.mav.heartbeat_encode(mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, mavlink.MAV_STATE_ACTIVE))
 
-# %% ../../nbs/api/90_testing.peer.ipynb #595baa4e
+# %% ../../nbs/api/90_testing.peer.ipynb #7f442d1c
 @patch
 def command(self:Peer,
     command:str|int, # A MAV_CMD, or its name without `MAV_CMD_`
@@ -82,7 +84,7 @@ def command(self:Peer,
     cmd = getattr(mavlink, f'MAV_CMD_{command}') if isinstance(command, str) else command
     return self.mav.command_long_encode(*(to or self.other), cmd, confirmation, *params, *[0.]*(7-len(params)))
 
-# %% ../../nbs/api/90_testing.peer.ipynb #097e4cca
+# %% ../../nbs/api/90_testing.peer.ipynb #4c9dd92a
 @patch
 def hear(self:Peer, data:bytes):
     "Put the messages of `data` into the inbox"
@@ -97,7 +99,7 @@ def _receive(self:Peer):
     if not data: raise EOFError('the other end has closed the connection')
     self.hear(data)
 
-# %% ../../nbs/api/90_testing.peer.ipynb #786d4cc0
+# %% ../../nbs/api/90_testing.peer.ipynb #531518bd
 @patch
 def _pick(self:Peer, name, fits):
     "The first of the inbox that is looked for, or `None`; what came before it is forgotten"
@@ -105,7 +107,7 @@ def _pick(self:Peer, name, fits):
         msg = self.inbox.popleft()
         if (name is None or msg.get_type()==name) and fits(msg): return msg
 
-# %% ../../nbs/api/90_testing.peer.ipynb #6b0cd892
+# %% ../../nbs/api/90_testing.peer.ipynb #0490d802
 @patch
 def wait(self:Peer,
     name:str|None=None, # Of the message, for example 'HEARTBEAT'; `None` takes any
@@ -120,7 +122,7 @@ def wait(self:Peer,
         self._receive()
     return msg
 
-# %% ../../nbs/api/90_testing.peer.ipynb #705a853b
+# %% ../../nbs/api/90_testing.peer.ipynb #018502d4
 @patch
 async def _readable(self:Peer):
     "Until the socket has something"
@@ -137,7 +139,7 @@ async def _search(self:Peer, name, fits):
         self._receive()
     return msg
 
-# %% ../../nbs/api/90_testing.peer.ipynb #34205f34
+# %% ../../nbs/api/90_testing.peer.ipynb #11d29d6d
 @patch
 async def next(self:Peer,
     name:str|None=None, # Of the message; `None` takes any
@@ -148,7 +150,7 @@ async def next(self:Peer,
     try: return await asyncio.wait_for(self._search(name, fits), timeout)
     except asyncio.TimeoutError: raise TimeoutError(f'{name} did not come') from None
 
-# %% ../../nbs/api/90_testing.peer.ipynb #64161849
+# %% ../../nbs/api/90_testing.peer.ipynb #f9277705
 @patch
 def result(self:Peer, command:int, timeout:float=10.)->str:
     "What the other end says to `command` in the end, a MAV_RESULT; raises `TimeoutError` when nothing comes"
@@ -165,7 +167,7 @@ def ask(self:Peer, command:str|int, *params:float, timeout:float=10., **how)->st
     self.send(msg)
     return self.result(msg.command, timeout)
 
-# %% ../../nbs/api/90_testing.peer.ipynb #b2a73aad
+# %% ../../nbs/api/90_testing.peer.ipynb #80e66d55
 @patch
 def sign(self:Peer,
     key:bytes, # 32 bytes
