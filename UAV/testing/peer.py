@@ -5,14 +5,14 @@
 # %% auto #0
 __all__ = ['Peer', 'free_port']
 
-# %% ../../nbs/api/90_testing.peer.ipynb #c98a96e4
+# %% ../../nbs/api/90_testing.peer.ipynb #86104d77
 from collections import deque
 import asyncio, select, socket, time
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
-# %% ../../nbs/api/90_testing.peer.ipynb #a70c56da
+# %% ../../nbs/api/90_testing.peer.ipynb #6080ed97
 class Peer:
     "The other end of a link: a socket, and pymavlink"
     def __init__(self,
@@ -35,7 +35,7 @@ class Peer:
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-# %% ../../nbs/api/90_testing.peer.ipynb #1da64e22
+# %% ../../nbs/api/90_testing.peer.ipynb #4fb46d1e
 @patch(as_prop=True)
 def port(self:Peer)->int:
     "Our own port on this machine"
@@ -45,34 +45,35 @@ def free_port()->int:
     "A UDP port of this machine that is not in use, for programs that cannot choose one themselves"
     with Peer() as peer: return peer.port
 
-# %% ../../nbs/api/90_testing.peer.ipynb #7381a944
+# %% ../../nbs/api/90_testing.peer.ipynb #18bc4fcb
 @patch
 def pack(self:Peer,
     msg, # A message, as `mav.…_encode` makes it
     source:tuple|None=None, # (system, component) in whose name; `None` is our own
+    **how, # For pymavlink's `pack`: `force_mavlink1=True`
 )->bytes:
     "`msg` as a frame, with our next sequence number"
     self.mav.srcSystem,self.mav.srcComponent = source or self.address
-    frame = msg.pack(self.mav)
+    frame = msg.pack(self.mav, **how)
     self.mav.seq = (self.mav.seq+1)%256
     return bytes(frame)
 
-# %% ../../nbs/api/90_testing.peer.ipynb #1a68bb9d
+# %% ../../nbs/api/90_testing.peer.ipynb #8d523797
 @patch
 def write(self:Peer, frame:bytes): self.sock.send(frame)
 
 @patch
-def send(self:Peer, *msgs, source:tuple|None=None):
-    "Send messages, in the name of `source`"
-    for msg in msgs: self.write(self.pack(msg, source))
+def send(self:Peer, msg, source:tuple|None=None):
+    "Send a message, in the name of `source`"
+    self.write(self.pack(msg, source))
 
-# %% ../../nbs/api/90_testing.peer.ipynb #f3365c70
+# %% ../../nbs/api/90_testing.peer.ipynb #1980a94a
 @patch
 def beat(self:Peer, mav_type:int=mavlink.MAV_TYPE_GCS):
     "Send a HEARTBEAT"
     self.send(self.mav.heartbeat_encode(mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, mavlink.MAV_STATE_ACTIVE))
 
-# %% ../../nbs/api/90_testing.peer.ipynb #7f442d1c
+# %% ../../nbs/api/90_testing.peer.ipynb #b3c9a2b7
 @patch
 def command(self:Peer,
     command:str|int, # A MAV_CMD, or its name without `MAV_CMD_`
@@ -84,7 +85,7 @@ def command(self:Peer,
     cmd = getattr(mavlink, f'MAV_CMD_{command}') if isinstance(command, str) else command
     return self.mav.command_long_encode(*(to or self.other), cmd, confirmation, *params, *[0.]*(7-len(params)))
 
-# %% ../../nbs/api/90_testing.peer.ipynb #4c9dd92a
+# %% ../../nbs/api/90_testing.peer.ipynb #33f01a8b
 @patch
 def hear(self:Peer, data:bytes):
     "Put the messages of `data` into the inbox"
@@ -99,7 +100,7 @@ def _receive(self:Peer):
     if not data: raise EOFError('the other end has closed the connection')
     self.hear(data)
 
-# %% ../../nbs/api/90_testing.peer.ipynb #531518bd
+# %% ../../nbs/api/90_testing.peer.ipynb #2798dc9c
 @patch
 def _pick(self:Peer, name, fits):
     "The first of the inbox that is looked for, or `None`; what came before it is forgotten"
@@ -107,7 +108,7 @@ def _pick(self:Peer, name, fits):
         msg = self.inbox.popleft()
         if (name is None or msg.get_type()==name) and fits(msg): return msg
 
-# %% ../../nbs/api/90_testing.peer.ipynb #0490d802
+# %% ../../nbs/api/90_testing.peer.ipynb #9439cfa1
 @patch
 def wait(self:Peer,
     name:str|None=None, # Of the message, for example 'HEARTBEAT'; `None` takes any
@@ -122,7 +123,7 @@ def wait(self:Peer,
         self._receive()
     return msg
 
-# %% ../../nbs/api/90_testing.peer.ipynb #018502d4
+# %% ../../nbs/api/90_testing.peer.ipynb #196b6df1
 @patch
 async def _readable(self:Peer):
     "Until the socket has something"
@@ -139,7 +140,7 @@ async def _search(self:Peer, name, fits):
         self._receive()
     return msg
 
-# %% ../../nbs/api/90_testing.peer.ipynb #11d29d6d
+# %% ../../nbs/api/90_testing.peer.ipynb #0dc41d94
 @patch
 async def next(self:Peer,
     name:str|None=None, # Of the message; `None` takes any
@@ -150,7 +151,7 @@ async def next(self:Peer,
     try: return await asyncio.wait_for(self._search(name, fits), timeout)
     except asyncio.TimeoutError: raise TimeoutError(f'{name} did not come') from None
 
-# %% ../../nbs/api/90_testing.peer.ipynb #f9277705
+# %% ../../nbs/api/90_testing.peer.ipynb #bf37eac4
 @patch
 def result(self:Peer, command:int, timeout:float=10.)->str:
     "What the other end says to `command` in the end, a MAV_RESULT; raises `TimeoutError` when nothing comes"
@@ -160,6 +161,7 @@ def result(self:Peer, command:int, timeout:float=10.)->str:
     ack = self.wait('COMMAND_ACK', answers, timeout)
     return mavlink.enums['MAV_RESULT'][ack.result].name.removeprefix('MAV_RESULT_')
 
+# %% ../../nbs/api/90_testing.peer.ipynb #eeca5329
 @patch
 def ask(self:Peer, command:str|int, *params:float, timeout:float=10., **how)->str:
     "Send a command as `command` makes it, with `how`, and wait for its `result`"
@@ -167,7 +169,7 @@ def ask(self:Peer, command:str|int, *params:float, timeout:float=10., **how)->st
     self.send(msg)
     return self.result(msg.command, timeout)
 
-# %% ../../nbs/api/90_testing.peer.ipynb #80e66d55
+# %% ../../nbs/api/90_testing.peer.ipynb #dc3a80ed
 @patch
 def sign(self:Peer,
     key:bytes, # 32 bytes
