@@ -5,7 +5,7 @@
 # %% auto #0
 __all__ = ['VideoWriter', 'Video']
 
-# %% ../../nbs/api/04_utils.video_writer.ipynb #5a6becd2
+# %% ../../nbs/api/04_utils.video_writer.ipynb #1b3c95a6
 from pathlib import Path
 import base64, sys, tempfile
 
@@ -13,7 +13,7 @@ from fastcore.basics import patch
 from fastcore.imports import in_ipython, in_jupyter
 from .pictures import as_bgr
 
-# %% ../../nbs/api/04_utils.video_writer.ipynb #a091aa0e
+# %% ../../nbs/api/04_utils.video_writer.ipynb #8be4c6b2
 class VideoWriter:
     "Write frames to a video file"
     def __init__(self,
@@ -31,7 +31,7 @@ class VideoWriter:
         self.close()
         if self.frames and self.filename.name=='_autoplay.mp4' and in_jupyter(): self.show()
 
-# %% ../../nbs/api/04_utils.video_writer.ipynb #85be2e88
+# %% ../../nbs/api/04_utils.video_writer.ipynb #25a8e43b
 @patch
 def _open(self:VideoWriter, size):
     "Begin the file, for frames of this (width, height)"
@@ -43,7 +43,7 @@ def _open(self:VideoWriter, size):
     if not writer.isOpened(): raise OSError(f'{name} with codec {self.codec}')
     self._writer,self.size = writer,size
 
-# %% ../../nbs/api/04_utils.video_writer.ipynb #393d405a
+# %% ../../nbs/api/04_utils.video_writer.ipynb #9b13105f
 @patch
 def add(self:VideoWriter,
     img, # Picture, see `as_bgr`; all of one size
@@ -58,14 +58,14 @@ def add(self:VideoWriter,
     self._writer.write(cv2.cvtColor(im, cv2.COLOR_RGB2BGR) if self.rgb2bgr else im)
     self.frames += 1
 
-# %% ../../nbs/api/04_utils.video_writer.ipynb #1f0f0fcc
+# %% ../../nbs/api/04_utils.video_writer.ipynb #e6c8373e
 @patch
 def close(self:VideoWriter):
     "Finish the file"
     if self._writer: self._writer.release()
     self._writer = None
 
-# %% ../../nbs/api/04_utils.video_writer.ipynb #34b8e4c5
+# %% ../../nbs/api/04_utils.video_writer.ipynb #d04c624b
 def _frames(file):
     "The frames of video `file`, with the number of them in a second; `OSError` when it cannot be read"
     import cv2
@@ -75,20 +75,20 @@ def _frames(file):
         while (frame := cap.read()[1]) is not None: yield frame,cap.get(cv2.CAP_PROP_FPS) or 30.
     finally: cap.release()
 
-# %% ../../nbs/api/04_utils.video_writer.ipynb #cc0d106d
+# %% ../../nbs/api/04_utils.video_writer.ipynb #3e9c96ae
 def _vp9(file, width):
     "A copy of video `file` for browsers, as bytes, and its number of frames"
     import cv2
     with tempfile.TemporaryDirectory() as folder:
-        out = VideoWriter(Path(folder)/'copy.mp4', codec='vp09')
-        for frame,out.fps in _frames(file):
-            height = max(2, round(frame.shape[0]*width/frame.shape[1])//2*2)
-            out.add(cv2.resize(frame, (width,height), interpolation=cv2.INTER_AREA))
-        out.close()
-        if not out.frames: raise OSError(f"no frames in '{file}'")
-        return out.filename.read_bytes(),out.frames
+        with VideoWriter(Path(folder)/'copy.mp4', codec='vp09') as copy:
+            for frame,fps in _frames(file):
+                copy.fps = fps
+                height = max(2, round(frame.shape[0]*width/frame.shape[1])//2*2)
+                copy.add(cv2.resize(frame, (width,height), interpolation=cv2.INTER_AREA))
+        if not copy.frames: raise OSError(f"no frames in '{file}'")
+        return copy.filename.read_bytes(),copy.frames
 
-# %% ../../nbs/api/04_utils.video_writer.ipynb #7212a828
+# %% ../../nbs/api/04_utils.video_writer.ipynb #2cdb5471
 class Video:
     "A short video that shows itself: a player in a notebook, its name in a terminal"
     def __init__(self,
@@ -103,7 +103,7 @@ class Video:
         source = f'data:video/mp4;base64,{base64.b64encode(self.data).decode()}'
         return f'<video controls loop muted autoplay width="{self.width}" src="{source}"></video>'
 
-# %% ../../nbs/api/04_utils.video_writer.ipynb #cf173d8e
+# %% ../../nbs/api/04_utils.video_writer.ipynb #2765bf93
 @patch
 def show(self:VideoWriter,
     width:int=320, # Of the player, pixels
