@@ -5,8 +5,8 @@
 # %% auto #0
 __all__ = ['log', 'timers', 'time_since_boot_ms', 'time_UTC_usec', 'date_time_str', 'Job', 'Timers', 'Worker']
 
-# %% ../../nbs/api/01_utils.general.ipynb #252df0e5
-import heapq, math, threading, time
+# %% ../../nbs/api/01_utils.general.ipynb #2f3a7019
+import heapq, math, os, threading, time
 from datetime import datetime
 from queue import SimpleQueue
 
