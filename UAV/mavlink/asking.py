@@ -10,43 +10,18 @@ import logging, math, threading, time
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger
-from ..wire.dialect import address, enum_name
-from .protocol import Answer, Lost
+from ..wire.dialect import address
+from .protocol import Command, Lost, Outbox
 from .remotes import Remotes, RoundTrip, first_rto, longest_rto
 
 # %% auto #0
-__all__ = ['patience', 'in_progress_timeout', 'remembered', 'longest_stray', 'fence_tries', 'log', 'Command', 'Line', 'Outbox',
-           'Commands', 'Fence']
+__all__ = ['patience', 'in_progress_timeout', 'remembered', 'noise', 'longest_stray', 'fence_tries', 'log', 'Line', 'Commands',
+           'Fence']
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #3b22a835
 patience = 10. # s after its first copy in which a command is sent again
 in_progress_timeout = 3. # s that we wait after an IN_PROGRESS until we ask for the final ack
 remembered = patience+longest_rto # s that a server must remember a command: the last copy leaves within `patience`
-
-class Command(Answer):
-    "One command under way; its value will be the COMMAND_ACK, or `None`"
-    __slots__ = ('key','params','frame','timeout','retries','copies','first','due','deadline',
-                 'held','in_progress','dropped')
-    def __init__(self,
-        target:tuple, # `(system, component)`; 0 is all
-        command_id:int, # A MAV_CMD
-        params=(), # Up to seven numbers
-        frame:int|None=None, # A MAV_FRAME makes it a COMMAND_INT
-        timeout:float|None=None, # Seconds until each next copy; `None`: as the round trips demand
-        retries:int|None=None, # How often to send it again; `None`: as long as `patience` lasts
-    ):
-        super().__init__()
-        self.key,self.params,self.frame = (command_id,*target),params,frame
-        self.timeout,self.retries,self.copies = timeout,retries,0
-        self.first = self.due = self.deadline = math.inf
-        self.held,self.in_progress,self.dropped = None,False,False
-
-# %% ../../nbs/api/23_mavlink.asking.ipynb #d1ff92b8
-@patch
-def __repr__(self:Command):
-    command_id,system,component = self.key
-    state = 'done' if self.there else f'sent {self.copies} times' if self.copies else 'waiting'
-    return f'{enum_name("MAV_CMD", command_id, "MAV_CMD_")} to {system}/{component}, {state}'
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #0d0b9f1c
 class Line:
@@ -65,25 +40,6 @@ class Line:
 
     @property
     def is_broadcast(self)->bool: return 0 in self.key[1:]
-
-# %% ../../nbs/api/23_mavlink.asking.ipynb #620f7408
-class Outbox:
-    "A lock, and calls that are made when it was let go; what they bring about is called after them, not within"
-    def __init__(self): self._calls,self._lock,self._busy = deque(),threading.RLock(),threading.Lock()
-    def add(self, f, *args): self._calls.append((f,args))
-    def __enter__(self): self._lock.acquire()
-    def __exit__(self, *args):
-        self._lock.release()
-        self.flush()
-
-    def flush(self):
-        "Make the calls, unless another thread is at it: then it makes ours as well"
-        while self._calls and self._busy.acquire(blocking=False):
-            try:
-                while self._calls:
-                    f,args = self._calls.popleft()
-                    f(*args)
-            finally: self._busy.release()
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #6ded0786
 class Commands:
@@ -115,7 +71,7 @@ def _new_line(self:Commands, key:tuple)->Line:
     line = self._lines[key] = Line(key, remote.round_trip if remote else RoundTrip())
     return line
 
-# %% ../../nbs/api/23_mavlink.asking.ipynb #df109665
+# %% ../../nbs/api/23_mavlink.asking.ipynb #f0f94011
 @patch
 def _advance(self:Commands, line:Line):
     "Let the first command of a line begin, now or after a fence; a line with nothing to do goes"
@@ -183,11 +139,13 @@ def _sample(self:Commands, line:Line, source:tuple, seconds:float):
     line.round_trip.sample(seconds)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #22b75820
+noise = .01 # s that threads and sockets add to a round trip, or save: no ack is doubted for that
+
 @patch
 def _is_early(self:Commands, line:Line, command:Command, now:float)->bool:
     "Did an ack come sooner than this link can bring it?"
     least = line.round_trip.least
-    return least is not None and not command.in_progress and now-command.first<.8*least
+    return least is not None and not command.in_progress and now-command.first<.8*least-noise
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #b1cb916c
 longest_stray = 5. # s: acks on their way for longer than this, or twice the largest round trip, are lost
@@ -293,13 +251,14 @@ def answered(self:Commands,
         line = self._fences.get(number)
         if line is None or line.key[1:]!=source: return False
         now,fence = self.clock(),line.fence
-        self._sample(line, source, now-fence.asked[number])
+        asked = fence.asked[number]
+        self._sample(line, source, now-asked)
         line.round_trip.answers = True
-        if line.on_wire: self._judge_held(line)
+        if line.on_wire: self._judge_held(line, asked)
         elif not fence.passing: self._pass_soon(line, now)
         return True
 
-# %% ../../nbs/api/23_mavlink.asking.ipynb #15a47bac
+# %% ../../nbs/api/23_mavlink.asking.ipynb #5746b302
 @patch
 def _pass_soon(self:Commands, line:Line, now:float):
     "The fence was answered: let the line pass when the margin is over"
@@ -327,18 +286,18 @@ def _drop_fence(self:Commands, line:Line):
 # %% ../../nbs/api/23_mavlink.asking.ipynb #6692811a
 @patch
 def _hold(self:Commands, line:Line, command:Command, ack, now:float)->bool:
-    "Keep an early ack until we know how fast the link is"
-    if command.held is None: command.held = ack,now
+    "Keep the latest early ack until a fence is answered"
+    command.held = ack,now
     self._raise_fence(line)
     return True
 
 @patch
-def _judge_held(self:Commands, line:Line):
-    "A fence was answered while a command is on the wire: was the ack that we hold possible?"
+def _judge_held(self:Commands, line:Line, asked:float):
+    "A fence was answered: our own ack has come before, so what we hold is it, unless it came far too early"
     command = line.on_wire
     (ack,came),command.held = command.held or (None,-math.inf),None
     self._drop_fence(line)
-    if came-command.first>=.8*line.round_trip.least: self._end(line, ack, clean=False)
+    if came-command.first>=.5*line.round_trip.least: self._end(line, ack, clean=line.last<asked)
 
 @patch
 def _take_held(self:Commands, line:Line, command:Command):

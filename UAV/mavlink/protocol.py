@@ -4,7 +4,8 @@
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #a7f8df40
 from __future__ import annotations
-import threading
+from collections import deque
+import math, threading
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -12,7 +13,7 @@ from ..wire.dialect import Ack, LinkError, MAVError, address, enum_name, enum_va
 
 # %% auto #0
 __all__ = ['accepts', 'comes_from', 'NoAnswer', 'Lost', 'CommandError', 'Busy', 'Denied', 'Unsupported', 'Failed', 'Cancelled',
-           'Answer', 'Expected', 'Expectations']
+           'Answer', 'Command', 'Outbox', 'Expected', 'Expectations']
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #0020fd1f
 def accepts(
@@ -99,6 +100,51 @@ async def wait(self:Answer,
             with self._lock: self._waiting = [f for f in self._waiting if f is not future]
     if isinstance(self.value, Exception): raise self.value
     return self.value
+
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #decbcb37
+class Command(Answer):
+    "One command under way; its value will be the COMMAND_ACK, or `None`"
+    __slots__ = ('key','params','frame','timeout','retries','copies','first','due','deadline',
+                 'held','in_progress','dropped')
+    def __init__(self,
+        target:tuple, # `(system, component)`; 0 is all
+        command_id:int, # A MAV_CMD
+        params=(), # Up to seven numbers
+        frame:int|None=None, # A MAV_FRAME makes it a COMMAND_INT
+        timeout:float|None=None, # Seconds until each next copy; `None`: as the round trips demand
+        retries:int|None=None, # How often to send it again; `None`: as long as our patience lasts
+    ):
+        super().__init__()
+        self.key,self.params,self.frame = (command_id,*target),params,frame
+        self.timeout,self.retries,self.copies = timeout,retries,0
+        self.first = self.due = self.deadline = math.inf
+        self.held,self.in_progress,self.dropped = None,False,False
+
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #d1ff92b8
+@patch
+def __repr__(self:Command):
+    command_id,system,component = self.key
+    state = 'done' if self.there else f'sent {self.copies} times' if self.copies else 'waiting'
+    return f'{enum_name("MAV_CMD", command_id, "MAV_CMD_")} to {system}/{component}, {state}'
+
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #031849c8
+class Outbox:
+    "A lock, and calls that are made when it was let go; what they bring about is called after them, not within"
+    def __init__(self): self._calls,self._lock,self._busy = deque(),threading.RLock(),threading.Lock()
+    def add(self, f, *args): self._calls.append((f,args))
+    def __enter__(self): self._lock.acquire()
+    def __exit__(self, *args):
+        self._lock.release()
+        self.flush()
+
+    def flush(self):
+        "Make the calls, unless another thread is at it: then it makes ours as well"
+        while self._calls and self._busy.acquire(blocking=False):
+            try:
+                while self._calls:
+                    f,args = self._calls.popleft()
+                    f(*args)
+            finally: self._busy.release()
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #c960c0cc
 class Expected(Answer):
