@@ -190,7 +190,7 @@ def _overdue(self:Commands, line:Line, command:Command, now:float):
     again = now<command.deadline if command.retries is None else command.copies<=command.retries
     if command.held and line.round_trip.deaf: return self._take_held(line, command)
     if again and not command.dropped: return self._copy(line, command)
-    self._end(line, None, clean=line.key[1:] not in self.remotes)       # a component that was never heard sends no late acks
+    self._end(line, None, clean=line.key[1:] not in self.remotes)       # one that was never heard sends no late acks
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #b5fbbc6a
 @patch
