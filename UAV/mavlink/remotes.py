@@ -13,7 +13,7 @@ from ..wire.dialect import enum_name
 from .protocol import longest_rto
 
 # %% auto #0
-__all__ = ['first_rto', 'least_rto', 'longest_back_off', 'RoundTrip', 'Remote', 'Remotes']
+__all__ = ['first_rto', 'least_rto', 'longest_back_off', 'most_late', 'RoundTrip', 'Remote', 'Remotes']
 
 # %% ../../nbs/api/22_mavlink.remotes.ipynb #c9706371
 first_rto = .5 # s: a question to a component that has not answered yet is asked again after this
@@ -65,7 +65,7 @@ def __repr__(self:RoundTrip):
     if self.srtt is None: return 'RoundTrip: not measured'
     return f'RoundTrip: {self.srtt*1000:.3g} ms, asked again after {self.rto:.2g} s'
 
-# %% ../../nbs/api/22_mavlink.remotes.ipynb #a159a2d6
+# %% ../../nbs/api/22_mavlink.remotes.ipynb #3523d692
 @dataclass
 class Remote:
     "A component elsewhere; times are monotonic seconds"
@@ -77,7 +77,7 @@ class Remote:
     alive:float=0. # When any frame came
     frames:int=0 # How many had come then
     lost:bool=False # It was heard before, and is silent now
-    sequence:int|None=None # Number of the frame that its last HEARTBEAT was
+    sequences:dict=field(default_factory=dict) # By link: number of its last HEARTBEAT, and frames by then
     backs:list=field(default_factory=list) # Did that number go back? For the last ten
     double:bool=False # Two components seem to use this address
     round_trip:RoundTrip=field(default_factory=RoundTrip)
@@ -92,7 +92,7 @@ def name(self:Remote)->str:
 @patch
 def __repr__(self:Remote): return self.name+(', lost' if self.lost else '')
 
-# %% ../../nbs/api/22_mavlink.remotes.ipynb #f922ac6e
+# %% ../../nbs/api/22_mavlink.remotes.ipynb #9212bc30
 class Remotes(dict):
     "`{(system, component): Remote}` of all that were heard, or have answered"
     lost_after = 5. # s of silence after which a component is lost
@@ -100,19 +100,16 @@ class Remotes(dict):
 
     def known(self, address:tuple)->Remote:
         "The `Remote` of `address`, which is made when it is new"
-        remote = self.get(address)
-        if remote is None:
-            self._make_room()
-            remote = self[address] = Remote(address)
-        return remote
+        if address not in self: self._make_room()
+        return self.get(address) or self.setdefault(address, Remote(address))
 
-# %% ../../nbs/api/22_mavlink.remotes.ipynb #04656e58
+# %% ../../nbs/api/22_mavlink.remotes.ipynb #c8c79a83
 @patch
 def _make_room(self:Remotes):
-    "Forget one when the table is full: lost ones first, then those that never answered us, then the one heard longest ago"
+    "Forget some when the table is full: lost ones, then those that never answered us, then those heard longest ago"
     if len(self)<self.most: return
     def worth(r): return not r.lost, r.round_trip.srtt is not None, max(r.heard, r.alive)
-    del self[min(list(self.values()), key=worth).address]
+    for remote in sorted(list(self.values()), key=worth)[:self.most//16]: self.pop(remote.address, None)
 
 # %% ../../nbs/api/22_mavlink.remotes.ipynb #8bd1e1bd
 @patch
@@ -151,16 +148,22 @@ def why_lost(self:Remotes, address:tuple)->str:
     remote = self.get(address)
     return f'{remote.name} is lost: silent for {self.lost_after:g} s or more' if remote and remote.lost else ''
 
-# %% ../../nbs/api/22_mavlink.remotes.ipynb #a8e8de29
+# %% ../../nbs/api/22_mavlink.remotes.ipynb #e988e5fc
 @patch
 def note_sequence(self:Remotes,
     address:tuple, # `(system, component)` that sent a HEARTBEAT
     sequence:int, # The number of its frame, 0 … 255
+    link=None, # The link that brought it
+    frames:int=0, # How many frames of `address` had come on that link by then, doubled ones not counted
 )->bool:
     "Note the number of a heartbeat; true once, when three of the last ten went back: two components use this address"
     remote = self.known(address)
-    went_back = remote.sequence is not None and (sequence-remote.sequence)%256>=128
-    remote.backs,remote.sequence = [*remote.backs[-9:], went_back],sequence
+    before,counted = remote.sequences.get(link, (sequence,frames))
+    ahead = (sequence-before-(frames-counted)+128)%256-128          # of what was to be expected
+    remote.sequences[link] = sequence,frames
+    remote.backs = [*remote.backs[-9:], ahead<-most_late]
     news = not remote.double and sum(remote.backs)>=3
     remote.double = remote.double or news
     return news
+
+most_late = 8 # frames that may overtake another
