@@ -16,8 +16,9 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import LogLevels, get_logger
 from ..utils.general import time_UTC_usec, timers
-from .protocol import (Ack, Cancelled, CommandError, LinkError, Lost, Served, Turns, Waiters, Waiting, accepts, address, answer, comes_from,
+from .protocol import (Ack, Cancelled, CommandError, LinkError, Lost, Turns, Waiters, Waiting, accepts, address, answer, comes_from,
     command_cancel, enum_name, marked, marks_made, parameters, receives, timesync)
+from .served import Outcome, Served
 from ..wire.frames import pack
 from .mavcom import MAVCom
 
@@ -131,15 +132,15 @@ def close(self:BaseComponent):
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #35b1b85d
 @patch
-def _send(self:BaseComponent, msg):
+def _send(self:BaseComponent, msg, to:tuple|None=None):
     if self.mav is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
     if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_SETUP_SIGNING and 0 in (msg.target_system,msg.target_component): raise ValueError('a key is not for everybody: SETUP_SIGNING needs a target')
     with self._lock:
         try: frame = pack(msg, self.mav)
         except (struct.error, TypeError, OverflowError) as e: raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
         self.mav.seq = (self.mav.seq+1)%256
-        self.mav_com.write(frame)
-    self.mav_com.share(frame, msg.get_msgId(), self)
+        self.mav_com.write(frame, to)
+    if to is None or self.mav_com._is_here(to): self.mav_com.share(frame, msg.get_msgId(), self)
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #ed6a924c
 @patch
@@ -165,24 +166,32 @@ def _release(self:BaseComponent, key, hold):
             msgs,hold.messages = ([],hold.messages) if hold.depth else (hold.messages,[])
             if not msgs and not hold.depth and self._holds.get(key) is hold: del self._holds[key]
         if not msgs: return
-        for msg in msgs:
-            try: self._send(msg)
+        for msg,to in msgs:
+            try: self._send(msg, to)
             except Exception: self.log.exception('held back, and then lost')      # the others still go
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #2b366f01
 @patch
-def send_message(self:BaseComponent, msg):
-    "Send an encoded message as ours; raises `LinkError` when we are on no link, `ValueError` when a field does not fit"
+def send_message(self:BaseComponent,
+    msg, # As our encoder `mav` makes it
+    to:tuple|None=None, # `(system, component)` that gets it; `None`: its target, and everyone when it has none
+):
+    "Send a message as ours; raises `LinkError` when we are on no link, `ValueError` when a field does not fit"
     if self._holds:
         with self._lock:
             hold = self._holds.get(threading.get_ident()) or self._holds.get(None)
-            if hold: return hold.messages.append(msg)
-    self._send(msg)
+            if hold: return hold.messages.append((msg, to))
+    self._send(msg, to)
+
+@patch
+def encode_heartbeat(self:BaseComponent):
+    "Our HEARTBEAT"
+    return self.mav.heartbeat_encode(self.mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, self.system_status)
 
 @patch
 def beat(self:BaseComponent):
     "Send our heartbeat"
-    self.send_message(self.mav.heartbeat_encode(self.mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, self.system_status))
+    self.send_message(self.encode_heartbeat())
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #8108ee26
 _commands = mavlink.MAVLINK_MSG_ID_COMMAND_LONG,mavlink.MAVLINK_MSG_ID_COMMAND_INT
@@ -198,7 +207,7 @@ def count_message(self:BaseComponent, msg):
 @patch
 def deliver(self:BaseComponent, msg):
     "Take a message that arrived for us; called by the link's reader"
-    if self._closed or msg.get_msgId() in _singular and self._served.doubled(msg, time.monotonic()): return
+    if self._closed or msg.get_msgId() in _singular and self._served.doubled(msg): return
     self.count_message(msg)
     self.waiters.offer(msg)
     if handler := self.receivers.get(msg.get_msgId()): handler.f(msg)
@@ -235,27 +244,32 @@ def result_of(self:BaseComponent, error:Exception, what:str)->int:
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #548cfbe6
 @patch
-def send_ack(self:BaseComponent, msg, ack_result:int=mavlink.MAV_RESULT_ACCEPTED, progress:int=0):
-    "Answer the command `msg` with a COMMAND_ACK to its sender"
+def send_ack(self:BaseComponent,
+    msg, # The command
+    ack_result:int=mavlink.MAV_RESULT_ACCEPTED,
+    progress:int=0, # %, 255: not known
+    value:int=0, # `result_param2`: its meaning depends on the command
+):
+    "Answer a command with a COMMAND_ACK to its sender"
     self.num_acks_sent += 1
-    self._send(self.mav.command_ack_encode(msg.command, ack_result, progress, 0, *address(msg)))
+    self._send(self.mav.command_ack_encode(msg.command, ack_result, progress, value, *address(msg)))
 
 @patch
-def run_command(self:BaseComponent, handler, msg)->int:
-    "Call `handler` with the parameters of `msg`; the MAV_RESULT"
-    try: handler(parameters(msg), msg)
-    except Exception as e: return self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_'))
-    return mavlink.MAV_RESULT_ACCEPTED
+def run_command(self:BaseComponent, handler, msg)->Outcome:
+    "Call `handler` with the parameters of `msg`; a whole number that it returns becomes the ack's `result_param2`"
+    try: value = handler(parameters(msg), msg)
+    except Exception as e: return Outcome(self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
+    return Outcome(mavlink.MAV_RESULT_ACCEPTED, value if type(value) is int else 0)
 
 @patch
 def answer_command(self:BaseComponent, handler, msg):
     "Run `handler`, send its ack, then what it brought about"
     slow = handler.options['slow']
     with self.ack_first(own_thread=slow):
-        result = self._run_slowly(handler, msg) if slow else self.run_command(handler, msg)
-        if handler.options['once']: self._served.note(msg, result, time.monotonic())
+        outcome = self._run_slowly(handler, msg) if slow else self.run_command(handler, msg)
+        if handler.options['once']: self._served.note(msg, outcome)
         self._working.pop(msg.command, None)       # before the ack: the next one may follow it within a millisecond
-        self.send_ack(msg, result)
+        self.send_ack(msg, outcome.result, value=outcome.value)
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #59ecb436
 @patch
@@ -270,14 +284,14 @@ def _accepted_by_callback(self:BaseComponent, msg)->bool|None:
 def on_command(self:BaseComponent, msg):
     "Answer a command"
     handler = self.commands.get(msg.command)
-    before = self._served.find(msg, time.monotonic()) if handler is None or handler.options['once'] else None
-    if before is not None: return self.send_ack(msg, before)
+    before = self._served.find(msg) if handler is None or handler.options['once'] else None
+    if before is not None: return self.send_ack(msg, before.result, value=before.value)
     self.num_cmds_rcvd += 1
     said = self._accepted_by_callback(msg)
     if handler: self._work(handler, msg) if handler.options['slow'] else self.answer_command(handler, msg)
     elif said or (msg.target_system,msg.target_component)==(self.source_system,self.source_component):
         result = {True:mavlink.MAV_RESULT_ACCEPTED, False:mavlink.MAV_RESULT_UNSUPPORTED, None:mavlink.MAV_RESULT_FAILED}[said]
-        self._served.note(msg, result, time.monotonic())
+        self._served.note(msg, Outcome(result))
         self.send_ack(msg, result)
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #58facc76
@@ -303,9 +317,9 @@ def _run_worker(self:BaseComponent):
         if self._working.get(msg.command) is msg: del self._working[msg.command]      # it could not even be acknowledged
 
 @patch
-def _run_slowly(self:BaseComponent, handler, msg)->int:
+def _run_slowly(self:BaseComponent, handler, msg)->Outcome:
     "Run `handler`, and say IN_PROGRESS once a second meanwhile"
-    if getattr(msg,'cancelled',False): return Cancelled.result
+    if getattr(msg,'cancelled',False): return Outcome(Cancelled.result)
     def say(): self.send_ack(msg, mavlink.MAV_RESULT_IN_PROGRESS, progress=255)
     saying = timers.every(1., say, delay=self.in_progress_after)
     try: return self.run_command(handler, msg)

@@ -278,11 +278,14 @@ def write(self:Channel, frame:bytes, peer=None):
     except Exception: self.com.log.exception('%s cannot be written to', self)
 
 @patch
-def write(self:MAVCom, frame:bytes):
-    "Send a packed message of ours where it belongs, signed if we sign"
+def write(self:MAVCom,
+    frame:bytes, # A packed message of ours
+    to:tuple|None=None, # `(system, component)` that it is for; `None`: as its own target fields say
+):
+    "Send `frame` where it belongs, signed if we sign"
     if self._closed: return
     self._keep(frame, True)
-    to,single = target(frame),len(self.channels)==1 and len(self.channels[0].readers)<2
+    to,single = to or target(frame),len(self.channels)==1 and len(self.channels[0].readers)<2
     if self._is_here(to): return
     for channel,peer in (() if single or not to[0] else self.where(*to)) or [(c,None) for c in self.channels]:
         channel.write(frame if self.signing is None else self.signing.sign(frame, channel.number), peer)

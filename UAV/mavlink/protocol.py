@@ -252,9 +252,10 @@ def command(
     cmd:int, # A MAV_CMD
     once:bool=False, # Not to be done again for a retransmission, which gets the old answer
     slow:bool=False, # Waits for a device: run on the component's worker, with IN_PROGRESS acks meanwhile
+    destroys:bool=False, # What it deletes is gone: a server may want to know more of its sender
 ):
     "Mark a method as the handler of `cmd`: what it returns or raises becomes the ack"
-    return _mark('command', cmd, once=once, slow=slow)
+    return _mark('command', cmd, once=once, slow=slow, destroys=destroys)
 
 def message(msg_id:int):
     "Mark a method as the answer to a request for `msg_id`: it returns the encoded message, or a list of them"
