@@ -10,7 +10,8 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import MAVLink
 from ..logging import LogLevels
-from .protocol import Ack, Denied, Lost, MAVError, Unsupported, accepts, address, answer, comes_from, command, enum_name, message
+from .protocol import (Ack, Denied, Lost, MAVError, Unsupported, accepts, address, answer, comes_from,
+    command, enum_name, message)
 from .streams import Streams
 from .basecomponent import BaseComponent
 
@@ -71,10 +72,11 @@ def send_requested(self:Component, msg_id:int, values, msg, to_all:bool=False):
     "Answer the request `msg` with message `msg_id`; raises `Busy` when its sender has a long answer under way"
     self.streams.answer(address(msg), msg_id, self.encode_requested(msg_id, values, msg), to_all)
 
+# %% ../../nbs/api/28_mavlink.component.ipynb #9cb0fad2
 @patch
 @command(mavlink.MAV_CMD_REQUEST_MESSAGE)
-def _request_message(self:Component, msg_id:int, p2:float=None, p3:float=None, p4:float=None, p5:float=None, p6:float=None,
-                     response_target:float=0, *, msg):
+def _request_message(self:Component, msg_id:int, p2:float=None, p3:float=None, p4:float=None, p5:float=None,
+                     p6:float=None, response_target:float=0, *, msg):
     "Answer MAV_CMD_REQUEST_MESSAGE"
     self.send_requested(msg_id, (p2, p3, p4, p5, p6), msg, response_target==everyone)
 
@@ -84,13 +86,14 @@ def set_target(self:Component, target_system:int, target_component:int):
     "Whom the verbs below address when they are not told"
     self.target_system,self.target_component = target_system,target_component
 
+# %% ../../nbs/api/28_mavlink.component.ipynb #f4bf95b4
 @patch
 def target(self:Component, target_system:int|None=None, target_component:int|None=None)->tuple:
     "`(system, component)` to address; raises `MAVError` when there is none"
     system = self.target_system if target_system is None else target_system
     comp = self.target_component if target_component is None else target_component
-    if None in (system,comp): raise MAVError('no target: name target_system and target_component, or call set_target first')
-    return system,comp
+    if None not in (system,comp): return system,comp
+    raise MAVError('no target: name target_system and target_component, or call set_target first')
 
 # %% ../../nbs/api/28_mavlink.component.ipynb #ae7bf7a2
 def message_name(msg_id:int)->str:
@@ -126,8 +129,8 @@ async def request_message(self:Component,
     fits=None, # A test for the right message, where there are several of a kind
 ):
     "Ask for a message with MAV_CMD_REQUEST_MESSAGE; the message, or `None`"
-    target = self.target(target_system, target_component)
-    return (await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, *(params or [])], msg_id, target, timeout, fits=fits))[0]
+    target,params = self.target(target_system, target_component),[msg_id, *(params or [])]
+    return (await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, params, msg_id, target, timeout, fits=fits))[0]
 
 # %% ../../nbs/api/28_mavlink.component.ipynb #e97d8697
 @patch
@@ -138,9 +141,10 @@ def start_stream(self:Component,
     asker:tuple|None=None, # `(system, component)` that it is for; `None`: everyone, until `stop_stream`
     to_all:bool=False, # Everyone hears what `asker` asked for
 ):
-    "Send a message again and again; raises `Unsupported` when there is none, `Denied` for a long one, `Busy` for too many"
+    "Send a message again and again; raises `Unsupported`, `Denied` for a long one, `Busy` for too many"
     self.streams.start(asker, msg_id, max(interval, self.min_interval), values, to_all)
 
+# %% ../../nbs/api/28_mavlink.component.ipynb #37f18329
 @patch
 def stop_stream(self:Component, msg_id:int, *values, asker:tuple|None=None):
     "Stop what `asker` gets of `msg_id`, if anything; a long answer, too"
@@ -149,11 +153,11 @@ def stop_stream(self:Component, msg_id:int, *values, asker:tuple|None=None):
 # %% ../../nbs/api/28_mavlink.component.ipynb #39c08d58
 @patch
 @command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
-def _set_message_interval(self:Component, msg_id:int, interval:float, index:float=None, p4:float=None, p5:float=None, p6:float=None,
-                          response_target:float=0, *, msg):
+def _set_message_interval(self:Component, msg_id:int, interval:float, index:float=None, p4:float=None, p5:float=None,
+                          p6:float=None, response_target:float=0, *, msg):
     "Answer MAV_CMD_SET_MESSAGE_INTERVAL"
     if msg_id not in self.messages: raise Unsupported(f'no message {msg_id}')
-    if not (interval==-1 or 0<=interval<=0x7fffffff): raise Denied(f'interval is {interval} µs')     # more than MESSAGE_INTERVAL could tell
+    if not (interval==-1 or 0<=interval<=0x7fffffff): raise Denied(f'interval is {interval} µs')
     values = (index,) if index and self.messages[msg_id].params else ()
     if interval<=0: return self.stop_stream(msg_id, *values, asker=address(msg))
     self.start_stream(msg_id, interval, *values, asker=address(msg), to_all=response_target==everyone)
@@ -167,13 +171,14 @@ def _message_interval(self:Component, msg_id:int, *, msg=None):
     period = self.streams.interval(address(msg) if msg else None, msg_id)
     return self.mav.message_interval_encode(msg_id, min(int(period), 0x7fffffff) if msg_id in self.messages else 0)
 
+# %% ../../nbs/api/28_mavlink.component.ipynb #748f7dca
 @patch
 @command(mavlink.MAV_CMD_GET_MESSAGE_INTERVAL)
 def _get_message_interval(self:Component, msg_id:int, *, msg):
     "Answer MAV_CMD_GET_MESSAGE_INTERVAL"
     self.send_requested(mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL, (msg_id,), msg)
 
-# %% ../../nbs/api/28_mavlink.component.ipynb #1b22d19d
+# %% ../../nbs/api/28_mavlink.component.ipynb #f282688d
 @patch
 @message(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
 def _heartbeat(self:Component): "Our HEARTBEAT"; return self.encode_heartbeat()
@@ -198,17 +203,20 @@ def set_message_callback_cond(self:Component, msg_id:int, target_system:int|None
     "A condition that is met by the next message `msg_id` from this sender; `None` and 0 fit any"
     return self.waiters.open(msg_id, lambda m: comes_from(m, target_system, target_component))
 
+# %% ../../nbs/api/28_mavlink.component.ipynb #1fd39e6d
 @patch
 async def wait_message_callback(self:Component, cond, timeout:float=1, remove_after:bool=True):
     "The message that met `cond`, or `None`; with `remove_after=False` it can be waited for again"
     try: return await answer(cond.future, timeout)
     finally: self.waiters.close(cond) if remove_after else self.waiters.renew(cond)
 
+# %% ../../nbs/api/28_mavlink.component.ipynb #09f6c95c
 @patch
 async def message_callback_cond(self:Component, msg_id:int, target_system:int|None=None, target_component:int|None=None,
                                 timeout:float=1):
     "The next message `msg_id` from this sender, or `None`"
-    return await self.wait_message_callback(self.set_message_callback_cond(msg_id, target_system, target_component), timeout)
+    cond = self.set_message_callback_cond(msg_id, target_system, target_component)
+    return await self.wait_message_callback(cond, timeout)
 
 # %% ../../nbs/api/28_mavlink.component.ipynb #35c6cb70
 @patch
