@@ -6,5 +6,6 @@ from UAV.wire.message_log import MessageLog, ReplayLink
 from UAV.mavlink.component import Component, __getattr__   # mavutil, when somebody asks for it
 from UAV.mavlink.camera_client import CameraClient
 from UAV.mavlink.camera_server import CameraServer
+import UAV.mavlink.camera_commands   # more of CameraServer
 
 __all__ = ['MAVCom', 'CameraClient', 'CameraServer', 'Component', 'LossyLink', 'MessageLog', 'ReplayLink', 'mavlink', 'mavutil']
