@@ -9,9 +9,11 @@ import math, threading, time
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_STATUS as CAMERA_CAPTURE_STATUS,
-    MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED, MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION,
+    MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED,
+    MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION,
     MAVLINK_MSG_ID_CAMERA_SETTINGS as CAMERA_SETTINGS, MAVLINK_MSG_ID_STORAGE_INFORMATION as STORAGE_INFORMATION,
-    MAVLINK_MSG_ID_VIDEO_STREAM_INFORMATION as VIDEO_STREAM_INFORMATION, MAVLINK_MSG_ID_VIDEO_STREAM_STATUS as VIDEO_STREAM_STATUS)
+    MAVLINK_MSG_ID_VIDEO_STREAM_INFORMATION as VIDEO_STREAM_INFORMATION,
+    MAVLINK_MSG_ID_VIDEO_STREAM_STATUS as VIDEO_STREAM_STATUS)
 from UAV.cameras.storage import (CameraBusy, CameraError, CameraInformation, CameraSettings, CaptureStatus, Picture,
     StorageInformation)
 from ..cameras.camera import DeviceStatus
@@ -23,8 +25,8 @@ from .served import Outcome
 from .component import Component
 
 NAN = math.nan
-_all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED',
-         'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN', 'LogLevels', 'mavlink']
+_all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
+         'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN', 'LogLevels', 'mavlink']
 
 # %% auto #0
 __all__ = ['NAN', 'FakeCamera', 'CameraServer', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION',
@@ -39,17 +41,17 @@ class FakeCamera:
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #7105e17d
 class CameraServer(Component):
     "Serves a camera object as a MAVLink camera"
-    greet_again,most_peers = 5.,64 # seconds after which an asker for CAMERA_INFORMATION is a new peer; how many are remembered
-    pair = .2 # seconds within which the two kinds of trigger are one press of the shutter
+    greet_again,most_peers = 5.,64  # seconds after which an asker is a new peer; how many are remembered
+    pair = .2                       # seconds within which the two kinds of trigger are one press of the shutter
 
     def __init__(self,
         source_component:int=mavlink.MAV_COMP_ID_CAMERA, # 100 to 105 are what QGroundControl and ArduPilot look for
         mav_type:int=mavlink.MAV_TYPE_CAMERA,
         camera=None, # A Camera, or any object with `information` and some of its verbs
         loglevel:int=LogLevels.INFO,
-        guard=None, # Who may destroy: `None`: all; `'signed'`; a list of systems or addresses; or a function of the command
+        guard=None, # Who may destroy: `None`: all; `'signed'`; systems or addresses; a function of the command
     ):
-        if 1<=source_component<=6: raise ValueError(f'a camera cannot be component {source_component}: 1 to 6 are the autopilot\'s')
+        if 1<=source_component<=6: raise ValueError(f'a camera cannot be component {source_component}, an autopilot\'s')
         super().__init__(source_component, mav_type, loglevel)
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
         elif not hasattr(camera,'information'): raise TypeError(f'{camera!r} is no camera: it has no `information`')
@@ -86,7 +88,7 @@ def need(self:CameraServer, verb:str):
     if not self.can(verb): raise Unsupported(f'{self.camera.information.model} has no {verb}')
     return getattr(self.camera, verb)
 
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #f16f6985
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #2e609364
 @patch
 def for_us(self:CameraServer, camera_id:int):
     "Raise `Denied` when a command names another camera: we are 0 (all), or our component id"
@@ -96,19 +98,19 @@ def for_us(self:CameraServer, camera_id:int):
 CameraServer.results = {**Component.results, CameraBusy:mavlink.MAV_RESULT_TEMPORARILY_REJECTED,
     CameraError:mavlink.MAV_RESULT_FAILED, ValueError:mavlink.MAV_RESULT_DENIED, IndexError:mavlink.MAV_RESULT_DENIED}
 
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #a4e469ba
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #36cd6e47
 _triggers = mavlink.MAV_CMD_IMAGE_START_CAPTURE,mavlink.MAV_CMD_DO_DIGICAM_CONTROL
 
 @patch
 def _for_ground_stations(self:CameraServer, msg, outcome:Outcome)->Outcome:
     "A status after a refused capture, and no reset but ACCEPTED or FAILED"
-    refused = outcome.result!=mavlink.MAV_RESULT_ACCEPTED
-    if refused and msg.command in _triggers and self.can('capture_status'): self.send_message(self._camera_capture_status())
-    refusals = mavlink.MAV_RESULT_DENIED,mavlink.MAV_RESULT_UNSUPPORTED
-    if msg.command==mavlink.MAV_CMD_RESET_CAMERA_SETTINGS and outcome.result in refusals: return Outcome(mavlink.MAV_RESULT_FAILED)
-    return outcome
+    if outcome.result==mavlink.MAV_RESULT_ACCEPTED: return outcome
+    if msg.command in _triggers and self.can('capture_status'): self.send_message(self._camera_capture_status())
+    if msg.command!=mavlink.MAV_CMD_RESET_CAMERA_SETTINGS: return outcome
+    sticks = outcome.result in (mavlink.MAV_RESULT_DENIED,mavlink.MAV_RESULT_UNSUPPORTED)
+    return Outcome(mavlink.MAV_RESULT_FAILED) if sticks else outcome
 
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #df83927f
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #f9a7d75c
 @patch
 def check_guard(self:CameraServer, msg):
     "Raise `Denied` when the sender of the command `msg` may not destroy"
@@ -133,7 +135,7 @@ def flags(self:CameraServer)->int:
     return sum(enum_value('CAMERA_CAP_FLAGS', n, 'CAMERA_CAP_FLAGS_') for n in names)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #deaa0060
-def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))    # the last byte stays 0: others read C strings
+def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))    # ends with 0: others read C strings
 
 @patch
 @message(CAMERA_INFORMATION)
@@ -141,9 +143,9 @@ def _camera_information(self:CameraServer, *, msg=None):
     "CAMERA_INFORMATION, and for a new asker settings, storage and status"
     i = self.camera.information
     version = sum(v<<8*n for n,v in enumerate(i.firmware_version))
-    info = self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version, i.focal_length,
-        i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id, self.flags, 0, b'',
-        getattr(self.camera,'gimbal_device_id',0))
+    info = self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version,
+        i.focal_length, i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id,
+        self.flags, 0, b'', getattr(self.camera,'gimbal_device_id',0))
     return [info, *(self._greeting(address(msg)) if msg else [])]
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #25daf4da
@@ -155,15 +157,15 @@ def _camera_settings(self:CameraServer):
     mode = enum_value('CAMERA_MODE', s.mode, 'CAMERA_MODE_')
     return self.mav.camera_settings_encode(time_since_boot_ms(), mode, s.zoom, s.focus)
 
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #020f3d52
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #20634227
 @patch
 @message(CAMERA_CAPTURE_STATUS)
 def _camera_capture_status(self:CameraServer):
     "CAMERA_CAPTURE_STATUS: what is being taken, how many there are, how much room is left"
     s = self.need('capture_status')()
     image_status,milliseconds = bool(s.capturing)+2*(s.interval>0),int(s.recording_time*1000)
-    return self.mav.camera_capture_status_encode(time_since_boot_ms(), image_status, int(s.recording), s.interval, milliseconds,
-                                                 s.available, s.image_count)
+    return self.mav.camera_capture_status_encode(time_since_boot_ms(), image_status, int(s.recording), s.interval,
+                                                 milliseconds, s.available, s.image_count)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #c23ed1ec
 def _speed(value:float)->float: return 0. if math.isnan(value) else value     # MB/s; MAVLink has only 0 for "not known"
@@ -174,12 +176,18 @@ def _storage_information(self:CameraServer, storage_id:int=0):
     "STORAGE_INFORMATION of one storage, or of all (0); sizes in MiB"
     found = [s for s in self.need('storage_information')() if storage_id in (0, s.storage_id)]
     if not found: raise Denied(f'no storage {storage_id}')
-    usage = mavlink.STORAGE_USAGE_FLAG_SET|mavlink.STORAGE_USAGE_FLAG_PHOTO
-    return [self.mav.storage_information_encode(time_since_boot_ms(), s.storage_id, s.storage_count,
-                enum_value('STORAGE_STATUS', s.status, 'STORAGE_STATUS_'), s.total, s.used, s.available, _speed(s.read_speed),
-                _speed(s.write_speed), mavlink.STORAGE_TYPE_OTHER, s.name.encode()[:31], usage) for s in found]
+    return [self._encode_storage(s) for s in found]
 
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #c01957b7
+@patch
+def _encode_storage(self:CameraServer, s:StorageInformation):
+    "STORAGE_INFORMATION of one storage"
+    status = enum_value('STORAGE_STATUS', s.status, 'STORAGE_STATUS_')
+    usage = mavlink.STORAGE_USAGE_FLAG_SET|mavlink.STORAGE_USAGE_FLAG_PHOTO
+    return self.mav.storage_information_encode(time_since_boot_ms(), s.storage_id, s.storage_count, status, s.total,
+        s.used, s.available, _speed(s.read_speed), _speed(s.write_speed), mavlink.STORAGE_TYPE_OTHER,
+        s.name.encode()[:31], usage)
+
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #8b2434ad
 @patch
 def _greeting(self:CameraServer, peer:tuple)->list:
     "What a ground station wants to know next, so that it need not ask; again only when `peer` has been away"
@@ -206,11 +214,11 @@ def _encode_picture(self:CameraServer, picture:Picture):
     return self.mav.camera_image_captured_encode(taken, int(picture.time_utc*1e6), 0, *where, attitude, picture.index,
                                                  int(picture.ok), picture.file.encode()[:204])
 
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #0b590843
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #031b4f70
 @patch
 @message(CAMERA_IMAGE_CAPTURED)
 def _camera_image_captured(self:CameraServer, index:int=None, last:int=0):
-    "CAMERA_IMAGE_CAPTURED of picture `index` (-1: from the first, to the end) up to `last` (0: only this one, -1: to the end)"
+    "CAMERA_IMAGE_CAPTURED of picture `index` (-1: of all) up to `last` (0: only this one, -1: to the end)"
     if index is None: raise Denied('no index given')
     if min(index, last)<-1: raise Denied(f'index is {min(index, last)}')
     count = self.need('capture_status')().image_count
@@ -240,12 +248,12 @@ def say(self:CameraServer,
 ):
     "Tell the people at the ground stations: STATUSTEXT, in as many pieces as it takes"
     raw = text.encode()[:200]
-    pieces = [raw] if len(raw)<=50 else [raw[i:i+50] for i in range(0, len(raw)+1, 50)]     # the last one must not be full
+    pieces = [raw] if len(raw)<=50 else [raw[i:i+50] for i in range(0, len(raw)+1, 50)]     # the last one is not full
     self._text_id = self._text_id%0xffff+1
     for n,piece in enumerate(pieces):
         self.send_message(self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n))
 
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #22220736
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #1e2414fb
 @patch
 def _see_fault(self:CameraServer)->tuple|None:
     "Look at the camera, and set the heartbeat's status: `(MAV_SEVERITY, text)` when there is news"
