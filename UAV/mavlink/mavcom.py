@@ -227,11 +227,18 @@ def _note_beat(self:MAVCom, msg, source:tuple, origin):
     now,was_lost = time.monotonic(),self.lost(source)
     news = self.remotes.beat(source, msg, now)
     if was_lost: self.log.info('%s is back', self.name_of(source))
-    if origin is None and self.remotes.note_sequence(source, msg.get_seq()):
+    if origin is None and self._is_double(msg, source):
         self.log.error('%s: two components use this address; both obey its commands, and you see one', self.name_of(source))
     if news and origin is None and now-self._greeted>.2:        # newcomers by the dozen are greeted together
         self._greeted = now
         self._beat()
+
+@patch
+def _is_double(self:MAVCom, msg, source:tuple)->bool:
+    "Do the numbers of its frames say, for the first time, that two components use the address `source`?"
+    channel = msg.came_by[0]
+    s = channel.sources.source(source)
+    return self.remotes.note_sequence(source, msg.get_seq(), channel.number, s.received+s.missing-s.doubled)
 
 @patch
 def _beat(self:MAVCom):

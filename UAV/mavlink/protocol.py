@@ -165,6 +165,10 @@ class Expected(Answer):
         if news and self.then: self.then()
         return news
 
+    def renew(self):
+        "Wait for the next one"
+        with self._lock: self.value,self.there = None,False
+
     def __enter__(self): return self
     def __exit__(self, *args): self.expectations.remove(self)
 
