@@ -12,7 +12,7 @@ from .dialect import LinkError
 from .links import Link, link_types, log, net_address
 
 # %% auto #0
-__all__ = ['link_types', 'Outbox', 'TCPOut', 'Client', 'TCPIn', 'SerialLink']
+__all__ = ['Outbox', 'TCPOut', 'Client', 'TCPIn', 'SerialLink']
 
 # %% ../../nbs/api/14_wire.streams.ipynb #1530076f
 class Outbox:
@@ -284,5 +284,5 @@ def reopen(self:SerialLink):
     self.port.close()
     raise LinkError(f'serial port {self.name} was closed')
 
-# %% ../../nbs/api/14_wire.streams.ipynb #28769d6a
-link_types += [TCPOut, TCPIn, SerialLink]
+# %% ../../nbs/api/14_wire.streams.ipynb #006cb091
+link_types[:0] = [TCPOut, TCPIn, SerialLink]
