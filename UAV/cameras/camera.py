@@ -247,6 +247,7 @@ def close_cameras():
 @patch
 def after_fork(self:Camera):
     "In a forked process: this camera is the parent's. Its locks are made anew: a thread may have held them"
+    self.device.closed = True       # an alarm of the parent may still ring here
     self.captures,self.device = CaptureQueue(self),DeviceWatch(self)
     self._lock,self._closing = threading.Lock(),threading.Event()
     self.captures.refusal = CameraError,f'{self!r} is closed: it belongs to process {os.getppid()}'

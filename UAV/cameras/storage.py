@@ -29,42 +29,50 @@ def lock_file(file):
         msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
 
 # %% ../../nbs/api/42_cameras.storage.ipynb #5c0a5008
+_busy = errno.EACCES, errno.EAGAIN, errno.EDEADLK
+_no_lock = {errno.EROFS, errno.EPERM, errno.EACCES, errno.ENOLCK, errno.ENOSYS, errno.EINVAL, errno.ENOSPC, errno.EDQUOT,
+            getattr(errno, 'ENOTSUP', errno.ENOSYS)}
+
 class FolderLock:
     "Keeps a folder for one owner, until `release` or the end of the process"
     def __init__(self,
         folder:Path, # Must exist
     ):
-        "Raises `StorageInUse` when another has it"
+        "Raises `StorageInUse` when another has it; warns when the folder cannot be locked, or has no room for a name"
         self.path,self.file = Path(folder)/'.lock',None
-        while self.file is None: self._try()
-        self.file.truncate(0)
-        self.file.write(str(os.getpid()))
-        self.file.flush()
-
-    def _try(self):
-        "Open and lock the file; its last owner may remove it in between, and then it is not ours"
-        file = self.path.open('a+')
         try:
-            lock_file(file)
-            if os.path.samestat(os.fstat(file.fileno()), os.stat(self.path)): self.file = file
-        except FileNotFoundError: pass
-        except OSError as e: raise self._in_use(file, e) from None
-        finally:
-            if self.file is None: file.close()
+            while self.file is None: self._try()
+            self.file.truncate(0)
+            self.file.write(b'%d' % os.getpid())
+        except OSError as e:
+            if e.errno not in _no_lock: raise
+            get_logger('storage').warning('%s cannot be locked: %s', folder, e.strerror)
 
 # %% ../../nbs/api/42_cameras.storage.ipynb #5c0a502c
 @patch
-def _in_use(self:FolderLock, file, error):
+def _try(self:FolderLock):
+    "Open and lock the file; its last owner may remove it in between, and then it is not ours"
+    file = self.path.open('ab+', buffering=0)
+    try:
+        lock_file(file)
+        if os.path.samestat(os.fstat(file.fileno()), os.stat(self.path)): self.file = file
+    except FileNotFoundError: pass
+    except OSError as e: raise self._in_use(file) if e.errno in _busy else e from None
+    finally:
+        if self.file is None: file.close()
+
+@patch
+def _in_use(self:FolderLock, file)->StorageInUse:
     "The error that names who has the folder"
-    if error.errno not in (errno.EACCES, errno.EAGAIN, errno.EDEADLK): return error
     file.seek(0)
-    owner = file.read().strip() or 'unknown'
+    owner = file.read().decode('ascii', 'replace').strip() or 'unknown'
     this = ' (this one)' if owner == str(os.getpid()) else ''
     return StorageInUse(f'the folder {self.path.parent} is in use by process {owner}{this}')
 
 @patch
 def release(self:FolderLock):
     "Let others have the folder"
+    if self.file is None: return
     if os.name == 'posix': self.path.unlink(missing_ok=True)        # while it is locked, or it could be another's
     self.file.close()
 
@@ -288,7 +296,7 @@ def _after_fork():
     "In a forked process: no storage is ours"
     for storage in list(_storages):
         lock,_ = (storage._release.detach() or (None,None,(None,None)))[2]
-        if lock: lock.file.close()       # without releasing it
+        if lock and lock.file: lock.file.close()       # without releasing it
         storage._lock = threading.RLock()        # a thread that is not here may have held it
     _storages.clear()
 
