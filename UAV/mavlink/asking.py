@@ -98,12 +98,12 @@ def _copy(self:Commands, line:Line, command:Command):
 @patch
 def _transmit(self:Commands, command:Command):
     "Send it; one that cannot be sent ends with the error"
-    if command.there: return
+    line = self._lines.get(command.key)
+    if line is None or line.on_wire is not command: return      # it has ended in the meantime
     try: self._send(command)
     except Exception as e:
         with self._outbox:
-            line = self._lines.get(command.key)
-            if line and line.on_wire is command: self._end(line, e, clean=command.copies==1)
+            if line.on_wire is command: self._end(line, e, clean=command.copies==1)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #ac2cd0f1
 @patch
@@ -189,7 +189,7 @@ def _overdue(self:Commands, line:Line, command:Command, now:float):
     "No answer came: send `command` again, or give it up"
     again = now<command.deadline if command.retries is None else command.copies<=command.retries
     if command.held and line.round_trip.deaf: return self._take_held(line, command)
-    if again and not command.dropped: return self._copy(line, command)
+    if again and (command.in_progress or not command.dropped): return self._copy(line, command)
     self._end(line, None, clean=line.key[1:] not in self.remotes)       # one that was never heard sends no late acks
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #b5fbbc6a
