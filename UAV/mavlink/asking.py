@@ -81,7 +81,7 @@ def _advance(self:Commands, line:Line):
     elif line.dirty: self._raise_fence(line)
     else: self._copy(line, line.queue[0])
 
-# %% ../../nbs/api/23_mavlink.asking.ipynb #3068f898
+# %% ../../nbs/api/23_mavlink.asking.ipynb #32646edb
 @patch
 def _copy(self:Commands, line:Line, command:Command):
     "Put a copy of `command` on the wire"
@@ -97,12 +97,12 @@ def _copy(self:Commands, line:Line, command:Command):
 @patch
 def _transmit(self:Commands, command:Command):
     "Send it; one that cannot be sent ends with the error"
-    if command.there: return
+    line = self._lines.get(command.key)
+    if line is None or line.on_wire is not command: return      # it has ended in the meantime
     try: self._send(command)
     except Exception as e:
         with self._outbox:
-            line = self._lines.get(command.key)
-            if line and line.on_wire is command: self._end(line, e, clean=command.copies==1)
+            if line.on_wire is command: self._end(line, e, clean=command.copies==1)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #67353ab5
 @patch
@@ -182,13 +182,13 @@ def _due(line:Line)->float:
     fence = line.fence.due if line.fence else math.inf
     return min(fence, line.on_wire.due if line.on_wire else math.inf if line.queue else line.hard)
 
-# %% ../../nbs/api/23_mavlink.asking.ipynb #0aa0ba7b
+# %% ../../nbs/api/23_mavlink.asking.ipynb #c4b4711f
 @patch
 def _overdue(self:Commands, line:Line, command:Command, now:float):
     "No answer came: send `command` again, or give it up"
     again = now<command.deadline if command.retries is None else command.copies<=command.retries
     if command.held and line.round_trip.deaf: return self._take_held(line, command)
-    if again and not command.dropped: return self._copy(line, command)
+    if again and (command.in_progress or not command.dropped): return self._copy(line, command)
     self._end(line, None, clean=line.key[1:] not in self.remotes)       # one that was never heard sends no late acks
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #8a01638b
