@@ -20,7 +20,7 @@ patience = 10.      # seconds from the first copy of a command until its sender 
 longest_rto = 5.    # seconds that it waits at most before it sends another copy
 remembered = patience+longest_rto
 
-# %% ../../nbs/api/23_mavlink.served.ipynb #32877288
+# %% ../../nbs/api/23_mavlink.served.ipynb #35940b65
 class Outcome(NamedTuple):
     "What a command was answered: its MAV_RESULT, and the `result_param2` of its COMMAND_ACK"
     result:int
@@ -30,6 +30,7 @@ class Served:
     "What was answered to each sender, lately"
     echo,overtaken = .3,1.5     # seconds in which a frame is a double of one by the same way; or by another way
     most,most_senders = 1024,64 # commands, and numbers of a sender, that are remembered; senders with numbers
+    most_frames = 64            # far fewer than 256, after which sequence numbers come round
 
     def __init__(self,
         clock=time.monotonic, # Gives seconds
@@ -37,7 +38,7 @@ class Served:
         store_attr()
         self._copies = Seen(remembered, self.most, clock)           # the latest copy of each command
         self._numbers = Seen(remembered, self.most_senders, clock)  # numbers that were served, by sender
-        self._frames,self._lock = Seen(self.overtaken, self.most, clock),threading.Lock()
+        self._frames,self._lock = Seen(self.overtaken, self.most_frames, clock),threading.Lock()
 
 # %% ../../nbs/api/23_mavlink.served.ipynb #a7fbbb32
 @dataclass(frozen=True)
