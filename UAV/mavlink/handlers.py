@@ -140,6 +140,7 @@ class Served:
     "What was answered to each sender, lately"
     echo,overtaken = .3,1.5     # seconds in which a frame is a double of one by the same way; or by another way
     most,most_senders = 1024,64 # commands, and numbers of a sender, that are remembered; senders with numbers
+    most_frames = 64            # far fewer than 256, after which sequence numbers come round
 
     def __init__(self,
         clock=time.monotonic, # Gives seconds
@@ -147,7 +148,7 @@ class Served:
         store_attr()
         self._copies = Seen(remembered, self.most, clock)           # the latest copy of each command
         self._numbers = Seen(remembered, self.most_senders, clock)  # numbers that were served, by sender
-        self._frames,self._lock = Seen(self.overtaken, 128, clock),threading.Lock()    # after 256 frames the numbers come round
+        self._frames,self._lock = Seen(self.overtaken, self.most_frames, clock),threading.Lock()
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #a7fbbb32
 @dataclass(frozen=True)
