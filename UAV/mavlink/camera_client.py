@@ -41,7 +41,7 @@ class CameraClient(Component):
         self._telling = set()   # cameras that tell with their ack which picture it will be
         self._shot = random.SystemRandom().randrange(self.last_shot)
 
-# %% ../../nbs/api/62_mavlink.camera_client.ipynb #e7663182
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #600a3756
 @patch
 def next_shot(self:CameraClient)->int:
     "A new number for a single shot, 1 to `last_shot`"
@@ -56,28 +56,34 @@ async def _ask_for(self:CameraClient, target:tuple, msg_id:int, index:float, leg
     if msg is None and not ack.lost: msg,ack = await self._request(legacy, legacy_params, msg_id, target, fits=fits)
     return msg,ack
 
-# %% ../../nbs/api/62_mavlink.camera_client.ipynb #ad3d484f
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #01c8c1d0
+@patch
+async def _ask_once(self:CameraClient, target:tuple, msg_id:int):
+    "A message of `target`, or `None`; without patience"
+    return (await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id], msg_id, target, .5, tries=1, retries=0))[0]
+
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #c153ba59
 @patch
 async def request_camera_information(self:CameraClient, target_system:int|None=None, target_component:int|None=None):
     "CAMERA_INFORMATION, or `None`"
     target,legacy = self.target(target_system, target_component),mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION
     return (await self._ask_for(target, CAMERA_INFORMATION, 0, legacy, [1]))[0]
 
-# %% ../../nbs/api/62_mavlink.camera_client.ipynb #29c512bd
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #2eb893d5
 @patch
 async def request_camera_settings(self:CameraClient, target_system:int|None=None, target_component:int|None=None):
     "CAMERA_SETTINGS: mode, zoom and focus; or `None`"
     target,legacy = self.target(target_system, target_component),mavlink.MAV_CMD_REQUEST_CAMERA_SETTINGS
     return (await self._ask_for(target, CAMERA_SETTINGS, 0, legacy, [1]))[0]
 
-# %% ../../nbs/api/62_mavlink.camera_client.ipynb #ef1a4f27
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #7a7528d0
 @patch
 async def request_camera_capture_status(self:CameraClient, target_system:int|None=None, target_component:int|None=None):
     "CAMERA_CAPTURE_STATUS, or `None`"
     target,legacy = self.target(target_system, target_component),mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS
     return (await self._ask_for(target, CAMERA_CAPTURE_STATUS, 0, legacy, [1]))[0]
 
-# %% ../../nbs/api/62_mavlink.camera_client.ipynb #4bd5318f
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #59854050
 @patch
 async def request_storage_information(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     storage_id:int=0, # 0: any
@@ -87,7 +93,7 @@ async def request_storage_information(self:CameraClient, target_system:int|None=
     def fits(msg): return storage_id in (0, msg.storage_id)
     return (await self._ask_for(target, STORAGE_INFORMATION, storage_id, legacy, [storage_id, 1], fits))[0]
 
-# %% ../../nbs/api/62_mavlink.camera_client.ipynb #98cd3c0b
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #558db28b
 @patch
 async def _ask_for_notice(self:CameraClient, target:tuple, index:int)->tuple:
     "CAMERA_IMAGE_CAPTURED of picture `index`: `(message or None, the last ack)`"
@@ -101,7 +107,7 @@ async def request_camera_image_capture(self:CameraClient, target_system:int|None
     "CAMERA_IMAGE_CAPTURED of a picture once more, or `None`"
     return (await self._ask_for_notice(self.target(target_system, target_component), index))[0]
 
-# %% ../../nbs/api/62_mavlink.camera_client.ipynb #e34ba37d
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #d244fe7c
 @patch
 async def _hear(self:CameraClient,
     msg_id:int, # Which message
@@ -115,7 +121,7 @@ async def _hear(self:CameraClient,
         if source and (why := self._silent(source)): raise Lost(why)
         return None if there() else await answer(future, timeout)
 
-# %% ../../nbs/api/62_mavlink.camera_client.ipynb #1d382236
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #4de92506
 @patch
 def _silent(self:CameraClient, source:tuple)->str:
     "Why `source` is lost; empty when it is not, or when a frame of it has come since"
@@ -123,7 +129,7 @@ def _silent(self:CameraClient, source:tuple)->str:
     came = sum(c.sources[source].received for c in self.mav_com.channels if source in c.sources)
     return '' if remote is None or came>remote.frames else self.mav_com.lost(source)
 
-# %% ../../nbs/api/62_mavlink.camera_client.ipynb #04ce3191
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #eb0e23d6
 @dataclass(frozen=True)
 class RemoteCamera:
     "A camera that was found: where it is, and its CAMERA_INFORMATION"
