@@ -10,15 +10,16 @@ import math, random, time
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_STATUS as CAMERA_CAPTURE_STATUS,
-    MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED, MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION,
+    MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED,
+    MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION,
     MAVLINK_MSG_ID_CAMERA_SETTINGS as CAMERA_SETTINGS, MAVLINK_MSG_ID_STORAGE_INFORMATION as STORAGE_INFORMATION)
 from ..logging import LogLevels
 from .protocol import Lost, answer, comes_from
 from .component import Component
 
 NAN = math.nan
-_all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED',
-         'NAN', 'LogLevels', 'mavlink']
+_all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
+         'CAMERA_IMAGE_CAPTURED', 'NAN', 'LogLevels', 'mavlink']
 
 # %% auto #0
 __all__ = ['NAN', 'CameraClient', 'RemoteCamera', 'is_camera', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION',
@@ -29,6 +30,7 @@ class CameraClient(Component):
     "Finds and commands MAVLink cameras"
     most_cameras = 64 # whose pictures are noted, unasked
     last_shot = 2**24-1 # the highest number of a shot: a float32 carries it exactly
+    first_look = .3 # seconds without a notice until we look what the camera has; twice as long until we look again
 
     def __init__(self,
         source_component:int, # Our component id, for example `MAV_COMP_ID_MISSIONPLANNER` (190)
@@ -50,10 +52,10 @@ def next_shot(self:CameraClient)->int:
 
 # %% ../../nbs/api/62_mavlink.camera_client.ipynb #f9f5ae30
 @patch
-async def _ask_for(self:CameraClient, target:tuple, msg_id:int, index:float, legacy:int, legacy_params:list, fits=None)->tuple:
+async def _ask_for(self:CameraClient, target:tuple, msg_id:int, index:float, legacy:int, params:list, fits=None)->tuple:
     "A message of `target`, by REQUEST_MESSAGE or else by the `legacy` command: `(message or None, the last ack)`"
     msg,ack = await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, index], msg_id, target, fits=fits)
-    if msg is None and not ack.lost: msg,ack = await self._request(legacy, legacy_params, msg_id, target, fits=fits)
+    if msg is None and not ack.lost: msg,ack = await self._request(legacy, params, msg_id, target, fits=fits)
     return msg,ack
 
 # %% ../../nbs/api/62_mavlink.camera_client.ipynb #01c8c1d0

@@ -16,40 +16,43 @@ import UAV.mavlink.notices
 # %% auto #0
 __all__ = ['Capture']
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #95972a11
+# %% ../../nbs/api/66_mavlink.capture.ipynb #d00f51b5
 class Capture:
     "Pictures that were asked for, until each of them has been given"
     tries,stopped = 3,False # how often we ask in a row without a new picture; has `image_stop_capture` been called?
     patience = 4 # times the timeout while a picture is being taken, or its notice does not get through
 
     def __init__(self, client:CameraClient, target:tuple, interval:float, count:int, timeout:float):
-        if not (count>=0 and interval>=0): raise ValueError(f'count is {count} and interval {interval}: both must be 0 or more')
+        if not (count>=0 and interval>=0): raise ValueError(f'count is {count}, interval {interval}: must be 0 or more')
         store_attr('client,target,interval,timeout')
         self.owed,self.log = count or math.inf,PictureLog(count=0)      # how many are to be asked for; those asked for
         self.number,self.running = None,False           # of a single shot; is there a series that we must stop?
-        self.asked,self.given,self.since = 0,0,time.monotonic()     # how often since the last new picture; how many came; when the last one
+        self.asked,self.given = 0,0     # how often since the last new picture; how many pictures came
+        self.since = time.monotonic()   # when we asked, or when the last one came
 
-    def __repr__(self): return f'Capture from {self.client.mav_com.name_of(self.target)}: {self.owed} to be asked for, {self.log}'
+    @property
+    def name(self): return self.client.mav_com.name_of(self.target)
+    def __repr__(self): return f'Capture from {self.name}: {self.owed} to be asked for, {self.log.left:g} asked for'
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #236ded7d
+# %% ../../nbs/api/66_mavlink.capture.ipynb #7b2637ed
 @patch
 async def _count_before(self:Capture, single:bool)->int|None:
     "Index of the next picture by the camera's count; `None` when it is not needed or not to be had. Raises `Busy`"
     if single and self.target in self.client._telling: return None
-    for look in (1, 2):
+    for look in (1, 2):                                 # a status may be an old one that came late
         status = await self.client.request_camera_capture_status(*self.target)
         if status is None: return None
-        if single or not status.image_status&2: break       # else look again: that one may have been on its way for a while
-    else: raise Busy(f'{self.client.mav_com.name_of(self.target)} is taking a series')
-    return status.image_count+(status.image_count==self._highest())
+        if single or not status.image_status&2: return status.image_count+(status.image_count==self._highest())
+    raise Busy(f'{self.name} is taking a series')
 
+# %% ../../nbs/api/66_mavlink.capture.ipynb #f89fa266
 @patch
 def _highest(self:Capture)->int:
     "Index of the newest picture that we have heard of"
     known = self.client.notices.get(self.target)
     return known.last.image_index if known and known.last else -1
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #0d2f64d9
+# %% ../../nbs/api/66_mavlink.capture.ipynb #c71422d6
 @patch
 async def _send(self:Capture, params:list, before:int|None)->int|None:
     "Send the command until it is clear which picture comes first: by the ack, or by the count `before`"
@@ -59,14 +62,14 @@ async def _send(self:Capture, params:list, before:int|None)->int|None:
         ack = await self.client.send_command(*self.target, mavlink.MAV_CMD_IMAGE_START_CAPTURE, params)
         told = getattr(ack, 'param', 0)-1
         if ack.lost: raise Lost(ack.lost)
-        if ack.result is None and self.target in telling and before is None: continue   # no harm: it has a number
+        if ack.result is None and self.target in telling and before is None: continue   # again: it has a number
         if ack.result is not None: ack.check()          # a refusal
         if told<0: return before
         telling.add(self.target)
         if told>known or told==said: return told
         if before is not None: return before            # a series has no number: it must not be sent again
         said = told
-    raise NoAnswer(f'{self.client.mav_com.name_of(self.target)} was asked {self.tries} times, and no picture came')
+    raise NoAnswer(f'{self.name} was asked {self.tries} times, and no picture came')
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #57ef633f
 @patch
@@ -93,63 +96,64 @@ async def _ask_rest(self:Capture):
         self.asked -= 1
         await asyncio.sleep(.5)
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #f52ffd30
+# %% ../../nbs/api/66_mavlink.capture.ipynb #fb8e6ada
 @patch
 async def next(self:Capture):
-    "The next CAMERA_IMAGE_CAPTURED; `None` after the last. Raises `CommandError`, `Lost`, or `NoAnswer` when nothing new comes"
+    "The next CAMERA_IMAGE_CAPTURED; `None` after the last. Raises `CommandError`, `Lost` or `NoAnswer`"
     while not (found := self.log.take(1)):
         if self.log.left: await self._verify()
         elif self.owed and not self.stopped: await self._ask_rest()
         else: return None
     self.asked,self.number,self.given,self.since = 0,None,self.given+1,time.monotonic()
     known = self.client.notices.setdefault(self.target, PictureLog())
-    known.skip(found[0].image_index, found[0])          # `wait_images` need not give it again
+    known.skip(found[0].image_index, found[0])      # `wait_images` need not give it again
     return found[0]
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #4c219f96
+# %% ../../nbs/api/66_mavlink.capture.ipynb #70a43326
 @patch
 async def _verify(self:Capture):
     "Wait for a notice; when none comes, compare with the camera"
     came,silent,soon = self.log.came,time.monotonic()-self.since,self.client.first_look
     if self.running: soon = max(soon, min(1.2*self.interval, 10.))
     def there(): return self.log.came!=came
-    msg = await self.client._hear(CAMERA_IMAGE_CAPTURED, max(soon, min(silent, 2.)), self.target, there)
+    wait = max(soon, min(silent, 2.))
+    msg = await self.client._hear(CAMERA_IMAGE_CAPTURED, wait, self.target, there)
     if msg: self.log.add(msg)
-    if self.number in self.log.notices: self.log.instead(self.number)      # it numbers its pictures as we number our shots
+    if self.number in self.log.notices: self.log.instead(self.number)      # it numbers its pictures as we do
     if there(): self.since = time.monotonic()
     else: await self._look()
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #b0f69f39
+# %% ../../nbs/api/66_mavlink.capture.ipynb #74fb431e
 @patch
 async def _look(self:Capture):
     "What does the camera say about our pictures? Raises `NoAnswer` after `timeout` without anything new"
     status,verdict = await self.client._look(self.target, self.log)
     if verdict in ('short','anew'): return await self._cut(status.image_count, verdict)
     at_work = status is None or status.image_status or self.log.missing(status.image_count)
-    patience = max(self.timeout, 2*self.interval*self.running)*(self.patience if at_work else 1)
-    if self.log.odd or time.monotonic()-self.since<patience: return
-    raise NoAnswer(f'{self.client.mav_com.name_of(self.target)}: {self.log.left+self.owed:g} pictures did not come')
+    longest = max(self.timeout, 2*self.interval*self.running)*(self.patience if at_work else 1)
+    if self.log.odd or time.monotonic()-self.since<longest: return
+    raise NoAnswer(f'{self.name}: {self.log.left+self.owed:g} pictures did not come')
 
+# %% ../../nbs/api/66_mavlink.capture.ipynb #41a81db1
 @patch
 async def _cut(self:Capture, image_count:int, verdict:str):
     "What was not taken is to be asked for again; a shot keeps its number, unless the camera counts anew"
-    if self.number and self.target not in self.client._telling: await self.client._ask_for_notice(self.target, self.number)
+    if self.number and self.target not in self.client._telling:         # does it number its pictures as we do?
+        await self.client._ask_for_notice(self.target, self.number)
     if self.number in self.log.notices: return
     untaken = self.log.cut(image_count)
     self.owed += 0 if untaken==math.inf and self.given else untaken     # a series without an end was ended elsewhere
     self.running = False
     if verdict=='anew': self.number = None
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #58ea55d9
+# %% ../../nbs/api/66_mavlink.capture.ipynb #b81c2486
 @patch
 async def capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     interval:float=0, # Seconds between two pictures
     count:int=1, # How many; 0: until you leave the loop
     timeout:float=5., # Seconds without anything new after which we give up
 ):
-    """For `async for`: take pictures, and get the CAMERA_IMAGE_CAPTURED of each, in order, when it is there.
-
-    Raises the `CommandError` of a refusal, `Lost` when the camera falls silent, and `NoAnswer` when pictures do not come."""
+    "For `async for`: the CAMERA_IMAGE_CAPTURED of each picture taken for you. Raises `CommandError`, `Lost` or `NoAnswer`"
     shots = Capture(self, self._one_camera(target_system, target_component), interval, count, timeout)
     with self._following(shots):
         try:

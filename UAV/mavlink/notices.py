@@ -17,16 +17,18 @@ from .picture_log import PictureLog
 # %% auto #0
 __all__ = []
 
-# %% ../../nbs/api/65_mavlink.notices.ipynb #972aa528
+# %% ../../nbs/api/65_mavlink.notices.ipynb #3de36638
 @patch
 @receives(CAMERA_IMAGE_CAPTURED)
 def on_image_captured(self:CameraClient, msg):
     "Keep the notice of a picture"
     source = address(msg)
-    if source in self.notices or len(self.notices)<self.most_cameras: self.notices.setdefault(source, PictureLog()).add(msg)
+    room = source in self.notices or len(self.notices)<self.most_cameras
+    if room: self.notices.setdefault(source, PictureLog()).add(msg)
     for request in list(self._requests):
         if request.target==source: request.log.add(msg)
 
+# %% ../../nbs/api/65_mavlink.notices.ipynb #f33ec68f
 @patch
 @contextmanager
 def _following(self:CameraClient, request):
@@ -35,15 +37,17 @@ def _following(self:CameraClient, request):
     try: yield request
     finally: self._requests.remove(request)
 
-# %% ../../nbs/api/65_mavlink.notices.ipynb #01ab1491
+# %% ../../nbs/api/65_mavlink.notices.ipynb #7139f780
 @patch
 def _no_camera(self:CameraClient, target:tuple)->str:
     "Why `target` announces no pictures; empty when it may be a camera"
     remote,vague = self.remotes.get(target),(mavlink.MAV_TYPE_GENERIC,mavlink.MAV_TYPE_ONBOARD_CONTROLLER)
     if remote is None or target in self.notices or is_camera(target, remote.type) or remote.type in vague: return ''
     cameras = ' and '.join(self.mav_com.name_of(s) for s in self._cameras_heard(0) if s[0]==target[0])
-    return f'{self.mav_com.name_of(target)} is no camera: its pictures come from {cameras or "a camera that was not heard yet"}'
+    cameras = cameras or 'a camera that was not heard yet'
+    return f'{self.mav_com.name_of(target)} is no camera: its pictures come from {cameras}'
 
+# %% ../../nbs/api/65_mavlink.notices.ipynb #ff5c59eb
 @patch
 def _one_camera(self:CameraClient, target_system:int|None, target_component:int|None)->tuple:
     "The address of a camera; raises `MAVError` when it is several, or no camera"
@@ -52,7 +56,7 @@ def _one_camera(self:CameraClient, target_system:int|None, target_component:int|
     if why := self._no_camera(target): raise MAVError(why)
     return target
 
-# %% ../../nbs/api/65_mavlink.notices.ipynb #42a9e379
+# %% ../../nbs/api/65_mavlink.notices.ipynb #dd6400e0
 @patch
 async def _look(self:CameraClient, target:tuple, log:PictureLog):
     "Compare `log` with the camera: `(CAMERA_CAPTURE_STATUS or None, verdict)`; asks for the notices that are missing"
@@ -65,6 +69,7 @@ async def _look(self:CameraClient, target:tuple, log:PictureLog):
     for i in log.missing(status.image_count) if log.odd!='own' else (): await self._recover(target, log, i)
     return status,verdict
 
+# %% ../../nbs/api/65_mavlink.notices.ipynb #fcf3fbfd
 @patch
 async def _recover(self:CameraClient, target:tuple, log:PictureLog, index:int):
     "Ask again for the notice of a picture that was taken"
@@ -82,9 +87,7 @@ async def _check_formatted(self:CameraClient, target:tuple, log:PictureLog, stat
     msg,_ = await self._ask_for_notice(target, status.image_count-1)
     if msg: log.add(msg)
 
-# %% ../../nbs/api/65_mavlink.notices.ipynb #bdaf0067
-CameraClient.first_look = .3 # seconds without a notice until we look; twice as long each time until we look again
-
+# %% ../../nbs/api/65_mavlink.notices.ipynb #ac2d9c4d
 @patch
 async def _gather(self:CameraClient, target:tuple, log:PictureLog, count:int, timeout:float, longest:float=2.):
     "Wait until `count` notices are ready, or nothing new came for `timeout` seconds; raises `Lost`"
@@ -100,13 +103,13 @@ async def _gather(self:CameraClient, target:tuple, log:PictureLog, count:int, ti
         if log.came!=came: last,wait = time.monotonic(),self.first_look
         else: wait = min(2*wait, longest)
 
-# %% ../../nbs/api/65_mavlink.notices.ipynb #82122a73
+# %% ../../nbs/api/65_mavlink.notices.ipynb #3e5a7d2c
 @patch
 async def wait_images(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     count:int=1, # How many pictures
     timeout:float=5., # Seconds without a new one after which we give up
 )->list:
-    "The next `count` CAMERA_IMAGE_CAPTURED of a camera in order, lost ones asked for again; fewer when no more come. Raises `Lost`"
+    "The next `count` CAMERA_IMAGE_CAPTURED of a camera, lost ones asked for; fewer when no more come. Raises `Lost`"
     target = self._one_camera(target_system, target_component)
     await self._mark(target)
     log = self.notices.setdefault(target, PictureLog())
@@ -124,18 +127,19 @@ async def _mark(self:CameraClient, target:tuple):
     else: status = await self._ask_once(target, CAMERA_CAPTURE_STATUS)
     if status: self.notices.setdefault(target, PictureLog(status.image_count, since=status.time_boot_ms))
 
-# %% ../../nbs/api/65_mavlink.notices.ipynb #5222af3d
+# %% ../../nbs/api/65_mavlink.notices.ipynb #008a3620
 @patch
 async def image_start_capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     interval:float=0, # Seconds between two pictures
     count:int=1, # How many; 0 is unlimited
 )->Ack:
-    "Take pictures; `wait_images` gives their notices, and those of other pictures. (`capture` gives only one's own)"
+    "Take pictures; `wait_images` gives their notices, among all (`capture` gives only your own)"
     target = self.target(target_system, target_component)
     if 0 not in target: await self._mark(target)
     number = self.next_shot() if count==1 else 0
     return await self.send_command(*target, mavlink.MAV_CMD_IMAGE_START_CAPTURE, [0, interval, count, number])
 
+# %% ../../nbs/api/65_mavlink.notices.ipynb #0147b284
 @patch
 async def image_stop_capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None)->Ack:
     "Stop taking pictures; a `capture` of ours that is under way ends"
@@ -144,10 +148,10 @@ async def image_stop_capture(self:CameraClient, target_system:int|None=None, tar
         if all(t in (0, r) for t,r in zip(target, request.target)): request.stopped = True
     return await self.send_command(*target, mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
 
-# %% ../../nbs/api/65_mavlink.notices.ipynb #b251463a
+# %% ../../nbs/api/65_mavlink.notices.ipynb #71daa19f
 @patch
 async def pictures(self:CameraClient, target_system:int|None=None, target_component:int|None=None):
-    "For `async for`: each CAMERA_IMAGE_CAPTURED of a camera from now on, by whom it was triggered does not matter. Raises `Lost`"
+    "For `async for`: each CAMERA_IMAGE_CAPTURED of a camera from now on, your own and others'. Raises `Lost`"
     target = self._one_camera(target_system, target_component)
     with self._following(ns(target=target, log=PictureLog(count=0))) as mine:
         status = await self.request_camera_capture_status(*target)

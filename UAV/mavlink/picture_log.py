@@ -12,7 +12,7 @@ from fastcore.basics import patch
 # %% auto #0
 __all__ = ['PictureLog']
 
-# %% ../../nbs/api/64_mavlink.picture_log.ipynb #e8ff50b7
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #cdedfe77
 class PictureLog:
     "Which pictures of a camera are wanted, in order, and which of their notices have come"
     most,sure = 2048,2 # notices kept that are not taken; looks at the camera that must agree
@@ -28,9 +28,9 @@ class PictureLog:
         self.odd,self._looks,self._lock = '',0,threading.RLock()    # what the last look at the camera was like
         if count: self.begin(first, count)
 
-    def __repr__(self): return f'PictureLog: {self.left} wanted, {len(self.ready())} ready, {len(self.notices)} notices'
+    def __repr__(self): return f'PictureLog: {self.left:g} wanted, {len(self.ready())} ready'
 
-# %% ../../nbs/api/64_mavlink.picture_log.ipynb #975955db
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #0889ccb3
 @patch
 def begin(self:PictureLog, first:int|None, count:float=1):
     "Want `count` more pictures, from index `first` on"
@@ -40,14 +40,22 @@ def begin(self:PictureLog, first:int|None, count:float=1):
         else: self.runs.append([first, count])
         if self.endless and first: self.notices = {i:m for i,m in self.notices.items() if i>=first}
 
-@patch(as_prop=True)
-def left(self:PictureLog)->float: "How many are wanted, and not given yet"; return sum(n for _,n in self.runs)+self.unknown
-@patch(as_prop=True)
-def endless(self:PictureLog)->bool: "Is there no last one?"; return self.left==math.inf
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #94f72a2d
+def _time(msg)->int:
+    "When the picture was taken, µs"
+    return msg.time_utc or msg.time_boot_ms
 
-def _time(msg)->int: "When the picture was taken"; return msg.time_utc or msg.time_boot_ms
+@patch(as_prop=True)
+def left(self:PictureLog)->float:
+    "How many are wanted, and not given yet"
+    return sum(n for _,n in self.runs)+self.unknown
 
-# %% ../../nbs/api/64_mavlink.picture_log.ipynb #530fa585
+@patch(as_prop=True)
+def endless(self:PictureLog)->bool:
+    "Is there no last one?"
+    return self.left==math.inf
+
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #4738ca75
 @patch
 def wanted(self:PictureLog):
     "The wanted indexes that are known, in order, one by one"
@@ -55,6 +63,7 @@ def wanted(self:PictureLog):
         for i in count_from(first) if n==math.inf else range(first, first+n):
             if i not in self.skipped: yield i
 
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #07c37def
 @patch
 def ready(self:PictureLog, most:float=math.inf)->list:
     "The notices that can be given now, in order and without a gap"
@@ -65,7 +74,7 @@ def ready(self:PictureLog, most:float=math.inf)->list:
             found.append(self.notices[i])
     return found
 
-# %% ../../nbs/api/64_mavlink.picture_log.ipynb #3662da9d
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #b17cf021
 @patch
 def add(self:PictureLog, msg):
     "Keep a CAMERA_IMAGE_CAPTURED"
@@ -79,6 +88,7 @@ def add(self:PictureLog, msg):
         self._note(msg)
         if self.unknown and i not in self._known(): self.runs,self.unknown = self.runs+[[i, self.unknown]],0
 
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #0614781b
 @patch
 def _note(self:PictureLog, msg):
     "Remember the newest one"
@@ -89,7 +99,7 @@ def _known(self:PictureLog)->set:
     "Which of the notices are wanted ones"
     return {i for i in self.notices if any(first<=i<first+n for first,n in self.runs)}
 
-# %% ../../nbs/api/64_mavlink.picture_log.ipynb #2aefeeb7
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #d8765274
 @patch
 def _counts_anew(self:PictureLog, msg)->bool:
     "Is this a new picture with an old index?"
@@ -97,12 +107,13 @@ def _counts_anew(self:PictureLog, msg)->bool:
     if not self.runs or msg.image_index>=self.runs[0][0]: return False
     return _time(msg)>_time(self.last) if self.last else 0<self.since<msg.time_boot_ms
 
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #323b2823
 @patch
 def _count_anew(self:PictureLog):
     "The storage was formatted: pictures begin at 0 again"
     self.runs,self.unknown,self.notices,self.skipped = [[0, math.inf]],0,{},set()
 
-# %% ../../nbs/api/64_mavlink.picture_log.ipynb #f45bbcf1
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #7c6d7aaf
 @patch
 def take(self:PictureLog, most:float=math.inf)->list:
     "Hand out what is `ready`"
@@ -111,6 +122,7 @@ def take(self:PictureLog, most:float=math.inf)->list:
         for msg in found: self.skip(msg.image_index, msg)
     return found
 
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #7a7876e9
 @patch
 def skip(self:PictureLog, index:int, msg=None):
     "Picture `index` is given already (`msg`), or cannot be had"
@@ -161,21 +173,23 @@ def cut(self:PictureLog, image_count:int)->float:
         self.runs,self.unknown,self._looks = kept,0,0
         return before-self.left if before<math.inf else math.inf
 
-# %% ../../nbs/api/64_mavlink.picture_log.ipynb #8f330af2
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #0f9706c0
 @patch
 def adopt(self:PictureLog):
-    "The notices that have come are the wanted ones, whatever their index"
+    "The notices that have come are the wanted ones, by any index"
     with self._lock:
         left,found = self.left,sorted(self.notices.values(), key=_time)
         self.runs = [[m.image_index, 1] for m in found[:int(min(left, len(found)))]]
         self.unknown,self._looks = left-len(self.runs),0
 
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #ccd8812c
 @patch
 def guess(self:PictureLog, first:int):
     "Begin at `first` when no notice has told where"
     with self._lock:
         if not self.runs: self.runs,self.unknown = [[first, self.unknown]],0
 
+# %% ../../nbs/api/64_mavlink.picture_log.ipynb #96fd9fd8
 @patch
 def instead(self:PictureLog, index:int):
     "The wanted one is `index`"

@@ -15,19 +15,19 @@ from .component import Component
 # %% auto #0
 __all__ = ['verb', 'verbs']
 
-# %% ../../nbs/api/29_mavlink.verbs.ipynb #dd638f90
+# %% ../../nbs/api/29_mavlink.verbs.ipynb #c7544c84
 def _with_target(f)->inspect.Signature:
     "The signature of `f` with the target after `self`; an `Ack` comes back"
     me,*params = inspect.signature(f).parameters.values()
-    target = [inspect.Parameter(n, inspect.Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation='int|None')
+    target = [inspect.Parameter(n, inspect.Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation='int | None')
               for n in ('target_system','target_component')]
     return inspect.Signature([me,*target,*params], return_annotation='Ack')
 
-# %% ../../nbs/api/29_mavlink.verbs.ipynb #b32a8678
+# %% ../../nbs/api/29_mavlink.verbs.ipynb #3a00448c
 def verb(
     cmd:int, # The MAV_CMD to send
 ):
-    "Mark a function that returns the parameters of `cmd`: it becomes a method that sends them to a target, and returns the `Ack`"
+    "Mark a function that returns the parameters of `cmd`: it becomes a method that sends them, and returns the `Ack`"
     def _f(f):
         @wraps(f)
         async def send(self, target_system=None, target_component=None, *args, **kwargs):
