@@ -16,7 +16,7 @@ import UAV.mavlink.notices
 # %% auto #0
 __all__ = ['Capture']
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #d00f51b5
+# %% ../../nbs/api/66_mavlink.capture.ipynb #7b8a71ca
 class Capture:
     "Pictures that were asked for, until each of them has been given"
     tries,stopped = 3,False # how often we ask in a row without a new picture; has `image_stop_capture` been called?
@@ -30,9 +30,14 @@ class Capture:
         self.asked,self.given = 0,0     # how often since the last new picture; how many pictures came
         self.since = time.monotonic()   # when we asked, or when the last one came
 
-    @property
-    def name(self): return self.client.mav_com.name_of(self.target)
-    def __repr__(self): return f'Capture from {self.name}: {self.owed} to be asked for, {self.log.left:g} asked for'
+# %% ../../nbs/api/66_mavlink.capture.ipynb #64897795
+@patch(as_prop=True)
+def name(self:Capture)->str:
+    "Address and kind of the camera"
+    return self.client.mav_com.name_of(self.target)
+
+@patch
+def __repr__(self:Capture): return f'Capture from {self.name}: {self.owed:g} to be asked for, {self.log.left:g} asked for'
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #7b2637ed
 @patch
@@ -146,14 +151,14 @@ async def _cut(self:Capture, image_count:int, verdict:str):
     self.running = False
     if verdict=='anew': self.number = None
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #b81c2486
+# %% ../../nbs/api/66_mavlink.capture.ipynb #9b9b0dab
 @patch
 async def capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     interval:float=0, # Seconds between two pictures
     count:int=1, # How many; 0: until you leave the loop
     timeout:float=5., # Seconds without anything new after which we give up
 ):
-    "For `async for`: the CAMERA_IMAGE_CAPTURED of each picture taken for you. Raises `CommandError`, `Lost` or `NoAnswer`"
+    "For `async for`: the CAMERA_IMAGE_CAPTURED of each picture of yours. Raises `CommandError`, `Lost`, `NoAnswer`"
     shots = Capture(self, self._one_camera(target_system, target_component), interval, count, timeout)
     with self._following(shots):
         try:
