@@ -30,14 +30,15 @@ class Capture:
         self.asked,self.given = 0,0     # how often since the last new picture; how many pictures came
         self.since = time.monotonic()   # when we asked, or when the last one came
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #64897795
+# %% ../../nbs/api/66_mavlink.capture.ipynb #825ab813
 @patch(as_prop=True)
 def name(self:Capture)->str:
     "Address and kind of the camera"
     return self.client.mav_com.name_of(self.target)
 
 @patch
-def __repr__(self:Capture): return f'Capture from {self.name}: {self.owed:g} to be asked for, {self.log.left:g} asked for'
+def __repr__(self:Capture):
+    return f'Capture from {self.name}: {self.owed:g} to be asked for, {self.log.left:g} asked for'
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #7b2637ed
 @patch
@@ -57,7 +58,7 @@ def _highest(self:Capture)->int:
     known = self.client.notices.get(self.target)
     return known.last.image_index if known and known.last else -1
 
-# %% ../../nbs/api/66_mavlink.capture.ipynb #c71422d6
+# %% ../../nbs/api/66_mavlink.capture.ipynb #7f07bda1
 @patch
 async def _send(self:Capture, params:list, before:int|None)->int|None:
     "Send the command until it is clear which picture comes first: by the ack, or by the count `before`"
@@ -65,12 +66,12 @@ async def _send(self:Capture, params:list, before:int|None)->int|None:
     while self.asked<self.tries:
         self.asked += 1
         ack = await self.client.send_command(*self.target, mavlink.MAV_CMD_IMAGE_START_CAPTURE, params)
-        told = getattr(ack, 'param', 0)-1
+        told = (getattr(ack, 'param', 0) or 0)-1
         if ack.lost: raise Lost(ack.lost)
         if ack.result is None and self.target in telling and before is None: continue   # again: it has a number
         if ack.result is not None: ack.check()          # a refusal
-        if told<0: return before
-        telling.add(self.target)
+        if told<0 and (before is not None or self.target not in telling): return before
+        telling.add(self.target) if told>=0 else telling.discard(self.target)
         if told>known or told==said: return told
         if before is not None: return before            # a series has no number: it must not be sent again
         said = told
