@@ -11,7 +11,7 @@ import asyncio, sys
 from fastcore.script import call_parse
 from .cameras import CV2Camera, CameraError, SimCamera
 from .mavlink import CameraClient, CameraServer, MAVCom, mavlink
-from .mavlink.protocol import MAVError
+from .wire.dialect import MAVError
 from .utils.display import contact_sheet
 
 # %% auto #0

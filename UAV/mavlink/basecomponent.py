@@ -15,7 +15,8 @@ from ..logging import LogLevels, get_logger
 from ..utils.general import Worker, timers
 from ..wire.dialect import timesync
 from ..wire.frames import pack
-from .protocol import Expectations, LinkError, Lost
+from .protocol import Expectations, Lost
+from ..wire.dialect import LinkError
 from .handlers import Served, Tables
 from .asking import Command, Commands
 from .mavcom import MAVCom

@@ -14,7 +14,7 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_
     MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION,
     MAVLINK_MSG_ID_CAMERA_SETTINGS as CAMERA_SETTINGS, MAVLINK_MSG_ID_STORAGE_INFORMATION as STORAGE_INFORMATION)
 from ..logging import LogLevels
-from .protocol import Lost, answer, comes_from
+from .protocol import Lost, comes_from
 from .component import Component
 
 NAN = math.nan
@@ -119,9 +119,9 @@ async def _hear(self:CameraClient,
 ):
     "The next message `msg_id`, or `None`; raises `Lost` when `source` is, or falls, silent"
     def fits(msg): return source is None or comes_from(msg, *source)
-    with self.waiters.expecting(msg_id, fits, source) as future:
+    with self.expecting(msg_id, fits, source) as wanted:
         if source and (why := self._silent(source)): raise Lost(why)
-        return None if there() else await answer(future, timeout)
+        return None if there() else await wanted.wait(timeout)
 
 # %% ../../nbs/api/62_mavlink.camera_client.ipynb #4de92506
 @patch

@@ -6,7 +6,7 @@
 from __future__ import annotations
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from .protocol import Ack
+from ..wire.dialect import Ack
 from .verbs import verb
 from .camera_client import NAN, CameraClient
 

@@ -119,14 +119,14 @@ async def _request(self:Component, command_id:int, params, msg_id:int, target:tu
     us = self.source_system,self.source_component
     def ours(m): return comes_from(m, *target) and accepts(m, *us) and (fits is None or fits(m))
     with self.expecting(msg_id, ours, target) as wanted:
-        try: ack = await self._ask_for(wanted, command_id, params, target, timeout, tries, retries)
+        try: ack = await self._ask_until(wanted, command_id, params, target, timeout, tries, retries)
         except Lost as e: ack = Ack(None, None, command_id, str(e))
         if not wanted.there and ack.lost: self.log.warning('no %s: %s', message_name(msg_id), ack.lost)
         return (None if isinstance(wanted.value, Exception) else wanted.value),ack
 
 # %% ../../nbs/api/28_mavlink.component.ipynb #e04fe5a7
 @patch
-async def _ask_for(self:Component, wanted, command_id:int, params, target:tuple, timeout, tries, retries)->Ack:
+async def _ask_until(self:Component, wanted, command_id:int, params, target:tuple, timeout, tries, retries)->Ack:
     "Ask until the message `wanted` is there, or it is clear that it will not come"
     end,asked = time.monotonic()+patience,0
     while True:

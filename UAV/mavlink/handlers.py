@@ -12,7 +12,8 @@ import inspect, math, re, threading, time
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..utils.seen import Seen
-from .protocol import Denied, address, longest_rto, parameters, remembered
+from .protocol import Denied, longest_rto, remembered
+from ..wire.dialect import address, parameters
 
 # %% auto #0
 __all__ = ['wanted_parameters', 'arguments', 'marks_made', 'command', 'message', 'receives', 'Handler', 'marked', 'Tables',

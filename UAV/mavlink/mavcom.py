@@ -14,7 +14,8 @@ from ..utils.seen import Seen
 from ..wire.reader import FrameReader, Sources, Wanted
 from ..wire.signing import Signing
 from ..wire.links import Link, open_link
-from .protocol import LinkError, accepts, address
+from .protocol import accepts
+from ..wire.dialect import LinkError, address
 from .remotes import Remotes
 
 _all_ = ['date_time_str', 'time_since_boot_ms', 'time_UTC_usec']

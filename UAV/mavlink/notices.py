@@ -10,7 +10,9 @@ import math, time
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from .protocol import Ack, Lost, MAVError, address, receives
+from .handlers import receives
+from .protocol import Lost
+from ..wire.dialect import Ack, MAVError, address
 from .camera_client import CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CameraClient, is_camera
 from .picture_log import PictureLog
 
