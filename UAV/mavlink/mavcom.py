@@ -207,8 +207,7 @@ def _is_here(self:MAVCom, address:tuple)->bool: return address[0]==self.source_s
 def add_component(self:MAVCom, component):
     "Add `component`, which beats at once; returns it. Raises `ValueError` when its address is taken on this link"
     number = component.source_component
-    twins = [com for com in list(_open) if com.source_system==self.source_system and number in com.component]
-    if any(com is self or com.connection_string==self.connection_string for com in twins):
+    if number in self.component or any(number in com.component for com in self._twins()):
         raise ValueError(f'system {self.source_system} has a component {number} already')
     with self._lock:
         if self._closed: raise LinkError(f'{self!r} is closed')
@@ -219,6 +218,13 @@ def add_component(self:MAVCom, component):
         raise
     component.beat()
     return component
+
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #9d2b73f7
+@patch
+def _twins(self:MAVCom)->list:
+    "Other `MAVCom`s of this process with our system id, on a link to the same place"
+    def leads(com): return {c.name for c in com.channels if not c.name.startswith(('udp:','udpin:','tcpin:'))}      # those listen
+    return [com for com in list(_open) if com is not self and com.source_system==self.source_system and leads(com)&leads(self)]
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #04f85e6a
 @patch
