@@ -8,11 +8,8 @@ sys.path.insert(0, str(TREE))
 
 def wire(room):
     "A room of the wire, for example `links`; an older checkout has it in UAV.mavlink"
-    for tower in ('wire','mavlink'):
-        try: return importlib.import_module(f'UAV.{tower}.{room}')
-        except ModuleNotFoundError as e:
-            if e.name not in (f'UAV.{tower}', f'UAV.{tower}.{room}'): raise
-    raise ModuleNotFoundError(f'{TREE} has no room {room}')
+    tower = 'wire' if (TREE/'UAV'/'wire').is_dir() else 'mavlink'
+    return importlib.import_module(f'UAV.{tower}.{room}')
 
 def environment(tree=None):
     "The environment of a process that measures `tree`; `None`: what we measure ourselves"

@@ -1,0 +1,186 @@
+"""Ask for pictures over bad links, with this checkout and with an older one, and count what was asked, told and done. See README.md."""
+from collections import Counter
+from types import SimpleNamespace as ns
+import argparse, asyncio, json, statistics, subprocess, sys, threading, time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from trees import HERE, environment, wire
+
+# what the weather is, each way; what is asked, how often, and how long we wait in between -------------------------------------------
+
+LOSSY = dict(loss=.2, duplicate=.1, reorder=.1, latency=.01, jitter=.04)         # 30 ± 20 ms
+SCENARIOS = {
+    'no loss': dict(asks=200),
+    '20 % lost, 10 % doubled, 10 % late, 30 ± 20 ms': dict(asks=200, **LOSSY),
+    'jitter of 0.2 s, 5 % lost': dict(asks=100, loss=.05, jitter=.2),
+    '40 % lost, 300 ms': dict(asks=60, loss=.4, latency=.3),
+    '1 s there and back, 20 % lost': dict(asks=50, loss=.2, latency=.5),
+    '2 s there and back, 20 % lost': dict(asks=30, loss=.2, latency=1.),
+    '57,600 baud, half full': dict(asks=200, baudrate=57600, telemetry=.5),
+    'three outages of 3 s': dict(asks=80, pace=.3, loss=.05, latency=.02, outages=[(3,6),(10,13),(18,21)]),
+    'two outages of 8 s': dict(asks=100, pace=.3, loss=.05, latency=.02, outages=[(3,11),(19,27)]),
+    'bursts of 3, 2 s there and back, 20 % lost': dict(asks=10, loss=.2, latency=1., count=3),
+    'zoom steps, 20 % lost, 10 % doubled, 10 % late': dict(asks=200, zoom=True, **LOSSY),
+    'zoom steps, 1 s there and back, 20 % lost': dict(asks=50, zoom=True, loss=.2, latency=.5),
+}
+
+def half(way):
+    "What each of two radios in a row has to do, so that both together make this weather"
+    rare = {k: 1-(1-way.get(k, 0))**.5 for k in ('loss','duplicate','reorder')}
+    return dict(rare, **{k: way.get(k, 0)/2 for k in ('latency','jitter')})
+
+# one scenario on one tree, in a process of its own ----------------------------------------------------------------------------------
+
+COMMAND_LONG,HEARTBEAT,PER_SECOND = 76,0,5760          # ids, and bytes a second at 57,600 baud
+
+def msg_id(frame): return int.from_bytes(frame[7:10], 'little')
+
+def answered_now(frame):
+    "The command that is being answered, found among the callers: no tree need give it to the camera"
+    while frame:
+        msg = frame.f_locals.get('msg')
+        if hasattr(msg, 'command') and hasattr(msg, 'get_seq'): return msg
+        frame = frame.f_back
+    raise LookupError('not called for a command')
+
+def play(name, seed):
+    "Play a scenario: what came of it, as a dict"
+    from soak import Grey
+    from UAV.logging import LogLevels
+    from UAV.mavlink import CameraClient, CameraServer, Component, MAVCom, mavlink
+    LossyLink,quiet = wire('lossy').LossyLink,dict(loglevel=LogLevels.CRITICAL)
+    way = dict(SCENARIOS[name])
+    asks,pace,count,zoom = (way.pop(k, default) for k,default in (('asks',1), ('pace',0.), ('count',1), ('zoom',False)))
+    now = ns(ask=-1)                  # which of `asks` is under way
+    asked_by,frames,done,order = {},Counter(),Counter(),[]
+
+    class Radio(LossyLink):
+        "The ground's end: knows which ask each frame belongs to"
+        def write(self, data, peer=None):
+            asked_by[data[4]] = now.ask
+            frames[msg_id(data)] += 1
+            super().write(data, peer)
+
+    class Counted(Grey):
+        "Notes for which ask it does something"
+        def note(self, n):
+            ask = asked_by[answered_now(sys._getframe(2)).get_seq()]
+            done[ask] += n
+            order.extend([ask]*n)
+        def image_start_capture(self, interval=0., count=1):
+            super().image_start_capture(interval, count)
+            self.note(int(count))
+        def set_camera_zoom(self, kind, value): self.note(1)
+
+    radio = Radio('udpin:127.0.0.1:0', seed=f'{seed} {name} ground', **half(way))
+    far = LossyLink(f'udpout:127.0.0.1:{radio.port}', seed=f'{seed} {name} far', **half(way))
+    radio.baudrate = way.get('baudrate')
+    camera = Counted()
+    with MAVCom(radio, source_system=255, **quiet) as ground, MAVCom(far, source_system=1, **quiet) as drone, camera:
+        client = ground.add_component(CameraClient(mavlink.MAV_COMP_ID_MISSIONPLANNER, **quiet))
+        drone.add_component(CameraServer(camera=camera, **quiet))
+        if 'telemetry' in way: chatter(drone.add_component(Component(1, mavlink.MAV_TYPE_QUADROTOR, **quiet)), way['telemetry']*PER_SECOND)
+        client.set_target(1, mavlink.MAV_COMP_ID_CAMERA)
+        asks_of = zoom_in if zoom else capture if hasattr(client, 'capture') else start_and_wait
+
+        async def ask_all():
+            if not await client.wait_heartbeat(target_system=1, timeout=60): raise SystemExit('the drone does not beat')
+            for r in (radio,far): r.outages = [(time.monotonic()-r.opened+start, time.monotonic()-r.opened+end) for start,end in way.get('outages', ())]
+            told = []
+            for now.ask in range(asks):
+                told.append(await timed(asks_of, client, count))
+                await asyncio.sleep(pace)
+            await asyncio.sleep(2*way.get('latency', 0)+way.get('jitter', 0)+1.)        # what is under way may still do harm
+            return told
+
+        begun = time.monotonic()
+        told = asyncio.run(ask_all())
+        seconds = time.monotonic()-begun
+        camera.wait_idle(10)
+    return summary(told, done, order, count, seconds, frames)
+
+def chatter(component, rate):
+    "Send `rate` bytes of telemetry a second, for as long as the link is open"
+    def send():
+        while True:
+            try: component.send_message(component.mav.attitude_encode(0x01010101, 1., 1., 1., 1., 1., 1.))      # 40 bytes
+            except Exception: return
+            time.sleep(40/rate)
+    threading.Thread(target=send, daemon=True).start()
+
+# three ways to ask: each gives how many it was told are done, the notices it was given, and what was raised ---------------------------
+
+async def start_and_wait(client, count):
+    "As the tutorials have it before `capture`"
+    told = count*bool(await client.image_start_capture(count=count, interval=.2*(count>1)))
+    try: return told,await client.wait_images(count=count),''
+    except Exception as e: return told,[],type(e).__name__
+
+async def capture(client, count):
+    "The pictures of this request, as they come: what was given is promised"
+    pictures = []
+    try:
+        async for picture in client.capture(count=count, interval=.2*(count>1)): pictures.append(picture)
+    except Exception as e: return len(pictures),pictures,type(e).__name__
+    return len(pictures),pictures,''
+
+async def zoom_in(client, count):
+    "A step, which has no number, and looks like every other"
+    from UAV.mavlink import mavlink
+    return int(bool(await client.set_camera_zoom(zoom_type=mavlink.ZOOM_TYPE_STEP, zoom_value=1))),[],''
+
+async def timed(ask, client, count):
+    start = time.monotonic()
+    told,pictures,error = await ask(client, count)
+    return ns(told=told, images=[p.image_index for p in pictures], error=error, seconds=time.monotonic()-start)
+
+def summary(asks, done, order, count, seconds, frames):
+    "`order[i]` is the ask that picture `i` was taken for; what was told and done, and how long it took"
+    times = sorted(a.seconds for a in asks)
+    found = dict(asked=len(asks)*count, told=sum(a.told for a in asks), done=sum(done.values()),
+                 twice=sum(max(0, done[k]-count) for k in range(len(asks))),                        # done more often than asked
+                 missing=sum(max(0, a.told-done[k]) for k,a in enumerate(asks)),                    # told, and not done
+                 untold=sum(max(0, min(count, done[k])-a.told) for k,a in enumerate(asks)),         # done, and not told
+                 notices=sum(len(a.images) for a in asks),
+                 others=sum(i>=len(order) or order[i]!=k for k,a in enumerate(asks) for i in a.images))     # the notice of another ask's picture
+    errors = Counter(a.error for a in asks if a.error)
+    sent = sum(n for i,n in frames.items() if i!=HEARTBEAT)
+    return dict(found, seconds=round(seconds, 1), median=round(statistics.median(times), 3), p95=round(times[int(.95*len(times))], 3), longest=round(times[-1], 1),
+                commands=frames[COMMAND_LONG], frames=sent, **({'errors': dict(errors)} if errors else {}))
+
+# all of them ------------------------------------------------------------------------------------------------------------------------
+
+def start(name, tree, seed):
+    "Play a scenario in a process of its own"
+    ran = subprocess.run([sys.executable, __file__, '--play', name, '--seed', seed], env=environment(tree), capture_output=True, text=True, timeout=3600)
+    if ran.returncode: raise SystemExit(f'{name}, {tree or "now"}: {ran.stderr[-2000:]}')
+    return json.loads(ran.stdout.splitlines()[-1])
+
+COLUMNS = 'asked','told','done','twice','missing','untold','notices','others','median','p95','seconds','commands','frames'
+
+def table(rows):
+    yield f'{"":60}'+''.join(f'{c:>9}' for c in COLUMNS)
+    for r in rows: yield f'{r["name"]+", "+r["code"]:60}'+''.join(f'{r[c]:9}' for c in COLUMNS)+f'  {r.get("errors", "")}'
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--before', type=Path, help='an older checkout, measured as well')
+    parser.add_argument('--seed', default='issue 7', help='of the dice: another one is another day')
+    parser.add_argument('--parallel', type=int, default=4, help='scenarios at a time; they mostly wait')
+    parser.add_argument('--only', help='scenarios with this in their name; writes nothing without --out')
+    parser.add_argument('--out', help='where the results go (bad_links.json)')
+    parser.add_argument('--play', choices=SCENARIOS, help=argparse.SUPPRESS)
+    args = parser.parse_args()
+    if args.play: return print(json.dumps(play(args.play, args.seed)))
+    from run import machine, trees, write
+    jobs = [(name, label.strip() or 'now', tree) for name in SCENARIOS if (args.only or '') in name for label,tree in trees(args.before).items()]
+    with ThreadPoolExecutor(args.parallel) as pool:
+        results = pool.map(lambda job: dict(name=job[0], code=job[1], **start(job[0], job[2], args.seed)), jobs)
+        rows = []
+        for row in results:
+            rows.append(row)
+            print(*list(table([row]))[len(rows)>1:], sep='\n', flush=True)
+    if args.out or not args.only: write(args.out or HERE/'bad_links.json', dict(machine=machine(args.before), seed=args.seed, rows=rows))
+
+if __name__=='__main__': main()
