@@ -7,22 +7,22 @@ from pathlib import Path
 
 from trees import HERE, environment, wire
 
-# what the weather is, each way; what is asked, how often, and how long we wait in between -------------------------------------------
+# what the weather is, each way; what is asked, how often, how long we wait in between; and on how many days -------------------------
 
 LOSSY = dict(loss=.2, duplicate=.1, reorder=.1, latency=.01, jitter=.04)         # 30 ± 20 ms
 SCENARIOS = {
     'no loss': dict(asks=200),
     '20 % lost, 10 % doubled, 10 % late, 30 ± 20 ms': dict(asks=200, **LOSSY),
-    'jitter of 0.2 s, 5 % lost': dict(asks=100, loss=.05, jitter=.2),
-    '40 % lost, 300 ms': dict(asks=60, loss=.4, latency=.3),
-    '1 s there and back, 20 % lost': dict(asks=50, loss=.2, latency=.5),
-    '2 s there and back, 20 % lost': dict(asks=30, loss=.2, latency=1.),
+    'jitter of 0.2 s, 5 % lost': dict(asks=100, days=2, loss=.05, jitter=.2),
+    '40 % lost, 300 ms': dict(asks=40, days=5, loss=.4, latency=.3),
+    '1 s there and back, 20 % lost': dict(asks=50, days=4, loss=.2, latency=.5),
+    '2 s there and back, 20 % lost': dict(asks=40, days=5, loss=.2, latency=1.),
     '57,600 baud, half full': dict(asks=200, baudrate=57600, telemetry=.5),
     'three outages of 3 s': dict(asks=80, pace=.3, loss=.05, latency=.02, outages=[(3,6),(10,13),(18,21)]),
     'two outages of 8 s': dict(asks=100, pace=.3, loss=.05, latency=.02, outages=[(3,11),(19,27)]),
-    'bursts of 3, 2 s there and back, 20 % lost': dict(asks=10, loss=.2, latency=1., count=3),
+    'bursts of 3, 2 s there and back, 20 % lost': dict(asks=10, days=4, loss=.2, latency=1., count=3),
     'zoom steps, 20 % lost, 10 % doubled, 10 % late': dict(asks=200, zoom=True, **LOSSY),
-    'zoom steps, 1 s there and back, 20 % lost': dict(asks=50, zoom=True, loss=.2, latency=.5),
+    'zoom steps, 1 s there and back, 20 % lost': dict(asks=50, days=4, zoom=True, loss=.2, latency=.5),
 }
 
 def half(way):
@@ -45,13 +45,13 @@ def answered_now(frame):
     raise LookupError('not called for a command')
 
 def play(name, seed):
-    "Play a scenario: what came of it, as a dict"
+    "Play one day of a scenario: what came of it, as a dict"
     from soak import Grey
     from UAV.logging import LogLevels
     from UAV.mavlink import CameraClient, CameraServer, Component, MAVCom, mavlink
-    LossyLink,quiet = wire('lossy').LossyLink,dict(loglevel=LogLevels.CRITICAL)
-    way = dict(SCENARIOS[name])
-    asks,pace,count,zoom = (way.pop(k, default) for k,default in (('asks',1), ('pace',0.), ('count',1), ('zoom',False)))
+    LossyLink,quiet = wire('LossyLink'),dict(loglevel=LogLevels.CRITICAL)
+    way = SCENARIOS[name]
+    asks,pace,count,zoom = way['asks'],way.get('pace', 0.),way.get('count', 1),'zoom' in way
     now = ns(ask=-1)                  # which of `asks` is under way
     asked_by,frames,done,order = {},Counter(),Counter(),[]
 
@@ -98,7 +98,7 @@ def play(name, seed):
         told = asyncio.run(ask_all())
         seconds = time.monotonic()-begun
         camera.wait_idle(10)
-    return summary(told, done, order, count, seconds, frames)
+    return tally(told, done, order, count, seconds, frames)
 
 def chatter(component, rate):
     "Send `rate` bytes of telemetry a second, for as long as the link is open"
@@ -135,24 +135,29 @@ async def timed(ask, client, count):
     told,pictures,error = await ask(client, count)
     return ns(told=told, images=[p.image_index for p in pictures], error=error, seconds=time.monotonic()-start)
 
-def summary(asks, done, order, count, seconds, frames):
-    "`order[i]` is the ask that picture `i` was taken for; what was told and done, and how long it took"
-    times = sorted(a.seconds for a in asks)
-    found = dict(asked=len(asks)*count, told=sum(a.told for a in asks), done=sum(done.values()),
-                 twice=sum(max(0, done[k]-count) for k in range(len(asks))),                        # done more often than asked
-                 missing=sum(max(0, a.told-done[k]) for k,a in enumerate(asks)),                    # told, and not done
-                 untold=sum(max(0, min(count, done[k])-a.told) for k,a in enumerate(asks)),         # done, and not told
-                 notices=sum(len(a.images) for a in asks),
-                 others=sum(i>=len(order) or order[i]!=k for k,a in enumerate(asks) for i in a.images))     # the notice of another ask's picture
-    errors = Counter(a.error for a in asks if a.error)
+def tally(asks, done, order, count, seconds, frames):
+    "What came of a day; `order[i]` is the ask that picture `i` was taken for"
     sent = sum(n for i,n in frames.items() if i!=HEARTBEAT)
-    return dict(found, seconds=round(seconds, 1), median=round(statistics.median(times), 3), p95=round(times[int(.95*len(times))], 3), longest=round(times[-1], 1),
-                commands=frames[COMMAND_LONG], frames=sent, **({'errors': dict(errors)} if errors else {}))
+    return dict(asked=len(asks)*count, told=sum(a.told for a in asks), done=sum(done.values()),
+                twice=sum(max(0, done[k]-count) for k in range(len(asks))),                             # done more often than asked
+                missing=sum(max(0, a.told-done[k]) for k,a in enumerate(asks)),                         # told, and not done
+                untold=sum(max(0, min(count, done[k])-a.told) for k,a in enumerate(asks)),              # done, and not told
+                notices=sum(len(a.images) for a in asks),
+                others=sum(i>=len(order) or order[i]!=k for k,a in enumerate(asks) for i in a.images),  # the notice of another ask's picture
+                seconds=round(seconds, 1), commands=frames[COMMAND_LONG], frames=sent,
+                errors=dict(Counter(a.error for a in asks if a.error)), times=[round(a.seconds, 3) for a in asks])
+
+def together(days):
+    "The days of a scenario as one row: sums, and how long one ask took"
+    times = sorted(t for d in days for t in d['times'])
+    errors = sum((Counter(d['errors']) for d in days), Counter())
+    sums = {k: round(sum(d[k] for d in days), 1) for k in days[0] if k not in ('errors','times')}
+    return dict(sums, median=round(statistics.median(times), 3), p95=round(times[int(.95*len(times))], 3), longest=round(times[-1], 1), **(dict(errors=errors) if errors else {}))
 
 # all of them ------------------------------------------------------------------------------------------------------------------------
 
 def start(name, tree, seed):
-    "Play a scenario in a process of its own"
+    "Play a day in a process of its own"
     ran = subprocess.run([sys.executable, __file__, '--play', name, '--seed', seed], env=environment(tree), capture_output=True, text=True, timeout=3600)
     if ran.returncode: raise SystemExit(f'{name}, {tree or "now"}: {ran.stderr[-2000:]}')
     return json.loads(ran.stdout.splitlines()[-1])
@@ -167,20 +172,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--before', type=Path, help='an older checkout, measured as well')
     parser.add_argument('--seed', default='issue 7', help='of the dice: another one is another day')
-    parser.add_argument('--parallel', type=int, default=4, help='scenarios at a time; they mostly wait')
+    parser.add_argument('--parallel', type=int, default=12, help='processes at a time; they mostly wait')
     parser.add_argument('--only', help='scenarios with this in their name; writes nothing without --out')
     parser.add_argument('--out', help='where the results go (bad_links.json)')
     parser.add_argument('--play', choices=SCENARIOS, help=argparse.SUPPRESS)
     args = parser.parse_args()
     if args.play: return print(json.dumps(play(args.play, args.seed)))
     from run import machine, trees, write
-    jobs = [(name, label.strip() or 'now', tree) for name in SCENARIOS if (args.only or '') in name for label,tree in trees(args.before).items()]
+    names,rows = [n for n in SCENARIOS if (args.only or '') in n],[]
     with ThreadPoolExecutor(args.parallel) as pool:
-        results = pool.map(lambda job: dict(name=job[0], code=job[1], **start(job[0], job[2], args.seed)), jobs)
-        rows = []
-        for row in results:
-            rows.append(row)
-            print(*list(table([row]))[len(rows)>1:], sep='\n', flush=True)
+        days = {(name,label): [pool.submit(start, name, tree, f'{args.seed} {day}') for day in range(SCENARIOS[name].get('days', 1))]
+                for name in names for label,tree in trees(args.before).items()}
+        for (name,label),futures in days.items():
+            rows.append(dict(name=name, code=label.strip() or 'now', **together([f.result() for f in futures])))
+            print(*list(table(rows[-1:]))[len(rows)>1:], sep='\n', flush=True)
     if args.out or not args.only: write(args.out or HERE/'bad_links.json', dict(machine=machine(args.before), seed=args.seed, rows=rows))
 
 if __name__=='__main__': main()

@@ -302,7 +302,7 @@ def message():
     "What one received message costs, each way of reading it in turn"
     from pymavlink import mavutil
     from pymavlink.dialects.v20 import ardupilotmega as mavlink
-    FrameReader,Wanted,frames = wire('frames').FrameReader,wire('frames').Wanted,telemetry()[1:]
+    FrameReader,Wanted,frames = wire('FrameReader'),wire('Wanted'),telemetry()[1:]
     def seen(m): return getattr(m, m.fieldnames[0])
     class Replay(mavutil.mavudp):
         "mavutil's UDP connection, reading what we have instead of its socket"

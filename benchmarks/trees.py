@@ -6,10 +6,12 @@ HERE = Path(__file__).resolve().parent
 TREE = Path(os.environ.get('UAV_TREE') or HERE.parent).resolve()
 sys.path.insert(0, str(TREE))
 
-def wire(room):
-    "A room of the wire, for example `links`; an older checkout has it in UAV.mavlink"
-    tower = 'wire' if (TREE/'UAV'/'wire').is_dir() else 'mavlink'
-    return importlib.import_module(f'UAV.{tower}.{room}')
+ROOMS = dict(FrameReader=('wire.reader','wire.frames','mavlink.frames'), Wanted=('wire.reader','wire.frames','mavlink.frames'), LossyLink=('wire.lossy','mavlink.lossy'))
+
+def wire(name):
+    "A class of the wire, from the room where this checkout has it"
+    room = next(r for r in ROOMS[name] if (TREE/'UAV'/f"{r.replace('.', '/')}.py").exists())
+    return getattr(importlib.import_module(f'UAV.{room}'), name)
 
 def environment(tree=None):
     "The environment of a process that measures `tree`; `None`: what we measure ourselves"
