@@ -15,8 +15,11 @@ def is_ours(code): return code.co_filename.startswith(OURS)
 class Count:
     "Everything that happens in all threads, while `on`"
     def __init__(self):
-        self.on,self.locked = False,0
-        self.calls,self.lines,self.objects,self.outside = Counter(),Counter(),{},Counter()
+        self.clear(on=False)
+
+    def clear(self, on):
+        self.on,self.locked,self.hand_overs = on,0,0
+        self.calls,self.lines,self.objects,self.threads = Counter(),Counter(),{},set()
 
     def profile(self, frame, event, arg):
         "For `sys.setprofile`: the calls of ours, whose methods they are, and what wakes another thread"
@@ -24,9 +27,10 @@ class Count:
         code = frame.f_code
         if event=='call' and is_ours(code):
             self.calls[code] += 1
+            self.threads.add(threading.get_ident())
             if (owner := frame.f_locals.get('self')) is not None: self.objects[id(owner)] = owner
-        if event=='call' and code.co_name=='call_soon_threadsafe': self.outside['call_soon_threadsafe'] += 1
-        if event=='c_return' and getattr(arg, '__name__', '').startswith('recv') and is_ours(code): self.outside['recv'] += 1
+        came = event=='c_return' and is_ours(code) and arg.__name__.startswith('recv')           # a reader has woken
+        self.hand_overs += came or event=='call' and code.co_name=='call_soon_threadsafe'       # or the event loop will
 
     def trace(self, frame, event, arg):
         "For `sys.settrace`: the lines of ours"
@@ -85,7 +89,7 @@ def measure():
     quiet,shutter,rounds = dict(loglevel=LogLevels.CRITICAL),Shutter(CameraInformation(model='Shutter'), CaptureStatus()),[]
 
     async def shoot(client):
-        count.calls,count.lines,count.objects,count.outside,count.locked,count.on = Counter(),Counter(),{},Counter(),0,True
+        count.clear(on=True)
         ack = await client.image_start_capture()
         await asyncio.sleep(.05)                    # what the other threads have still to do for it
         count.on = False
@@ -111,7 +115,7 @@ def of_one(count):
     functions = {(c.co_filename, c.co_firstlineno, c.co_name): c for c in count.calls}
     rooms = Counter(Path(c.co_filename).stem for c in count.calls.elements())
     owners = {name: attributes(o) for o in count.objects.values() if (name := our_class(o))}
-    return dict(calls=sum(count.calls.values()), locks=count.locked, hand_overs=sum(count.outside.values()), functions=len(functions),
+    return dict(calls=sum(count.calls.values()), locks=count.locked, hand_overs=count.hand_overs, threads=len(count.threads), functions=len(functions),
                 lines=len(count.lines), lines_run=sum(count.lines.values()), rooms=dict(rooms.most_common()), attributes=dict(sorted(owners.items(), key=lambda o: -o[1])),
                 names=dict(Counter(f'{Path(c.co_filename).stem}.{c.co_qualname if hasattr(c,"co_qualname") else c.co_name}' for c in count.calls.elements()).most_common()))
 
@@ -127,7 +131,7 @@ def of_tree(tree):
     if ran.returncode: raise SystemExit(ran.stderr[-3000:])
     return json.loads(ran.stdout.splitlines()[-1])
 
-WORDS = dict(calls='calls of ours', locks='locks taken', hand_overs='hand-overs', functions='functions', lines='lines', lines_run='lines, each time they run')
+WORDS = dict(calls='calls of ours', locks='locks taken', hand_overs='hand-overs', threads='threads', functions='functions', lines='lines', lines_run='lines, each time they run')
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
