@@ -5,13 +5,13 @@ from pathlib import Path
 from types import SimpleNamespace as ns
 import argparse, asyncio, json, statistics, subprocess, sys, threading, time
 
-from trees import HERE, environment, wire
+from trees import HERE, environment, ours
 from run import machine, trees, write
 from soak import Grey
 from UAV.logging import LogLevels
 from UAV.mavlink import CameraClient, CameraServer, Component, MAVCom, mavlink
 
-LossyLink,QUIET = wire('LossyLink'),dict(loglevel=LogLevels.CRITICAL)
+LossyLink,QUIET = ours('LossyLink'),dict(loglevel=LogLevels.CRITICAL)
 
 # what the weather is, each way; what is asked, how often, how long we wait in between; and on how many days -------------------------
 

@@ -4,7 +4,7 @@ os.environ['MAVLINK20'] = '1'
 import json, random, resource, socket, statistics, sys, threading, time, traceback
 from concurrent.futures import ThreadPoolExecutor
 
-from trees import wire
+from trees import ours
 VEHICLE,GROUND = (1,1),(255,190)      # (system, component) of every server and every client
 RELAY = 181                           # MAV_CMD_DO_SET_RELAY: all contenders can send it, and it has one answer
 
@@ -68,7 +68,7 @@ def in_background(f): threading.Thread(target=f, daemon=True).start()
 def vehicle(port, components=1, connection='udpin', links=1):
     "Our server: components 1, 2, … of the vehicle; the first beats as an autopilot, so that MAVSDK takes it for a vehicle"
     from UAV.mavlink import Component, MAVCom, mavlink
-    from UAV.mavlink.protocol import command
+    command = ours('command')
     class Relay(Component):
         @command(RELAY)
         def _do_set_relay(self, index:int=0, on:int=0): "Nothing to switch"
@@ -302,7 +302,7 @@ def message():
     "What one received message costs, each way of reading it in turn"
     from pymavlink import mavutil
     from pymavlink.dialects.v20 import ardupilotmega as mavlink
-    FrameReader,Wanted,frames = wire('FrameReader'),wire('Wanted'),telemetry()[1:]
+    FrameReader,Wanted,frames = ours('FrameReader'),ours('Wanted'),telemetry()[1:]
     def seen(m): return getattr(m, m.fieldnames[0])
     class Replay(mavutil.mavudp):
         "mavutil's UDP connection, reading what we have instead of its socket"

@@ -6,10 +6,11 @@ HERE = Path(__file__).resolve().parent
 TREE = Path(os.environ.get('UAV_TREE') or HERE.parent).resolve()
 sys.path.insert(0, str(TREE))
 
-ROOMS = dict(FrameReader=('wire.reader','wire.frames','mavlink.frames'), Wanted=('wire.reader','wire.frames','mavlink.frames'), LossyLink=('wire.lossy','mavlink.lossy'))
+ROOMS = dict(FrameReader=('wire.reader','wire.frames','mavlink.frames'), Wanted=('wire.reader','wire.frames','mavlink.frames'),
+             LossyLink=('wire.lossy','mavlink.lossy'), command=('mavlink.handlers','mavlink.protocol'))
 
-def wire(name):
-    "A class of the wire, from the room where this checkout has it"
+def ours(name):
+    "What is called `name`, from the room where this checkout has it"
     room = next(r for r in ROOMS[name] if (TREE/'UAV'/f"{r.replace('.', '/')}.py").exists())
     return getattr(importlib.import_module(f'UAV.{room}'), name)
 
