@@ -181,7 +181,8 @@ def tick(self:Commands):
 def _due(line:Line)->float:
     "When something must be done about a line"
     fence = line.fence.due if line.fence else math.inf
-    return min(fence, line.on_wire.due if line.on_wire else math.inf if line.queue else line.hard)
+    if line.on_wire: return min(line.on_wire.due, fence)
+    return fence if line.fence else line.hard
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #97123604
 @patch
