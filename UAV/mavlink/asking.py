@@ -71,16 +71,16 @@ def _new_line(self:Commands, key:tuple)->Line:
     line = self._lines[key] = Line(key, remote.round_trip if remote else RoundTrip())
     return line
 
-# %% ../../nbs/api/23_mavlink.asking.ipynb #f0f94011
+# %% ../../nbs/api/23_mavlink.asking.ipynb #34391bab
 @patch
 def _advance(self:Commands, line:Line):
     "Let the first command of a line begin, now or after a fence; a line with nothing to do goes"
     if line.on_wire or line.fence: return
     if self.clock()>=line.hard: line.dirty = False
-    if not line.queue:
-        if not line.dirty: self._lines.pop(line.key, None)
-    elif line.dirty: self._raise_fence(line)
-    else: self._copy(line, line.queue[0])
+    trip = line.round_trip
+    if line.dirty and (line.queue or not (trip.srtt or trip.deaf or line.is_broadcast)): self._raise_fence(line)
+    elif line.queue: self._copy(line, line.queue[0])
+    elif not line.dirty: self._lines.pop(line.key, None)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #f7b7d99e
 @patch
@@ -139,7 +139,7 @@ def _sample(self:Commands, line:Line, source:tuple, seconds:float):
     line.round_trip.sample(seconds)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #22b75820
-noise = .01 # s that threads and sockets add to a round trip, or save: no ack is doubted for that
+noise = .005 # s that threads and sockets add to a round trip, or save: no ack is doubted for that
 
 @patch
 def _is_early(self:Commands, line:Line, command:Command, now:float)->bool:
