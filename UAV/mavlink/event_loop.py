@@ -13,7 +13,7 @@ from . import routing
 # %% auto #0
 __all__ = []
 
-# %% ../../nbs/api/28_mavlink.event_loop.ipynb #9195ecda
+# %% ../../nbs/api/28_mavlink.event_loop.ipynb #efb3cddf
 @patch
 def read_in_loop(self:Channel, loop):
     "Have `loop` read the link, and not a thread; raises `LinkError` when that is no UDP link"
@@ -33,7 +33,7 @@ def take_all(self:Channel,
         try: data,peer = self.link.sock.recvfrom(65535)
         except BlockingIOError: return
         except OSError: continue            # no program listens there (ICMP port unreachable)
-        if data: self._take_safely(data, peer)
+        if data: self._take_safely((data, peer))
 
 # %% ../../nbs/api/28_mavlink.event_loop.ipynb #d912a1c0
 @patch
