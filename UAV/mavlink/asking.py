@@ -5,7 +5,7 @@
 # %% ../../nbs/api/23_mavlink.asking.ipynb #a4a11e78
 from __future__ import annotations
 from collections import deque
-import logging, math, threading, time
+import math, time
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -14,8 +14,10 @@ from ..wire.dialect import address
 from .protocol import Command, Lost, Outbox
 from .remotes import Remotes, RoundTrip, first_rto, longest_rto
 
+log = get_logger('asking')
+
 # %% auto #0
-__all__ = ['patience', 'in_progress_timeout', 'remembered', 'noise', 'longest_stray', 'fence_tries', 'log', 'Line', 'Commands',
+__all__ = ['log', 'patience', 'in_progress_timeout', 'remembered', 'noise', 'longest_stray', 'fence_tries', 'Line', 'Commands',
            'Fence']
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #3b22a835
@@ -40,6 +42,11 @@ class Line:
 
     @property
     def is_broadcast(self)->bool: return 0 in self.key[1:]
+
+    @property
+    def is_unmeasured(self)->bool:
+        "Is nothing known of its round trip, which a question could tell?"
+        return self.round_trip.srtt is None and not (self.round_trip.deaf or self.is_broadcast)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #6ded0786
 class Commands:
@@ -71,16 +78,16 @@ def _new_line(self:Commands, key:tuple)->Line:
     line = self._lines[key] = Line(key, remote.round_trip if remote else RoundTrip())
     return line
 
-# %% ../../nbs/api/23_mavlink.asking.ipynb #34391bab
+# %% ../../nbs/api/23_mavlink.asking.ipynb #fb15fb55
 @patch
 def _advance(self:Commands, line:Line):
     "Let the first command of a line begin, now or after a fence; a line with nothing to do goes"
-    if line.on_wire or line.fence: return
-    if self.clock()>=line.hard: line.dirty = False
-    trip = line.round_trip
-    if line.dirty and (line.queue or not (trip.srtt or trip.deaf or line.is_broadcast)): self._raise_fence(line)
+    if line.fence or line.on_wire: return
+    if line.dirty and self.clock()>=line.hard: line.dirty = False
+    if line.dirty:
+        if line.queue or line.is_unmeasured: self._raise_fence(line)
     elif line.queue: self._copy(line, line.queue[0])
-    elif not line.dirty: self._lines.pop(line.key, None)
+    else: self._lines.pop(line.key, None)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #f7b7d99e
 @patch
@@ -237,9 +244,6 @@ def _ask_fence(self:Commands, line:Line):
 def _put_question(self:Commands, target:tuple, number:int):
     try: self._ask(target, number)
     except Exception as e: log.info('cannot ask %s: %s', target, e)
-
-# %% ../../nbs/api/23_mavlink.asking.ipynb #c4a61191
-log = get_logger('asking')
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #f4c0d68b
 @patch

@@ -127,7 +127,7 @@ def __repr__(self:Command):
     state = 'done' if self.there else f'sent {self.copies} times' if self.copies else 'waiting'
     return f'{enum_name("MAV_CMD", command_id, "MAV_CMD_")} to {system}/{component}, {state}'
 
-# %% ../../nbs/api/20_mavlink.protocol.ipynb #031849c8
+# %% ../../nbs/api/20_mavlink.protocol.ipynb #141ffc68
 class Outbox:
     "A lock, and calls that are made when it was let go; what they bring about is called after them, not within"
     def __init__(self): self._calls,self._lock,self._busy = deque(),threading.RLock(),threading.Lock()
@@ -135,7 +135,7 @@ class Outbox:
     def __enter__(self): self._lock.acquire()
     def __exit__(self, *args):
         self._lock.release()
-        self.flush()
+        if self._calls: self.flush()
 
     def flush(self):
         "Make the calls, unless another thread is at it: then it makes ours as well"
