@@ -4,25 +4,53 @@
 
 # %% ../nbs/api/80_cli.ipynb #72ca72b7
 from __future__ import annotations
+from contextlib import contextmanager
 from pathlib import Path
 import asyncio, sys
 
 from fastcore.script import call_parse
 from .cameras import CV2Camera, CameraError, SimCamera
 from .mavlink import CameraClient, CameraServer, MAVCom, mavlink
-from .mavlink.protocol import MAVError
+from .wire.dialect import MAVError
 from .utils.display import contact_sheet
 
 # %% auto #0
 __all__ = ['picture_line', 'demo', 'save_sheet', 'uav_demo']
+
+# %% ../nbs/api/80_cli.ipynb #eb58d163
+@contextmanager
+def _client_of(camera):
+    "Serve `camera` on a free UDP port of this machine; a client at the other end"
+    with (MAVCom('udpin:127.0.0.1:0') as ground,
+          MAVCom(f'udpout:127.0.0.1:{ground.link.port}', source_system=1) as vehicle):
+        vehicle.add_component(CameraServer(mavlink.MAV_COMP_ID_CAMERA, camera=camera))
+        yield ground.add_component(CameraClient(mavlink.MAV_COMP_ID_MISSIONPLANNER))
+
+# %% ../nbs/api/80_cli.ipynb #bd75e208
+async def _find_camera(client):
+    "The first camera that is heard becomes the client's target; `CameraError` when there is none"
+    found = await client.find_cameras(count=1, timeout=5)
+    if not found: raise CameraError('no camera was heard')
+    client.set_target(found[0].system, found[0].component)
+    return found[0]
 
 # %% ../nbs/api/80_cli.ipynb #4fcf7660
 def picture_line(
     msg, # A CAMERA_IMAGE_CAPTURED
 )->str:
     "One line about a picture that was taken"
-    where = f'at {msg.lat/1e7:.6f} {msg.lon/1e7:.6f}, {msg.alt/1e3:.1f} m' if msg.lat or msg.lon else 'position unknown'
+    known = msg.lat or msg.lon
+    where = f'at {msg.lat/1e7:.6f} {msg.lon/1e7:.6f}, {msg.alt/1e3:.1f} m' if known else 'position unknown'
     return f'CAMERA_IMAGE_CAPTURED {msg.image_index}: {msg.file_url or "failed"}, {where}'
+
+# %% ../nbs/api/80_cli.ipynb #032616cf
+async def _shots(client, count):
+    "Take `count` pictures one after the other, and give the CAMERA_IMAGE_CAPTURED of each as it comes"
+    for n in range(count):
+        (await client.image_start_capture()).check()
+        images = await client.wait_images()
+        if not images: raise CameraError(f'picture {n+1} was asked for, but never announced')
+        yield images[-1]
 
 # %% ../nbs/api/80_cli.ipynb #b7f0943d
 async def demo(
@@ -30,41 +58,37 @@ async def demo(
     count:int=5, # How many pictures
     say=print, # Where the lines go
 )->list:
-    "Serve `camera` on a free UDP port, find it, and take `count` pictures; their CAMERA_IMAGE_CAPTURED"
-    with MAVCom('udpin:127.0.0.1:0') as ground, MAVCom(f'udpout:127.0.0.1:{ground.link.port}', source_system=1) as vehicle:
-        vehicle.add_component(CameraServer(mavlink.MAV_COMP_ID_CAMERA, camera=camera))
-        client = ground.add_component(CameraClient(mavlink.MAV_COMP_ID_MISSIONPLANNER))
-        found = await client.find_cameras(count=1, timeout=5)
-        if not found: raise CameraError('no camera was heard')
-        say(f'found {found[0]}')
-        client.set_target(found[0].system, found[0].component)
-        images = []
-        for n in range(count):
-            if hasattr(camera,'yaw'): camera.yaw = 30.*n
-            (await client.image_start_capture()).check()
-            images += await client.wait_images()
-            if len(images)<=n: raise CameraError(f'picture {n+1} was asked for, but never announced')
-            say(picture_line(images[-1]))
-        return images
+    "Serve `camera`, find it, and take `count` pictures; their CAMERA_IMAGE_CAPTURED"
+    images = []
+    with _client_of(camera) as client:
+        say(f'found {await _find_camera(client)}')
+        async for picture in _shots(client, count):
+            say(picture_line(picture))
+            images.append(picture)
+            if hasattr(camera,'yaw'): camera.yaw += 30.
+    return images
 
 # %% ../nbs/api/80_cli.ipynb #ab277b6d
 def save_sheet(
     folder, # Where the pictures are, and the sheet will be
     images:list, # Their CAMERA_IMAGE_CAPTURED
 )->Path:
-    "Write `contact_sheet.jpg` beside the pictures; its path"
+    "Write `contact_sheet.jpg` beside the pictures; its path. `CameraError` when no picture could be taken"
     import cv2
-    shown = [m for m in images if m.capture_result==1]
-    if not shown: raise CameraError('no picture could be taken')
-    sheet,path = contact_sheet([cv2.imread(str(Path(folder)/m.file_url)) for m in shown], 3, 320, [m.file_url for m in shown]),Path(folder)/'contact_sheet.jpg'
-    if not cv2.imwrite(str(path), sheet): raise OSError(f'cannot write {path}')
+    names = [m.file_url for m in images if m.capture_result==1]
+    if not names: raise CameraError('no picture could be taken')
+    pictures = [cv2.imread(str(Path(folder)/name)) for name in names]
+    path = Path(folder)/'contact_sheet.jpg'
+    written = cv2.imwrite(str(path), contact_sheet(pictures, columns=3, width=320, labels=names))
+    if not written: raise OSError(f'cannot write {path}')
     return path
 
 # %% ../nbs/api/80_cli.ipynb #e31f2cdb
 _next = '''Next:
   uav-demo --video FILE     the same with a video of your own as the camera
   QGroundControl, MAVSDK    see the how-to pages, or serve a camera with
-                            MAVCom('udpout:127.0.0.1:14550', source_system=1).add_component(CameraServer(camera=SimCamera()))'''
+                            vehicle = MAVCom('udpout:127.0.0.1:14550', source_system=1)
+                            vehicle.add_component(CameraServer(camera=SimCamera()))'''
 
 # %% ../nbs/api/80_cli.ipynb #6a335fd5
 @call_parse
@@ -73,7 +97,7 @@ def uav_demo(
     out:str='uav_pictures', # Folder for the pictures
     count:int=5, # How many pictures
 ):
-    "Start a MAVLink camera, find it, take pictures and put them on one sheet. For example: `uav-demo --video flight.mp4 --out flight`"
+    "Find a MAVLink camera, take pictures, put them on a sheet. For example: `uav-demo --video flight.mp4 --out flight`"
     if count<1: sys.exit('uav-demo: --count must be 1 or more')
     try:
         with CV2Camera(video, folder=out) if video else SimCamera(folder=out) as camera:

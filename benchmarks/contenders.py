@@ -2,9 +2,9 @@
 import os
 os.environ['MAVLINK20'] = '1'
 import json, random, resource, socket, statistics, sys, threading, time, traceback
-from pathlib import Path
+from concurrent.futures import ThreadPoolExecutor
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from trees import ours
 VEHICLE,GROUND = (1,1),(255,190)      # (system, component) of every server and every client
 RELAY = 181                           # MAV_CMD_DO_SET_RELAY: all contenders can send it, and it has one answer
 
@@ -14,17 +14,25 @@ def facts():
     "What this process, all its threads, has used so far: CPU (user+system, s), wake-ups; and when"
     return dict(cpu=time.process_time(), wakeups=resource.getrusage(resource.RUSAGE_SELF).ru_nvcsw, at=time.perf_counter())
 
-def obey(**verbs):
-    "Say that we are ready, and do what the lines on stdin say until it is closed"
+def obey(loop=None, **verbs):
+    "Say that we are ready, and do what the lines on stdin say until it is closed; an event `loop` runs meanwhile"
     out = os.fdopen(os.dup(1), 'w')
-    os.dup2(2, 1)                     # whatever a library prints does not get between our lines
+    os.dup2(2, 1)                     # what a library prints does not get between our lines
     verbs['facts'] = facts
-    def say(what): out.write(json.dumps(what)+'\n'); out.flush()
+    def say(what):
+        out.write(json.dumps(what)+'\n')
+        out.flush()
     say('ready')
-    for line in sys.stdin:
+    for line in iter(lines(loop), ''):
         verb,args = json.loads(line)
         say(verbs[verb](**args))
     os._exit(0)                       # MAVSDK's asyncio front may hang when it is taken down properly
+
+def lines(loop):
+    "A function that gives the next line of stdin, while `loop` does what it has to do"
+    if loop is None: return sys.stdin.readline
+    reader = ThreadPoolExecutor(1)
+    return lambda: loop.run_until_complete(loop.run_in_executor(reader, sys.stdin.readline))
 
 def summary(times, answered, cpu):
     "What is told of a batch of commands; times in s, told in µs"
@@ -60,7 +68,7 @@ def in_background(f): threading.Thread(target=f, daemon=True).start()
 def vehicle(port, components=1, connection='udpin', links=1):
     "Our server: components 1, 2, … of the vehicle; the first beats as an autopilot, so that MAVSDK takes it for a vehicle"
     from UAV.mavlink import Component, MAVCom, mavlink
-    from UAV.mavlink.protocol import command
+    command = ours('command')
     class Relay(Component):
         @command(RELAY)
         def _do_set_relay(self, index:int=0, on:int=0): "Nothing to switch"
@@ -76,14 +84,19 @@ def uav_server(**how):
     com = vehicle(**how)
     obey(received=lambda: sum(sum(names.values()) for names in com.message_cnts.values()))
 
-def uav_client(port, connection='udpout', component=1, server=False):
+def uav_client(port, connection='udpout', component=1, server=False, loop_reads=False):
+    "Our client; `server`: in one process with the server it asks. `loop_reads`: inside `async with`, if the tree has that"
     import asyncio
     from UAV.mavlink import Component, MAVCom, mavlink
-    here = vehicle(port) if server else None
-    com,loop = MAVCom(f'{connection}:127.0.0.1:{port}', source_system=GROUND[0]),asyncio.new_event_loop()
-    station = com.add_component(Component(GROUND[1], mavlink.MAV_TYPE_GCS))
+    if loop_reads and not hasattr(MAVCom, '__aenter__'): raise SystemExit('this tree has no `async with MAVCom`')
+    loop = asyncio.new_event_loop()
+    coms = [vehicle(port)] if server else []
+    coms.append(MAVCom(f'{connection}:127.0.0.1:{port}', source_system=GROUND[0]))
+    if loop_reads:
+        for com in coms: loop.run_until_complete(com.__aenter__())
+    station = coms[-1].add_component(Component(GROUND[1], mavlink.MAV_TYPE_GCS))
     if not loop.run_until_complete(station.wait_heartbeat(target_system=1, target_component=component, timeout=10)): sys.exit('our server does not beat')
-    obey(run=awaited(loop, lambda: station.send_command(1, component, RELAY, [0, 1])))
+    obey(loop, run=awaited(loop, lambda: station.send_command(1, component, RELAY, [0, 1])))
 
 # pymavlink ----------------------------------------------------------------------------------------------------------------------------
 
@@ -171,7 +184,7 @@ def handover_client(port):
         return await woken[0]
     sock.bind(('127.0.0.1', 0))
     in_background(read)
-    obey(run=awaited(loop, ask))
+    obey(loop, run=awaited(loop, ask))
 
 def receive_only(port):
     "Takes what comes, and throws it away"
@@ -196,7 +209,7 @@ def mavsdk_asyncio(port):
         return await sdk.first_autopilot(timeout_s=20)
     action = ActionAsync(loop.run_until_complete(connect()))
     async def ask(): return await action.set_relay(0, RelayCommand.ON)==ActionResult.SUCCESS
-    obey(run=awaited(loop, ask))
+    obey(loop, run=awaited(loop, ask))
 
 def mavsdk_blocking(port):
     import mavsdk
@@ -289,8 +302,7 @@ def message():
     "What one received message costs, each way of reading it in turn"
     from pymavlink import mavutil
     from pymavlink.dialects.v20 import ardupilotmega as mavlink
-    from UAV.wire.frames import FrameReader, Wanted
-    frames = telemetry()[1:]
+    FrameReader,Wanted,frames = ours('FrameReader'),ours('Wanted'),telemetry()[1:]
     def seen(m): return getattr(m, m.fieldnames[0])
     class Replay(mavutil.mavudp):
         "mavutil's UDP connection, reading what we have instead of its socket"

@@ -3,8 +3,8 @@ from array import array
 import argparse, asyncio, gc, json, statistics, sys, tempfile, threading, time
 from pathlib import Path
 
-from run import HERE, Worker, free_ports, machine, write
-sys.path.insert(0, str(HERE.parent))
+from trees import HERE
+from run import Worker, free_ports, machine, write
 import cv2, numpy as np, psutil
 from UAV.cameras import Camera, CameraInformation, Frame, Picture
 from UAV.logging import LogLevels

@@ -9,22 +9,28 @@ import math, threading, time
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_STATUS as CAMERA_CAPTURE_STATUS,
-    MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED, MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION,
+    MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED,
+    MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION,
     MAVLINK_MSG_ID_CAMERA_SETTINGS as CAMERA_SETTINGS, MAVLINK_MSG_ID_STORAGE_INFORMATION as STORAGE_INFORMATION,
-    MAVLINK_MSG_ID_VIDEO_STREAM_INFORMATION as VIDEO_STREAM_INFORMATION, MAVLINK_MSG_ID_VIDEO_STREAM_STATUS as VIDEO_STREAM_STATUS)
-from ..cameras.storage import (CameraBusy, CameraError, CameraInformation, CameraSettings, CaptureStatus, Picture, StorageInformation)
+    MAVLINK_MSG_ID_VIDEO_STREAM_INFORMATION as VIDEO_STREAM_INFORMATION,
+    MAVLINK_MSG_ID_VIDEO_STREAM_STATUS as VIDEO_STREAM_STATUS)
+from UAV.cameras.storage import (CameraBusy, CameraError, CameraInformation, CameraSettings, CaptureStatus, Picture,
+    StorageInformation)
 from ..cameras.camera import DeviceStatus
 from ..logging import LogLevels
 from ..utils.general import time_since_boot_ms
-from .protocol import Denied, Unsupported, address, command, enum_name, enum_value, message
+from ..utils.seen import Seen
+from ..wire.dialect import address, enum_name, enum_value
+from .protocol import Denied, Unsupported
+from .handlers import Outcome, message
 from .component import Component
 
 NAN = math.nan
-_all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED',
-         'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN', 'LogLevels', 'mavlink']
+_all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
+         'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN', 'LogLevels', 'mavlink']
 
 # %% auto #0
-__all__ = ['NAN', 'FakeCamera', 'CameraServer', 'Shots', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION',
+__all__ = ['NAN', 'FakeCamera', 'CameraServer', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION',
            'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS',
            'LogLevels', 'mavlink']
 
@@ -36,21 +42,24 @@ class FakeCamera:
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #7105e17d
 class CameraServer(Component):
     "Serves a camera object as a MAVLink camera"
-    greet_again = 5. # seconds after which who asks for CAMERA_INFORMATION is a new peer
-    most_peers = 64 # whom we remember having greeted
+    greet_again,most_peers = 5.,64  # seconds after which an asker is a new peer; how many are remembered
+    pair = .2                       # seconds within which the two kinds of trigger are one press of the shutter
 
     def __init__(self,
         source_component:int=mavlink.MAV_COMP_ID_CAMERA, # 100 to 105 are what QGroundControl and ArduPilot look for
         mav_type:int=mavlink.MAV_TYPE_CAMERA,
         camera=None, # A Camera, or any object with `information` and some of its verbs
         loglevel:int=LogLevels.INFO,
+        guard=None, # Who may destroy: `None`: all; `'signed'`; systems or addresses; a function of the command
     ):
-        if 1<=source_component<=6: raise ValueError(f'a camera cannot be component {source_component}: 1 to 6 mean cameras of the autopilot')
+        if 1<=source_component<=6: raise ValueError(f'a camera cannot be component {source_component}, an autopilot\'s')
         super().__init__(source_component, mav_type, loglevel)
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
         elif not hasattr(camera,'information'): raise TypeError(f'{camera!r} is no camera: it has no `information`')
-        self.camera,self._greeted,self._shots = FakeCamera() if camera is None else camera,{},Shots()
-        self._fault,self._told,self._looking = None,0,threading.Lock()
+        if isinstance(guard, str) and guard!='signed': raise ValueError(f'guard is {guard!r}, not \'signed\'')
+        self.camera,self.guard = FakeCamera() if camera is None else camera,guard
+        self._greeted,self._triggers = Seen(self.greet_again, self.most_peers),Seen(self.pair)
+        self._fault,self._fault_lock,self._text_id = None,threading.Lock(),0
         if self.can('subscribe'): self.camera.subscribe(self._on_camera)
 
     def close(self):
@@ -60,13 +69,13 @@ class CameraServer(Component):
         if self.can('unsubscribe'): self.camera.unsubscribe(self._on_camera)
         super().close()
 
-    def run_command(self, handler, msg):
-        "As every component does, with two habits that QGroundControl needs: a status after a refused capture, and no reset but ACCEPTED or FAILED"
-        result = super().run_command(handler, msg)
-        if msg.command==mavlink.MAV_CMD_RESET_CAMERA_SETTINGS and result in (mavlink.MAV_RESULT_DENIED,mavlink.MAV_RESULT_UNSUPPORTED): result = mavlink.MAV_RESULT_FAILED
-        refused = result!=mavlink.MAV_RESULT_ACCEPTED and msg.command in (mavlink.MAV_CMD_IMAGE_START_CAPTURE,mavlink.MAV_CMD_DO_DIGICAM_CONTROL)
-        if refused and self.can('capture_status'): self.send_message(self._camera_capture_status())
-        return result
+    def run_command(self, handler, msg)->Outcome:
+        "As every component does, but nothing destroys without a look at the guard"
+        try:
+            if handler.options.get('destroys'): self.check_guard(msg)
+            outcome = super().run_command(handler, msg)
+        except Exception as e: outcome = Outcome(self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
+        return self._for_ground_stations(msg, outcome)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #e97b2180
 @patch
@@ -80,51 +89,65 @@ def need(self:CameraServer, verb:str):
     if not self.can(verb): raise Unsupported(f'{self.camera.information.model} has no {verb}')
     return getattr(self.camera, verb)
 
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #2e609364
 @patch
 def for_us(self:CameraServer, camera_id:int):
     "Raise `Denied` when a command names another camera: we are 0 (all), or our component id"
     if camera_id not in (0, self.source_component): raise Denied(f'camera {camera_id} is not here')
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #fa5c7518
-CameraServer.results = {**Component.results, CameraBusy:mavlink.MAV_RESULT_TEMPORARILY_REJECTED, CameraError:mavlink.MAV_RESULT_FAILED,
-                        ValueError:mavlink.MAV_RESULT_DENIED, IndexError:mavlink.MAV_RESULT_DENIED}
+CameraServer.results = {**Component.results, CameraBusy:mavlink.MAV_RESULT_TEMPORARILY_REJECTED,
+    CameraError:mavlink.MAV_RESULT_FAILED, ValueError:mavlink.MAV_RESULT_DENIED, IndexError:mavlink.MAV_RESULT_DENIED}
+
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #36cd6e47
+_triggers = mavlink.MAV_CMD_IMAGE_START_CAPTURE,mavlink.MAV_CMD_DO_DIGICAM_CONTROL
+
+@patch
+def _for_ground_stations(self:CameraServer, msg, outcome:Outcome)->Outcome:
+    "A status after a refused capture, and no reset but ACCEPTED or FAILED"
+    if outcome.result==mavlink.MAV_RESULT_ACCEPTED: return outcome
+    if msg.command in _triggers and self.can('capture_status'): self.send_message(self._camera_capture_status())
+    if msg.command!=mavlink.MAV_CMD_RESET_CAMERA_SETTINGS: return outcome
+    sticks = outcome.result in (mavlink.MAV_RESULT_DENIED,mavlink.MAV_RESULT_UNSUPPORTED)
+    return Outcome(mavlink.MAV_RESULT_FAILED) if sticks else outcome
+
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #f9a7d75c
+@patch
+def check_guard(self:CameraServer, msg):
+    "Raise `Denied` when the sender of the command `msg` may not destroy"
+    guard,source = self.guard,address(msg)
+    if guard is None: return
+    if guard=='signed': allowed = self.mav_com.signing is not None and msg.get_signed()
+    elif callable(guard): allowed = guard(msg)
+    else: allowed = source in guard or source[0] in guard
+    if not allowed: raise Denied(f'{source[0]}/{source[1]} may not destroy')
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #13566b0e
-_flag_verbs = {'CAPTURE_IMAGE':'image_start_capture', 'HAS_MODES':'set_camera_mode', 'HAS_BASIC_ZOOM':'set_camera_zoom', 'HAS_BASIC_FOCUS':'set_camera_focus'}
+_flag_verbs = {'CAPTURE_IMAGE':'image_start_capture', 'HAS_MODES':'set_camera_mode', 'HAS_BASIC_ZOOM':'set_camera_zoom',
+               'HAS_BASIC_FOCUS':'set_camera_focus'}
 
 @patch(as_prop=True)
 def flags(self:CameraServer)->int:
     "CAMERA_CAP_FLAGS of what the camera object can do"
-    names = {f for f,verb in _flag_verbs.items() if self.can(verb)}
+    names = {flag for flag,verb in _flag_verbs.items() if self.can(verb)}
+    both = {'HAS_MODES','CAPTURE_IMAGE'} <= names
     if 'image_survey' in getattr(self.camera,'modes',()): names.add('HAS_IMAGE_SURVEY_MODE')
-    if {'HAS_MODES','CAPTURE_IMAGE'}<=names and getattr(self.camera,'image_in_video_mode',False): names.add('CAN_CAPTURE_IMAGE_IN_VIDEO_MODE')
+    if both and getattr(self.camera,'image_in_video_mode',False): names.add('CAN_CAPTURE_IMAGE_IN_VIDEO_MODE')
     return sum(enum_value('CAMERA_CAP_FLAGS', n, 'CAMERA_CAP_FLAGS_') for n in names)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #deaa0060
-def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))    # the last byte stays 0: others read C strings
+def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))    # ends with 0: others read C strings
 
 @patch
 @message(CAMERA_INFORMATION)
 def _camera_information(self:CameraServer, *, msg=None):
-    "CAMERA_INFORMATION; who asks for the first time also gets settings, storage and status"
+    "CAMERA_INFORMATION, and for a new asker settings, storage and status"
     i = self.camera.information
     version = sum(v<<8*n for n,v in enumerate(i.firmware_version))
-    info = self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version, i.focal_length, i.sensor_size_h,
-        i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id, self.flags, 0, b'', getattr(self.camera,'gimbal_device_id',0))
+    info = self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version,
+        i.focal_length, i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id,
+        self.flags, 0, b'', getattr(self.camera,'gimbal_device_id',0))
     return [info, *(self._greeting(address(msg)) if msg else [])]
-
-@patch
-def _greeting(self:CameraServer, peer:tuple)->list:
-    "What a ground station wants to know next, so that it need not ask; again only when `peer` has been away"
-    last,now = self._greeted.pop(peer,-math.inf),time.monotonic()
-    self._greeted[peer] = now
-    if len(self._greeted)>self.most_peers: del self._greeted[next(iter(self._greeted))]
-    if now-last<self.greet_again: return []
-    found = []
-    for i in (CAMERA_SETTINGS, STORAGE_INFORMATION, CAMERA_CAPTURE_STATUS):
-        try: found += self.encode_requested(i)
-        except Exception as e: self.log.info('%s: %s', i, e)       # what it is can be told all the same
-    return found
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #25daf4da
 @patch
@@ -132,52 +155,82 @@ def _greeting(self:CameraServer, peer:tuple)->list:
 def _camera_settings(self:CameraServer):
     "CAMERA_SETTINGS: mode, zoom and focus"
     s = self.need('settings')()
-    return self.mav.camera_settings_encode(time_since_boot_ms(), enum_value('CAMERA_MODE', s.mode, 'CAMERA_MODE_'), s.zoom, s.focus)
+    mode = enum_value('CAMERA_MODE', s.mode, 'CAMERA_MODE_')
+    return self.mav.camera_settings_encode(time_since_boot_ms(), mode, s.zoom, s.focus)
 
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #20634227
 @patch
 @message(CAMERA_CAPTURE_STATUS)
 def _camera_capture_status(self:CameraServer):
     "CAMERA_CAPTURE_STATUS: what is being taken, how many there are, how much room is left"
     s = self.need('capture_status')()
-    return self.mav.camera_capture_status_encode(time_since_boot_ms(), bool(s.capturing)+2*(s.interval>0), int(s.recording), s.interval,
-                                                 int(s.recording_time*1000), s.available, s.image_count)
+    image_status,milliseconds = bool(s.capturing)+2*(s.interval>0),int(s.recording_time*1000)
+    return self.mav.camera_capture_status_encode(time_since_boot_ms(), image_status, int(s.recording), s.interval,
+                                                 milliseconds, s.available, s.image_count)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #c23ed1ec
+def _speed(value:float)->float: return 0. if math.isnan(value) else value     # MB/s; MAVLink has only 0 for "not known"
+
 @patch
 @message(STORAGE_INFORMATION)
 def _storage_information(self:CameraServer, storage_id:int=0):
     "STORAGE_INFORMATION of one storage, or of all (0); sizes in MiB"
     found = [s for s in self.need('storage_information')() if storage_id in (0, s.storage_id)]
     if not found: raise Denied(f'no storage {storage_id}')
+    return [self._encode_storage(s) for s in found]
+
+@patch
+def _encode_storage(self:CameraServer, s:StorageInformation):
+    "STORAGE_INFORMATION of one storage"
+    status = enum_value('STORAGE_STATUS', s.status, 'STORAGE_STATUS_')
     usage = mavlink.STORAGE_USAGE_FLAG_SET|mavlink.STORAGE_USAGE_FLAG_PHOTO
-    def speed(v): return 0. if math.isnan(v) else v
-    return [self.mav.storage_information_encode(time_since_boot_ms(), s.storage_id, s.storage_count, enum_value('STORAGE_STATUS', s.status, 'STORAGE_STATUS_'),
-                s.total, s.used, s.available, speed(s.read_speed), speed(s.write_speed), mavlink.STORAGE_TYPE_OTHER, s.name.encode()[:31], usage)
-            for s in found]
+    return self.mav.storage_information_encode(time_since_boot_ms(), s.storage_id, s.storage_count, status, s.total,
+        s.used, s.available, _speed(s.read_speed), _speed(s.write_speed), mavlink.STORAGE_TYPE_OTHER,
+        s.name.encode()[:31], usage)
+
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #8b2434ad
+@patch
+def _greeting(self:CameraServer, peer:tuple)->list:
+    "What a ground station wants to know next, so that it need not ask; again only when `peer` has been away"
+    found = []
+    if self._greeted.again(peer): return found
+    for i in (CAMERA_SETTINGS, STORAGE_INFORMATION, CAMERA_CAPTURE_STATUS):
+        try: found += self.encode_requested(i)
+        except Exception as e: self.log.info('%s: %s', i, e)       # what it is can be told all the same
+    return found
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #b8ac392d
+def _scaled(pose, name:str, scale:float)->int:
+    "A number of `pose` as an int32 in units of 1/`scale`; 0 when it is not known"
+    value = getattr(pose, name, NAN)
+    return 0 if math.isnan(value) else round(min(max(value*scale, -0x7fffffff), 0x7fffffff))
+
 @patch
 def _encode_picture(self:CameraServer, picture:Picture):
     "CAMERA_IMAGE_CAPTURED for one `Picture`"
-    p,ago = picture.pose,time.time()-picture.time_utc
-    def scaled(value, scale): return 0 if p is None or math.isnan(value) else round(min(max(value*scale, -0x7fffffff), 0x7fffffff))
-    where = [scaled(getattr(p,n,NAN), s) for n,s in (('lat',1e7), ('lon',1e7), ('alt',1e3), ('relative_alt',1e3))]
-    return self.mav.camera_image_captured_encode(min(max(0, time_since_boot_ms()-int(ago*1000)), 0xffffffff), int(picture.time_utc*1e6), 0, *where,
-        list(p.q) if p else [1.,0.,0.,0.], picture.index, int(picture.ok), picture.file.encode()[:204])
+    pose,ago = picture.pose,time.time()-picture.time_utc
+    taken = min(max(0, time_since_boot_ms()-int(ago*1000)), 0xffffffff)
+    where = [_scaled(pose, n, scale) for n,scale in (('lat',1e7), ('lon',1e7), ('alt',1e3), ('relative_alt',1e3))]
+    attitude = list(pose.q) if pose else [1.,0.,0.,0.]
+    return self.mav.camera_image_captured_encode(taken, int(picture.time_utc*1e6), 0, *where, attitude, picture.index,
+                                                 int(picture.ok), picture.file.encode()[:204])
 
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #031b4f70
 @patch
 @message(CAMERA_IMAGE_CAPTURED)
 def _camera_image_captured(self:CameraServer, index:int=None, last:int=0):
-    "CAMERA_IMAGE_CAPTURED of picture `index` (-1: from the first, to the end) up to `last` (0: only this one, -1: to the end)"
+    "CAMERA_IMAGE_CAPTURED of picture `index` (-1: of all) up to `last` (0: only this one, -1: to the end)"
     if index is None: raise Denied('no index given')
     if min(index, last)<-1: raise Denied(f'index is {min(index, last)}')
     count = self.need('capture_status')().image_count
-    first,last = (0,count-1) if index<0 else (index, index if last==0 else count-1 if last<0 else last)
-    if not first<=last<count: raise Denied(f'no pictures {first} to {last}: {count} were taken')
-    return [self._encode_picture(self.camera.picture(i)) for i in range(first, last+1)]
+    end = count-1 if index<0 or last<0 else last or index
+    first = max(index, 0)
+    if not first<=end<count: raise Denied(f'no pictures {first} to {end}: {count} were taken')
+    return (self._encode_picture(self.camera.picture(i)) for i in range(first, end+1))
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #f9e7fa1c
-_events = {Picture:'_encode_picture', CaptureStatus:'_camera_capture_status', CameraSettings:'_camera_settings', StorageInformation:'_storage_information'}
+_events = {Picture:'_encode_picture', CaptureStatus:'_camera_capture_status', CameraSettings:'_camera_settings',
+           StorageInformation:'_storage_information'}
 
 @patch
 def _on_camera(self:CameraServer, event):
@@ -188,144 +241,6 @@ def _on_camera(self:CameraServer, event):
     msgs = encode(event) if isinstance(event, Picture) else encode()
     for msg in msgs if isinstance(msgs, list) else [msgs]: self.send_message(msg)
 
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #a9299235
-class Shots:
-    "Which single shots were taken already"
-    window,overtaken,pair = 5.,2.,.2 # s: the last sequence number counts, older ones count, two kinds of trigger are one
-    most = 64 # senders that are remembered
-
-    def __init__(self): self._served,self._single = {},{}
-
-    def repeated(self, source:tuple, kind:int, sequence:int, now:float)->bool:
-        "Was the shot with this MAV_CMD `kind` and `sequence` number (0: none) taken?"
-        served,(other,when) = self._served.get(source, {}),self._single.get(source[0], (kind,0.))
-        last = max(served.values(), default=0.)
-        if sequence>0 and sequence in served: return now-served[sequence]<(self.window if served[sequence]==last else self.overtaken)
-        return other!=kind and now-when<self.pair
-
-    def note(self, source:tuple, kind:int, sequence:int, now:float):
-        "It was served; who numbers shots and sends none has begun anew"
-        if not sequence and kind==mavlink.MAV_CMD_IMAGE_START_CAPTURE: self._served.pop(source, None)
-        if sequence>0: self._served[source] = {**{s:t for s,t in self._served.pop(source, {}).items() if now-t<self.window}, sequence:now}
-        if len(self._served)>self.most: del self._served[next(iter(self._served))]
-        other,_ = self._single.pop(source[0], (kind,0.))
-        if other==kind: self._single[source[0]] = kind,now
-
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #a9d60be8
-@patch
-def _shoot(self:CameraServer, kind:int, interval:float, count:int, sequence:int, msg):
-    "Start capture, unless this very shot was taken"
-    start,now = self.need('image_start_capture'),time.monotonic()
-    if count==1 and self._shots.repeated(address(msg), kind, sequence, now): return self._shots.note(address(msg), kind, sequence, now)
-    start(interval, count)
-    if count==1: self._shots.note(address(msg), kind, sequence, now)
-
-@patch
-@command(mavlink.MAV_CMD_IMAGE_START_CAPTURE, once=True)
-def _image_start_capture(self:CameraServer, camera_id:int=0, interval:float=0., count:int=1, sequence:int=0, *, msg):
-    "MAV_CMD_IMAGE_START_CAPTURE: `count` pictures (0: until stopped), one every `interval` s"
-    self.for_us(camera_id)
-    if camera_id and not msg.target_component: raise Denied('parameter 1 is for relays: a broadcast names no camera')
-    if sequence<0: raise Denied(f'sequence is {sequence}')
-    self._shoot(msg.command, interval, count, sequence, msg)
-
-@patch
-@command(mavlink.MAV_CMD_DO_DIGICAM_CONTROL, once=True)
-def _do_digicam_control(self:CameraServer, session:int=0, zoom:float=0, step:float=0, lock:int=0, shoot:int=0, *, msg):
-    "MAV_CMD_DO_DIGICAM_CONTROL, the old trigger; only its shutter"
-    if shoot!=1: raise Unsupported('only the shutter')
-    if max(abs(zoom), abs(step))>1000 or min(session, lock)<0: raise Denied(f'nobody can mean {session}, {zoom}, {step}, {lock}')
-    self._shoot(msg.command, 0., 1, 0, msg)
-
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #59c9e902
-@patch
-@command(mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
-def _image_stop_capture(self:CameraServer, camera_id:int=0):
-    "MAV_CMD_IMAGE_STOP_CAPTURE; fine when idle"
-    self.for_us(camera_id)
-    self.need('image_stop_capture')()
-    if self.can('capture_status'): self.send_message(self._camera_capture_status())
-
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #2205aa05
-@patch
-@command(mavlink.MAV_CMD_SET_CAMERA_MODE, slow=True)
-def _set_camera_mode(self:CameraServer, camera_id:int=0, mode_id:int=None):
-    "MAV_CMD_SET_CAMERA_MODE"
-    self.for_us(camera_id)
-    self.need('set_camera_mode')(enum_name('CAMERA_MODE', mode_id, 'CAMERA_MODE_').lower())
-
-@patch
-@command(mavlink.MAV_CMD_SET_CAMERA_ZOOM, once=True)
-def _set_camera_zoom(self:CameraServer, zoom_type:int, zoom_value:float, camera_id:int=0):
-    "MAV_CMD_SET_CAMERA_ZOOM: by step, speed, %, mm or degrees"
-    self.for_us(camera_id)
-    self.need('set_camera_zoom')(enum_name('CAMERA_ZOOM_TYPE', zoom_type, 'ZOOM_TYPE_').lower(), zoom_value)
-
-@patch
-@command(mavlink.MAV_CMD_SET_CAMERA_FOCUS, once=True)
-def _set_camera_focus(self:CameraServer, focus_type:int=0, focus_value:float=0., camera_id:int=0):
-    "MAV_CMD_SET_CAMERA_FOCUS: by step, speed, %, metres, or automatic"
-    self.for_us(camera_id)
-    self.need('set_camera_focus')(enum_name('SET_FOCUS_TYPE', focus_type, 'FOCUS_TYPE_').lower(), focus_value)
-
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #f9863b1c
-@patch
-@command(mavlink.MAV_CMD_STORAGE_FORMAT, once=True, slow=True)
-def _storage_format(self:CameraServer, storage_id:int=0, format:int=0, reset_log:int=0):
-    "MAV_CMD_STORAGE_FORMAT: delete all pictures of a storage, and count from 0 again"
-    if format!=1: raise Unsupported('only formatting, with the log') if reset_log==1 else Denied(f'format is {format}')
-    self.need('storage_format')(storage_id)
-
-@patch
-@command(mavlink.MAV_CMD_RESET_CAMERA_SETTINGS, slow=True)
-def _reset_camera_settings(self:CameraServer, reset:int=0, camera_id:int=0):
-    "MAV_CMD_RESET_CAMERA_SETTINGS"
-    self.for_us(camera_id)
-    if reset not in (0, 1): raise Denied(f'reset is {reset}')
-    if reset: self.need('reset_camera_settings')()
-
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #495363fe
-_legacy = {mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION:CAMERA_INFORMATION, mavlink.MAV_CMD_REQUEST_CAMERA_SETTINGS:CAMERA_SETTINGS,
-           mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS:CAMERA_CAPTURE_STATUS, mavlink.MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE:CAMERA_IMAGE_CAPTURED,
-           mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION:VIDEO_STREAM_INFORMATION, mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_STATUS:VIDEO_STREAM_STATUS}
-
-@patch
-@command(mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS)
-@command(mavlink.MAV_CMD_REQUEST_CAMERA_SETTINGS)
-@command(mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION)
-def _request_legacy(self:CameraServer, request:int=0, *, msg):
-    "The requests whose only parameter says 1, do it"
-    if request not in (0, 1): raise Denied(f'request is {request}')
-    if request: self.send_paced(self.encode_requested(_legacy[msg.command], (), msg))
-
-@patch
-@command(mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_STATUS)
-@command(mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION)
-@command(mavlink.MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE)
-def _request_legacy_index(self:CameraServer, index:int=None, *, msg):
-    "The requests whose only parameter is an index"
-    self.send_paced(self.encode_requested(_legacy[msg.command], (index,), msg))
-
-@patch
-@command(mavlink.MAV_CMD_REQUEST_STORAGE_INFORMATION)
-def _request_storage_information(self:CameraServer, storage_id:int=0, request:int=0):
-    "MAV_CMD_REQUEST_STORAGE_INFORMATION"
-    if request not in (0, 1): raise Denied(f'request is {request}')
-    found = self._storage_information(storage_id)
-    if request: self.send_paced(found)
-
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #9af950ba
-@patch
-@command(mavlink.MAV_CMD_VIDEO_STOP_STREAMING)
-@command(mavlink.MAV_CMD_VIDEO_START_STREAMING)
-@command(mavlink.MAV_CMD_VIDEO_STOP_CAPTURE)
-@command(mavlink.MAV_CMD_VIDEO_START_CAPTURE)
-@message(VIDEO_STREAM_STATUS)
-@message(VIDEO_STREAM_INFORMATION)
-def _no_video(self:CameraServer):
-    "All commands and messages about video"
-    raise Unsupported('there is no video')
-
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #2142914c
 @patch
 def say(self:CameraServer,
@@ -334,17 +249,26 @@ def say(self:CameraServer,
 ):
     "Tell the people at the ground stations: STATUSTEXT, in as many pieces as it takes"
     raw = text.encode()[:200]
-    pieces = [raw] if len(raw)<=50 else [raw[i:i+50] for i in range(0, len(raw)+1, 50)]     # the last one must not be full
-    self._told = self._told%0xffff+1
-    for n,piece in enumerate(pieces): self.send_message(self.mav.statustext_encode(severity, piece, self._told if len(pieces)>1 else 0, n))
+    pieces = [raw] if len(raw)<=50 else [raw[i:i+50] for i in range(0, len(raw)+1, 50)]     # the last one is not full
+    self._text_id = self._text_id%0xffff+1
+    for n,piece in enumerate(pieces):
+        self.send_message(self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n))
+
+# %% ../../nbs/api/60_mavlink.camera_server.ipynb #1e2414fb
+@patch
+def _see_fault(self:CameraServer)->tuple|None:
+    "Look at the camera, and set the heartbeat's status: `(MAV_SEVERITY, text)` when there is news"
+    with self._fault_lock:
+        was,self._fault = self._fault,getattr(self.camera, 'fault', None)
+        if bool(was)==bool(self._fault): return
+        self.system_status = mavlink.MAV_STATE_CRITICAL if self._fault else mavlink.MAV_STATE_ACTIVE
+        model = self.camera.information.model
+        if self._fault: return mavlink.MAV_SEVERITY_ERROR,f'{model}: {self._fault}'
+        return mavlink.MAV_SEVERITY_NOTICE,f'{model} works again'
 
 @patch
 def beat(self:CameraServer):
     "Our heartbeat; when the camera has stopped working, or works again, it says so"
-    with self._looking:
-        was,self._fault = self._fault,getattr(self.camera, 'fault', None)
-        news = bool(was)!=bool(self._fault)
-        if news: self.system_status = mavlink.MAV_STATE_CRITICAL if self._fault else mavlink.MAV_STATE_ACTIVE
+    news = self._see_fault()
     Component.beat(self)
-    if news: self.say(*(mavlink.MAV_SEVERITY_ERROR,f'{self.camera.information.model}: {self._fault}') if self._fault else
-                       (mavlink.MAV_SEVERITY_NOTICE,f'{self.camera.information.model} works again'))
+    if news: self.say(*news)

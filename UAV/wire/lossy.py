@@ -8,9 +8,10 @@ from bisect import insort
 from random import Random
 import math, re, threading, time
 
-from fastcore.basics import patch
+from fastcore.basics import patch, store_attr
 from ..logging import get_logger
-from .links import Link, SerialLink, TCPIn, TCPOut, open_link
+from .frames import promised
+from .links import Link, open_link
 
 # %% auto #0
 __all__ = ['log', 'LossyLink', 'Direction', 'cut']
@@ -19,8 +20,10 @@ __all__ = ['log', 'LossyLink', 'Direction', 'cut']
 log = get_logger('lossy')
 
 # %% ../../nbs/api/15_wire.lossy.ipynb #98edc534
-_ranges = dict(loss=(0,1,''), duplicate=(0,1,''), reorder=(0,1,''), bit_errors=(0,1,''), latency=(0,60,' seconds'), jitter=(0,60,' seconds'),
-               hold=(0,60,' seconds'), baudrate=(1,10_000_000,' bits per second'), buffer=(0,1<<30,' bytes'))
+_probability,_time = (0,1,''),(0,60,' seconds')
+_ranges = dict(loss=_probability, duplicate=_probability, reorder=_probability, bit_errors=_probability,
+               latency=_time, jitter=_time, hold=_time,
+               baudrate=(1,10_000_000,' bits per second'), buffer=(0,1<<30,' bytes'))
 
 def _number(name:str, value)->float:
     "`value` as a number in the range of `name`; raises `ValueError`"
@@ -30,6 +33,7 @@ def _number(name:str, value)->float:
     if not good: raise ValueError(f'{name} is {value!r}, not a number from {least} to {most}{unit}')
     return float(value)
 
+# %% ../../nbs/api/15_wire.lossy.ipynb #0c34c7fb
 def _periods(value)->list:
     "`value` as a list of `(start, end)`; raises `ValueError`"
     try: periods = [(float(start),float(end)) for start,end in value]
@@ -42,7 +46,6 @@ class LossyLink(Link):
     "Wraps a link, and treats what passes like a bad radio does; the same seed brings the same fate"
     buffer,hold = 4096,.1 # bytes that may wait for the line; seconds that a late frame waits to be overtaken
     most = 1<<16 # frames on their way at a time
-    streams = TCPIn,TCPOut,SerialLink # what is received from these comes in pieces of any size
 
     def __init__(self,
         link:Link|str, # The link to wrap, or the connection string of one
@@ -51,20 +54,18 @@ class LossyLink(Link):
         reorder:float=0., # Probability that it comes after the next one
         latency:float=0., # Seconds that every frame takes
         jitter:float=0., # Seconds that it may take longer
-        baudrate:float|None=None, # Of the line, 10 bits a byte; `None` is no limit. (A serial port inside has its own: `/dev/ttyACM0,57600`)
+        baudrate:float|None=None, # Of the line, 10 bits a byte; `None` is no limit. (A serial port inside has its own)
         outages=(), # Periods `(start, end)` in which nothing passes, seconds since now
         bit_errors:float=0., # Probability that a bit is flipped
         seed:int|str=0, # For the dice
     ):
         if not isinstance(seed, (int,str)): raise ValueError(f'seed is {seed!r}, not a number or a text')
         if not isinstance(link, (Link,str)): raise TypeError(f'{link!r} is no Link and no connection string')
-        self.loss,self.duplicate,self.reorder,self.bit_errors = loss,duplicate,reorder,bit_errors
-        self.latency,self.jitter,self.baudrate,self.outages,self.seed = latency,jitter,baudrate,outages,seed
-        self._name,self._closed = repr(link) if isinstance(link, str) else type(link).__name__,False
+        store_attr('loss,duplicate,reorder,bit_errors,latency,jitter,baudrate,outages,seed')
+        self.link,self._name = (open_link(link),repr(link)) if isinstance(link, str) else (link,type(link).__name__)
         self._writer,self._reader,self._gone,self._rests = None,None,False,{}
         self.outgoing,self.incoming = Direction(self,'outgoing'),Direction(self,'incoming')
-        self.link = open_link(link) if isinstance(link, str) else link
-        self.up,self.opened,self.datagrams = True,time.monotonic(),self.link.datagrams
+        self.up,self.opened,self._closed,self.datagrams = True,time.monotonic(),False,self.link.datagrams
 
     def __setattr__(self, name, value):
         if name=='outages': value = _periods(value)
@@ -72,7 +73,7 @@ class LossyLink(Link):
         super().__setattr__(name, value)
 
     def __getattr__(self, name):
-        if name=='link': raise AttributeError(name)
+        if name=='link': raise AttributeError(name)     # not there yet
         return getattr(self.link, name)
 
 # %% ../../nbs/api/15_wire.lossy.ipynb #6394d155
@@ -83,7 +84,8 @@ class Direction:
     def __init__(self, link:LossyLink, name:str):
         self.link,self.name,self.dice = link,name,Random(f'{link.seed} {name}').random
         for what in self.counted: setattr(self, what, 0)
-        self.waiting,self.late,self.changed = [],[],threading.Condition()   # waiting: sorted (due, count, data, peer); late: those that may be overtaken
+        self.waiting,self.late = [],[]      # sorted (due, count, data, peer); those of them that may be overtaken
+        self.changed = threading.Condition()
         self._count,self._free,self._last = 0,0.,0.       # the line is free at; the last frame in order is due at
 
     def __repr__(self):
@@ -93,7 +95,7 @@ class Direction:
 # %% ../../nbs/api/15_wire.lossy.ipynb #24fcb9c6
 @patch
 def __repr__(self:LossyLink):
-    named = ('loss','duplicate','reorder','latency','jitter','baudrate','outages','bit_errors','seed')
+    named = 'loss','duplicate','reorder','latency','jitter','baudrate','outages','bit_errors','seed'
     options = ''.join(f', {k}={v!r}' for k in named if (v := getattr(self, k)))
     return f'LossyLink({self._name}{options}): {self.outgoing!r}; {self.incoming!r}'
 
@@ -111,35 +113,44 @@ def _flip(data:bytes, probability:float, seed:float)->bytes:
 @patch
 def put(self:Direction, data:bytes, peer, now:float):
     "Throw the dice for a frame that comes in at `now`, and line up what is left of it"
-    link,dice = self.link,self.dice
-    lost,twice,late,wait,flips = dice(),dice(),dice(),dice(),dice()
+    link,dice = self.link,[self.dice() for _ in range(5)]
     self.sent += 1
-    if not link.up or any(start<=now-link.opened<end for start,end in link.outages): self.silenced += 1; return
-    free = self._occupy(len(data), now) if link.baudrate else now
-    if free is None or len(self.waiting)>=link.most: self.overflowed += 1; return
-    if lost<link.loss: self.lost += 1; return
-    good = data = bytes(data)
-    if link.bit_errors: data = _flip(good, link.bit_errors, flips)
-    is_late,twice = late<link.reorder,twice<link.duplicate
-    self.damaged,self.duplicated = self.damaged+(data!=good),self.duplicated+twice
-    self._last = due = max(self._last, free+link.latency+link.jitter*wait)
-    for _ in range(1+twice-is_late): self._line_up(due, data, peer)
-    if twice or not is_late: self._overtake(due)
-    if is_late: self.late.append(self._line_up(due+link.hold, data, peer))
+    silent = not link.up or any(start<=now-link.opened<end for start,end in link.outages)
+    free = None if silent else self._occupy(len(data), now)
+    if silent: self.silenced += 1
+    elif free is None or len(self.waiting)>=link.most: self.overflowed += 1
+    elif dice[0]<link.loss: self.lost += 1
+    else: self._put(bytes(data), peer, free, *dice[1:])
 
-# %% ../../nbs/api/15_wire.lossy.ipynb #52a1533d
+# %% ../../nbs/api/15_wire.lossy.ipynb #7bda7a16
 @patch
-def _occupy(self:Direction, size:int, now:float):
+def _occupy(self:Direction, size:int, now:float)->float|None:
     "When the line has sent `size` more bytes; `None` when too many wait for it already"
+    if not self.link.baudrate: return now
     rate,free = self.link.baudrate/10,max(now, self._free)
     if free>now and (free-now)*rate+size>self.link.buffer: return
     self._free = free+size/rate
     return self._free
 
+# %% ../../nbs/api/15_wire.lossy.ipynb #52a1533d
+@patch
+def _put(self:Direction, good:bytes, peer, free:float, twice:float, late:float, wait:float, flips:float):
+    "Line up a frame that the line has sent at `free`, as these dice say"
+    link = self.link
+    data = _flip(good, link.bit_errors, flips) if link.bit_errors else good
+    is_late,is_doubled = late<link.reorder,twice<link.duplicate
+    self.damaged,self.duplicated = self.damaged+(data!=good),self.duplicated+is_doubled
+    self._last = due = max(self._last, free+link.latency+link.jitter*wait)
+    for _ in range(1+is_doubled-is_late): self._line_up(due, data, peer)
+    if is_doubled or not is_late: self._overtake(due)
+    if is_late: self.late.append(self._line_up(due+link.hold, data, peer))
+
+# %% ../../nbs/api/15_wire.lossy.ipynb #25bfc769
 @patch
 def _line_up(self:Direction, due:float, data:bytes, peer)->tuple:
     self._count += 1
-    insort(self.waiting, entry := (due, self._count, data, peer))
+    entry = due,self._count,data,peer
+    insort(self.waiting, entry)
     return entry
 
 @patch
@@ -152,11 +163,11 @@ def _overtake(self:Direction, due:float):
 
 # %% ../../nbs/api/15_wire.lossy.ipynb #fe769776
 @patch
-def pop(self:Direction, now:float):
+def pop(self:Direction, now:float)->tuple|None:
     "`(data, peer)` of the next frame that is due; `None` when there is none yet"
     if not self.waiting or self.waiting[0][0]>now: return
     entry = self.waiting.pop(0)
-    if entry in self.late: self.late.remove(entry)      # nobody overtook it
+    if entry in self.late: self.late.remove(entry)      # no frame overtook it
     self.delivered += 1
     return entry[2:]
 
@@ -217,6 +228,7 @@ def recv(self:LossyLink):
 
 @patch
 def _read_ahead(self:LossyLink):
+    "Receive and line up until the link is closed, or has gone"
     try:
         while got := self.link.recv(): self._arrive(*got)
     except Exception: log.exception('%s cannot be read', self._name)
@@ -228,17 +240,24 @@ def _read_ahead(self:LossyLink):
 _garbage = re.compile(rb'[^\xfd\xfe]+')
 
 def cut(buf:bytes)->tuple:
-    "`(frames, rest)`: the frames in `buf`, and the beginning of one that is not complete"
+    "`(frames, rest)`: the frames in `buf`, damaged ones as well, and the beginning of one that is not complete"
     frames,pos = [],0
-    while pos<len(buf):
-        start,length,flags = buf[pos:pos+3].ljust(3, b'\0')
-        if start==0xfd: end = pos+12+length+13*(flags&1)      # signed: 13 more
-        elif start==0xfe: end = pos+8+length
-        else: end = _garbage.match(buf, pos).end()
+    while pos<len(buf) and (n := promised(buf, pos)):
+        end = pos+n if n>0 else _garbage.match(buf, pos).end()
         if end>len(buf): break
         frames.append(buf[pos:end])
         pos = end
     return frames,buf[pos:]
+
+# %% ../../nbs/api/15_wire.lossy.ipynb #d5343c2a
+@patch
+def _frames(self:LossyLink, data:bytes, peer)->list:
+    "The frames that are complete with `data`"
+    if self.datagrams: return [data]
+    frames,rest = cut(self._rests.pop(peer, b'')+data)
+    if rest: self._rests[peer] = rest
+    if len(self._rests)>64: del self._rests[next(iter(self._rests))]      # peers that left in the middle of a frame
+    return frames
 
 # %% ../../nbs/api/15_wire.lossy.ipynb #4f8cf1f3
 @patch
@@ -247,14 +266,6 @@ def _arrive(self:LossyLink, data:bytes, peer):
     with way.changed:
         for frame in self._frames(data, peer): way.put(frame, peer, now)
         way.changed.notify()
-
-@patch
-def _frames(self:LossyLink, data:bytes, peer)->list:
-    if not isinstance(self.link, self.streams): return [data]
-    frames,rest = cut(self._rests.pop(peer, b'')+data)
-    if rest: self._rests[peer] = rest
-    if len(self._rests)>64: del self._rests[next(iter(self._rests))]      # peers that left in the middle of a frame
-    return frames
 
 # %% ../../nbs/api/15_wire.lossy.ipynb #f494f933
 @patch
@@ -272,6 +283,10 @@ def close(self:LossyLink):
 @patch
 def release(self:LossyLink): self.link.release()
 
+@patch
+def welcome(self:LossyLink, peer): self.link.welcome(peer)
+
+# %% ../../nbs/api/15_wire.lossy.ipynb #c8e3673c
 @patch
 def reopen(self:LossyLink):
     self.link.reopen()

@@ -5,23 +5,19 @@
 # %% ../../nbs/api/12_wire.signing.ipynb #d33da8d7
 from __future__ import annotations
 from collections import Counter
-from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 from struct import Struct
-import hashlib, hmac, json, os, secrets, threading, time
+import hashlib, hmac, os, threading, time
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger
 from .frames import crc
+from ..utils.timestamps import TimestampFile, latest, state_file, ticks
 
 # %% auto #0
-__all__ = ['log', 'secret_key', 'ticks', 'Signing', 'state_file', 'TimestampFile']
-
-# %% ../../nbs/api/12_wire.signing.ipynb #029e909c
-try: import fcntl
-except ImportError: fcntl = None    # Windows
+__all__ = ['log', 'secret_key', 'Reserve', 'Signing']
 
 # %% ../../nbs/api/12_wire.signing.ipynb #2a029268
 log = get_logger('signing')
@@ -30,17 +26,19 @@ log = get_logger('signing')
 def secret_key(
     key:bytes|str|Path, # 32 bytes; a passphrase; or the path of a file with 32 bytes, 64 hex digits or a passphrase
 )->bytes:
-    "The 32 bytes of a key"
+    "The 32 bytes of a key; raises `ValueError` or `TypeError` for what is none, `OSError` for a missing file"
     if isinstance(key, os.PathLike): return _key_from_file(Path(key))
     if isinstance(key, str):
         if not key.strip(): raise ValueError('the passphrase is empty')
         return hashlib.sha256(key.encode()).digest()
-    if not isinstance(key, (bytes,bytearray)): raise TypeError(f'a key is bytes, a passphrase or a Path, not {type(key).__name__}')
+    if not isinstance(key, (bytes,bytearray)):
+        raise TypeError(f'a key is bytes, a passphrase or a Path, not {type(key).__name__}')
     if len(key)!=32: raise ValueError(f'a key has 32 bytes, not {len(key)}')
     return bytes(key)
 
 # %% ../../nbs/api/12_wire.signing.ipynb #78d5ecb2
 def _key_from_file(path:Path)->bytes:
+    "The key in a file"
     data = path.read_bytes()
     try: text = data.decode('utf-8-sig').rstrip('\r\n')
     except UnicodeDecodeError: text = ''
@@ -48,15 +46,9 @@ def _key_from_file(path:Path)->bytes:
     if len(data)==32 and not typed: return data
     if not text.strip(): raise ValueError(f'{path} holds {"no key" if data.strip() else "nothing"}')
     if len(text)==64 and all(c in '0123456789abcdefABCDEF' for c in text): return bytes.fromhex(text)
-    if not text.isprintable(): raise ValueError(f'{path} holds {len(data)} bytes: neither 32, nor 64 hex digits, nor a passphrase in one line')
+    if not text.isprintable():
+        raise ValueError(f'{path} holds {len(data)} bytes: neither 32, nor 64 hex digits, nor a passphrase in one line')
     return secret_key(text)
-
-# %% ../../nbs/api/12_wire.signing.ipynb #432a4f97
-_latest = (1<<48)-1 # timestamps have 48 bits
-
-def ticks(seconds:float)->int:
-    "UNIX time as the timestamp of a signature"
-    return int((seconds-1_420_070_400)*100_000) if seconds>1_420_070_400 else 0
 
 # %% ../../nbs/api/12_wire.signing.ipynb #b871ba4a
 @lru_cache(None)
@@ -65,31 +57,92 @@ def _flag_crc(n:int)->int:
     rest = bytes(n+8)     # 7 bytes of header, the payload, and the message's own byte
     return crc(bytes([n,0])+rest)^crc(bytes([n,1])+rest)
 
+# %% ../../nbs/api/12_wire.signing.ipynb #923c71a9
+class Reserve:
+    "Keeps a file ahead of the timestamps in use: ours, and those that were accepted"
+    period,lead = 500_000,200_000 # in 10 µs: between two writes at most; ahead of what was accepted
+
+    def __init__(self,
+        state:Path|str|bool|None, # Path of the file; `None`: one for each key in the user's state folder; `False`: none
+        fingerprint:str, # Of the key
+        most:int, # Streams in the file
+    ):
+        path = state_file(fingerprint) if state in (None,True) else state
+        self.file = None if state is False else TimestampFile(path, most)
+        self.ours,self.streams = -1,{}      # what the file holds
+        self._renew,self._saved,self._step = -1,0,self.period//20
+
+# %% ../../nbs/api/12_wire.signing.ipynb #19048eb4
+@patch
+def load(self:Reserve)->tuple:
+    "`(timestamp, streams)` to begin with; what we send is later than all that we may have accepted"
+    if self.file is None: return 0,{}
+    timestamp,self.streams = self.file.load()
+    return max(timestamp, *self.streams.values(), 0),dict(self.streams)
+
+# %% ../../nbs/api/12_wire.signing.ipynb #0f80ba78
+@patch
+def cover(self:Reserve,
+    timestamp:int, # Ours, that is used now
+    streams:dict, # `{stream: newest accepted}`
+    now:int, # By the clock
+    stream:tuple|None=None, # The one from which a frame came
+):
+    "Write when the file is not ahead of these any more, or soon will not be"
+    if self.file is None: return
+    left = self.lead if stream is None else self.streams.get(stream, -1)-streams.get(stream, -1)
+    behind = timestamp>self.ours or left<0
+    soon = timestamp>self._renew or left<self.lead//2 or not 0<=now-self._saved<self.period
+    if behind or soon: self._save(timestamp, streams, now, behind)
+
+# %% ../../nbs/api/12_wire.signing.ipynb #4f1a85cf
+@patch
+def _save(self:Reserve, timestamp:int, streams:dict, now:int, wait:bool):
+    "Reserve ahead; nothing happens when we need not `wait` and another program is writing"
+    step = min(2*self._step, 2*self.period)
+    ours = min(timestamp+step, latest)
+    ahead = {stream: t if t==self.streams.get(stream) else min(t+self.lead, latest) for stream,t in streams.items()}
+    if not self.file.save(ours, ahead, wait=wait, sync=timestamp>self.ours): return
+    self.ours,self.streams = ours,ahead
+    self._renew,self._saved,self._step = timestamp+step//2,now,step
+
+# %% ../../nbs/api/12_wire.signing.ipynb #d2bd0527
+@patch
+def settle(self:Reserve, timestamp:int, streams:dict):
+    "Write the exact timestamps; afterwards more may still be used"
+    if self.file is None or self.ours<0: return
+    self.file.save(timestamp, streams, sync=True, exact=True)
+    self.ours,self.streams,self._renew,self._step = -1,dict(streams),-1,self.period//20
+
 # %% ../../nbs/api/12_wire.signing.ipynb #b295a529
 class Signing:
     "Signs the frames that we send, and judges those that we get; any number of threads and links may share one"
-    minute,period,most = 6_000_000,500_000,1024 # for strangers; between two writes to the file; streams remembered
+    minute,most = 6_000_000,1024 # that a new stream may be late; streams remembered
 
     def __init__(self,
         key:bytes|str|Path, # 32 bytes, a passphrase, or the path of a file with the key
-        state:Path|str|bool|None=None, # File that keeps the timestamps; `None`: one for each key in the user's state folder; `False`: none
-        accept_unsigned=(mavlink.MAVLINK_MSG_ID_RADIO_STATUS,), # Message ids, or a function of message id and `(system, component)`
+        state:Path|str|bool|None=None, # File for timestamps; `None`: one a key in the state folder; `False`: none
+        accept_unsigned=(mavlink.MAVLINK_MSG_ID_RADIO_STATUS,), # Message ids, or a function of id and source
         clock=time.time, # UNIX time
     ):
         key = secret_key(key)
         self._hash,self.fingerprint,self.clock = hashlib.sha256(key),hashlib.sha256(key).hexdigest()[:8],clock
         self.accept_unsigned = accept_unsigned if callable(accept_unsigned) else frozenset(accept_unsigned)
         self.dropped,self._lock = Counter(),threading.Lock()
-        self.file = None if state is False else TimestampFile(state_file(self.fingerprint) if state in (None,True) else state)
-        self.timestamp,self.streams = self.file.load() if self.file else (0,{})
+        self.reserve = Reserve(state, self.fingerprint, self.most)
+        self.timestamp,self.streams = self.reserve.load()   # ours; the newest accepted of each stream
         self._forgotten = min(self.streams.values()) if len(self.streams)>=self.most else 0
-        self._reserved,self._renew,self._saved,self._step = -1,-1,0,self.period//20
 
+    @property
+    def file(self): return self.reserve.file
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
-    def __repr__(self):
-        dropped = ', '.join(f'{n} {why}' for why,n in sorted(self.dropped.items())) or 'nothing'
-        return f'Signing with key {self.fingerprint}: {len(self.streams)} streams, dropped {dropped}'
+
+# %% ../../nbs/api/12_wire.signing.ipynb #6380699a
+@patch
+def __repr__(self:Signing):
+    dropped = ', '.join(f'{n} {why}' for why,n in sorted(self.dropped.items())) or 'nothing'
+    return f'Signing with key {self.fingerprint}: {len(self.streams)} streams, dropped {dropped}'
 
 # %% ../../nbs/api/12_wire.signing.ipynb #0536cbd1
 _crc_link_time,_link_time = Struct('<HBQ'),Struct('<BIH')
@@ -101,10 +154,11 @@ def sign(self:Signing,
 )->bytes:
     "`frame` with a signature; MAVLink 1 frames and signed ones come back as they are"
     if frame[0]!=0xfd or frame[2]: return frame
-    now,check = ticks(self.clock()),(frame[-2]|frame[-1]<<8)^_flag_crc(frame[1])
+    now = ticks(self.clock())
+    check = (frame[-2]|frame[-1]<<8)^_flag_crc(frame[1])
     with self._lock:
-        self.timestamp = stamp = min(max(now, self.timestamp+1), _latest)
-        if self.file: self._reserve(now)
+        self.timestamp = stamp = min(max(now, self.timestamp+1), latest)
+        self.reserve.cover(stamp, self.streams, now)
     signed = frame[:2]+b'\1'+frame[3:-2]+_crc_link_time.pack(check, link_id, stamp)[:9]
     h = self._hash.copy()
     h.update(signed)
@@ -112,7 +166,7 @@ def sign(self:Signing,
 
 # %% ../../nbs/api/12_wire.signing.ipynb #67b16c49
 @patch
-def _judge(self:Signing, frame, source)->str:
+def _judge(self:Signing, frame:bytes, source:tuple)->str:
     "Why a signed frame must be dropped, or nothing"
     h = self._hash.copy()
     h.update(frame[:-6])
@@ -121,12 +175,22 @@ def _judge(self:Signing, frame, source)->str:
     stream,stamp,now = (*source,link),low|high<<32,ticks(self.clock())
     with self._lock:
         last = self.streams.get(stream)
-        if last is None and (stamp+self.minute<max(now, self.timestamp) or stamp<=self._forgotten): return 'old'
         if last is not None and stamp<=last: return 'replayed'
+        if last is None and (stamp+self.minute<max(now, self.timestamp) or stamp<=self._forgotten): return 'old'
         self.streams[stream],self.timestamp = stamp,max(self.timestamp, stamp)
         if last is None: self._new_stream()
-        if self.file: self._reserve(now)
+        self.reserve.cover(self.timestamp, self.streams, now, stream)
     return ''
+
+# %% ../../nbs/api/12_wire.signing.ipynb #e47c73bf
+@patch
+def _unsigned(self:Signing, msg_id:int, source:tuple)->bool:
+    "May this message come without a signature?"
+    accept = self.accept_unsigned
+    try: return bool(accept(msg_id, source)) if callable(accept) else msg_id in accept
+    except Exception:
+        log.exception('accept_unsigned failed; the frame is dropped')
+        return False
 
 # %% ../../nbs/api/12_wire.signing.ipynb #ca8a2a70
 @patch
@@ -143,14 +207,6 @@ def check(self:Signing,
         if self.dropped[why]==1: log.info('first frame dropped as %s: message %s of %s', why, msg_id, source)
     return not why
 
-@patch
-def _unsigned(self:Signing, msg_id, source)->bool:
-    accept = self.accept_unsigned
-    try: return bool(accept(msg_id, source)) if callable(accept) else msg_id in accept
-    except Exception:
-        log.exception('accept_unsigned failed; the frame is dropped')
-        return False
-
 # %% ../../nbs/api/12_wire.signing.ipynb #3f75abef
 @patch
 def _new_stream(self:Signing):
@@ -159,110 +215,8 @@ def _new_stream(self:Signing):
     oldest = min(self.streams, key=self.streams.get)
     self._forgotten = max(self._forgotten, self.streams.pop(oldest))
 
-# %% ../../nbs/api/12_wire.signing.ipynb #e7e5a2fd
-def state_file(fingerprint:str)->Path:
-    "Where the timestamps of the key with this fingerprint are kept"
-    state = os.environ.get('XDG_STATE_HOME','')
-    try: home = Path(state) if os.path.isabs(state) else Path.home()/'.local'/'state'
-    except RuntimeError: home = Path(os.sep)        # a user without a home
-    return home/'UAV'/f'signing-{fingerprint}.json'
-
-# %% ../../nbs/api/12_wire.signing.ipynb #d3b0088d
-@patch
-def _reserve(self:Signing, now:int):
-    "See to it that the file holds a timestamp later than ours"
-    if self.timestamp<=self._renew and 0<=now-self._saved<self.period: return
-    step = min(2*self._step, 2*self.period)
-    reserved = min(self.timestamp+step, _latest)
-    if self.file.save(reserved, self.streams, wait=self.timestamp>=self._reserved):
-        self._reserved,self._renew,self._saved,self._step = reserved,self.timestamp+step//2,now,step
-
+# %% ../../nbs/api/12_wire.signing.ipynb #b8cb2c0b
 @patch
 def close(self:Signing):
     "Write the exact timestamps; frames may still be signed and checked afterwards"
-    with self._lock:
-        if not self.file or self._reserved<0: return
-        self.file.save(self.timestamp, self.streams, exact=True)
-        self._reserved,self._renew,self._step = -1,-1,self.period//20
-
-# %% ../../nbs/api/12_wire.signing.ipynb #804b6c36
-class TimestampFile:
-    "Keeps the timestamps of one key; any number of processes may share it"
-    most = Signing.most # streams in the file
-    def __init__(self, path):
-        self.path,self.id,self._warned = Path(path),secrets.token_hex(4),False
-        self._last_writer,self._alone = '',True
-
-    @contextmanager
-    def _locked(self, wait):
-        "Whether we have the lock; file systems without locks do without"
-        if fcntl is None: yield True; return
-        folder = os.open(self.path.parent, os.O_RDONLY)
-        try:
-            try: fcntl.flock(folder, fcntl.LOCK_EX if wait else fcntl.LOCK_EX|fcntl.LOCK_NB)
-            except BlockingIOError: ours = False
-            except OSError: ours = True
-            else: ours = True
-            yield ours
-        finally: os.close(folder)
-
-# %% ../../nbs/api/12_wire.signing.ipynb #f9dc7ea8
-@patch
-def _read(self:TimestampFile)->tuple:
-    "`(timestamp, streams, who wrote it)`; raises for what makes no sense"
-    try: data = json.loads(self.path.read_bytes())
-    except FileNotFoundError: return 0,{},''
-    streams = {tuple(map(int, stream.split('/'))): t for stream,t in data['streams'].items()}
-    if not all(type(t) is int and 0<=t<=_latest for t in (data['timestamp'],*streams.values())): raise ValueError('a timestamp that cannot be')
-    if not all(len(s)==3 and 0<=min(s) and max(s)<256 for s in streams): raise ValueError('a stream that cannot be')
-    return data['timestamp'],streams,str(data['by'])
-
-@patch
-def load(self:TimestampFile)->tuple:
-    "`(timestamp, streams)` to begin with"
-    try: timestamp,streams,self._last_writer = self._read()
-    except Exception as e:
-        log.warning('the signing timestamps in %s are ignored: %r', self.path, e)
-        return 0,{}
-    return timestamp,self._newest(streams)
-
-@patch
-def _newest(self:TimestampFile, streams:dict)->dict: return dict(sorted(streams.items(), key=lambda s: s[1])[-self.most:])
-
-# %% ../../nbs/api/12_wire.signing.ipynb #ab372ff5
-@patch
-def save(self:TimestampFile,
-    timestamp:int, # The file will hold this one, or a later one that it holds already
-    streams:dict, # `{(system, component, link id): timestamp}`
-    wait:bool=True, # For the lock and the disk
-    exact:bool=False, # Go back to `timestamp` if nobody else has written
-)->bool:
-    "Write the latest timestamps; false if somebody else is writing just now"
-    try:
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        with self._locked(wait) as ours:
-            if ours: self._write(timestamp, streams, wait, exact)
-            return ours
-    except OSError as e:
-        if not self._warned: log.warning('the signing timestamps cannot be kept in %s: %s', self.path, e)
-        self._warned = True
-        return True
-
-# %% ../../nbs/api/12_wire.signing.ipynb #51ab0393
-@patch
-def _write(self:TimestampFile, timestamp, streams, wait, exact):
-    try: there,others,by = self._read()
-    except Exception: there,others,by = 0,{},''
-    self._alone,self._last_writer = self._alone and by==self._last_writer,self.id
-    if not (exact and self._alone): timestamp = max(timestamp, there)
-    for stream,t in streams.items(): others[stream] = max(t, others.get(stream, 0))
-    text = json.dumps(dict(timestamp=timestamp, by=self.id, streams={'/'.join(map(str, s)):t for s,t in self._newest(others).items()}))
-    new = self.path.with_name(self.path.name+'.new')
-    try:
-        with open(new, 'w') as f:
-            f.write(text)
-            if wait: f.flush(); os.fsync(f.fileno())
-        os.replace(new, self.path)
-    except OSError:
-        new.unlink(missing_ok=True)
-        raise
+    with self._lock: self.reserve.settle(self.timestamp, self.streams)
