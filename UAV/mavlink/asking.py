@@ -39,6 +39,11 @@ class Line:
     @property
     def is_broadcast(self)->bool: return 0 in self.key[1:]
 
+    @property
+    def is_unmeasured(self)->bool:
+        "Is nothing known of its round trip, which a question could tell?"
+        return self.round_trip.srtt is None and not (self.round_trip.deaf or self.is_broadcast)
+
 # %% ../../nbs/api/23_mavlink.asking.ipynb #407dd8fb
 class Commands:
     "All commands of one component that are under way"
@@ -74,12 +79,12 @@ def _new_line(self:Commands, key:tuple)->Line:
 @patch
 def _advance(self:Commands, line:Line):
     "Let the first command of a line begin, now or after a fence; a line with nothing to do goes"
-    if line.on_wire or line.fence: return
-    if self.clock()>=line.hard: line.dirty = False
-    trip = line.round_trip
-    if line.dirty and (line.queue or not (trip.srtt or trip.deaf or line.is_broadcast)): self._raise_fence(line)
+    if line.fence or line.on_wire: return
+    if line.dirty and self.clock()>=line.hard: line.dirty = False
+    if line.dirty:
+        if line.queue or line.is_unmeasured: self._raise_fence(line)
     elif line.queue: self._copy(line, line.queue[0])
-    elif not line.dirty: self._lines.pop(line.key, None)
+    else: self._lines.pop(line.key, None)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #32646edb
 @patch
