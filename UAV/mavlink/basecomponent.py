@@ -180,7 +180,8 @@ def encode_command(self:BaseComponent, command:Command):
 @patch
 def _send_copy(self:BaseComponent, command:Command):
     "What the machine calls to put a copy on the wire"
-    self.sender.send_now(self.encode_command(command))
+    target = command.key[1:]
+    self.sender.send_now(self.encode_command(command), None if 0 in target else target)
 
 @patch
 def _send_fence(self:BaseComponent, target:tuple, number:int):
