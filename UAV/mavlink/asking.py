@@ -70,16 +70,16 @@ def _new_line(self:Commands, key:tuple)->Line:
     line = self._lines[key] = Line(key, remote.round_trip if remote else RoundTrip())
     return line
 
-# %% ../../nbs/api/23_mavlink.asking.ipynb #0982734c
+# %% ../../nbs/api/23_mavlink.asking.ipynb #a95f825e
 @patch
 def _advance(self:Commands, line:Line):
     "Let the first command of a line begin, now or after a fence; a line with nothing to do goes"
     if line.on_wire or line.fence: return
     if self.clock()>=line.hard: line.dirty = False
-    if not line.queue:
-        if not line.dirty: self._lines.pop(line.key, None)
-    elif line.dirty: self._raise_fence(line)
-    else: self._copy(line, line.queue[0])
+    trip = line.round_trip
+    if line.dirty and (line.queue or not (trip.srtt or trip.deaf or line.is_broadcast)): self._raise_fence(line)
+    elif line.queue: self._copy(line, line.queue[0])
+    elif not line.dirty: self._lines.pop(line.key, None)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #32646edb
 @patch
@@ -137,8 +137,8 @@ def _sample(self:Commands, line:Line, source:tuple, seconds:float):
     line.round_trip = self.remotes.known(source).round_trip
     line.round_trip.sample(seconds)
 
-# %% ../../nbs/api/23_mavlink.asking.ipynb #b6f61f81
-noise = .01 # s that threads and sockets add to a round trip, or save: no ack is doubted for that
+# %% ../../nbs/api/23_mavlink.asking.ipynb #734fb3c3
+noise = .005 # s that threads and sockets add to a round trip, or save: no ack is doubted for that
 
 @patch
 def _is_early(self:Commands, line:Line, command:Command, now:float)->bool:
@@ -165,7 +165,7 @@ def _spoil(self:Commands, line:Line, command:Command):
     line.dirty,line.hard = True,line.last+(first_rto if line.is_broadcast else max(longest_stray, 2*longest))
     self._alarm(line.hard)
 
-# %% ../../nbs/api/23_mavlink.asking.ipynb #7333fe25
+# %% ../../nbs/api/23_mavlink.asking.ipynb #393c3948
 @patch
 def tick(self:Commands):
     "Do what is due; called when the alarm rings, and at any other time"
@@ -180,7 +180,8 @@ def tick(self:Commands):
 def _due(line:Line)->float:
     "When something must be done about a line"
     fence = line.fence.due if line.fence else math.inf
-    return min(fence, line.on_wire.due if line.on_wire else math.inf if line.queue else line.hard)
+    if line.on_wire: return min(line.on_wire.due, fence)
+    return fence if line.fence else line.hard
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #c4b4711f
 @patch

@@ -4,9 +4,7 @@
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #60cd9150
 from __future__ import annotations
-from contextlib import contextmanager
 from functools import partial
-from types import SimpleNamespace as ns
 import math, struct, threading
 
 from fastcore.basics import GetAttr, patch
@@ -23,7 +21,7 @@ from .mavcom import MAVCom
 from . import routing
 
 # %% auto #0
-__all__ = ['Counts', 'Sender', 'BaseComponent']
+__all__ = ['Counts', 'Sender', 'Hold', 'BaseComponent']
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #6a5256a4
 class Counts:
@@ -66,7 +64,7 @@ def send_now(self:Sender, msg, to:tuple|None=None):
         frame = self._pack(msg)
         self.mav.seq = (self.mav.seq+1)%256
         com.write(frame, to)
-    if to is None or com._is_here(to): com.share(frame, msg.get_msgId(), self.component)
+    if to is None or to in com._here: com.share(frame, msg.get_msgId(), self.component)
 
 @patch
 def _pack(self:Sender, msg)->bytes:
@@ -75,31 +73,34 @@ def _pack(self:Sender, msg)->bytes:
     try: return pack(msg, self.mav)
     except (struct.error, TypeError, OverflowError) as e: raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
 
-# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #ed6a924c
+# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #ba7b5057
+class Hold:
+    "Messages that are held back while commands are handled; a `with` for each"
+    def __init__(self, sender, key): self.sender,self.key,self.depth,self.messages = sender,key,0,[]
+    def __enter__(self): return self
+    def __exit__(self, *args): self.sender.release(self)
+
 @patch
-@contextmanager
 def ack_first(self:Sender,
     own_thread:bool=False, # Hold only what this thread sends
-):
-    "Hold back messages (not those of `send_now`) until the end of the `with`"
+)->Hold:
+    "For a `with`: hold back messages (not those of `send_now`) until its end"
     key = threading.get_ident() if own_thread else None
     with self._lock:
-        held = self._held.setdefault(key, ns(depth=0, messages=[]))
-        held.depth += 1
-    try: yield
-    finally:
-        with self._lock: held.depth -= 1
-        self._release(key, held)
+        hold = self._held.get(key) or self._held.setdefault(key, Hold(self, key))
+        hold.depth += 1
+    return hold
 
-# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #bd8f22b2
+# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #fa55ae12
 @patch
-def _release(self:Sender, key, held):
-    "Send what was held, in order, unless another command has begun to hold in the meantime"
+def release(self:Sender, hold:Hold):
+    "A command is done: send what was held, in order, unless another command holds it still"
+    with self._lock: hold.depth -= 1
     while True:
         with self._lock:
-            messages = [] if held.depth else held.messages
-            if not held.depth: held.messages = []
-            if not messages and not held.depth and self._held.get(key) is held: del self._held[key]
+            if hold.depth: return
+            messages,hold.messages = hold.messages,[]
+            if not messages and self._held.get(hold.key) is hold: del self._held[hold.key]
         if not messages: return
         for msg,to in messages:
             try: self.send_now(msg, to)
@@ -120,7 +121,8 @@ class BaseComponent(GetAttr):
         self.counts,self.tables,self.sender = Counts(),Tables(self),Sender(self)
         self.served,self.worker,self.under_way = Served(),Worker(f'worker of {type(self).__name__} {source_component}'),{}
         self.mav_com,self.asking,self.expectations = None,None,Expectations()
-        self._callbacks,self._closed,self._alarm = [],False,None
+        self._listeners = [self.on_message] if type(self).on_message is not BaseComponent.on_message else []
+        self._closed,self._alarm = False,None
 
     def __repr__(self):
         where = f'{self.source_system}/{self.source_component}' if self.mav_com else f'{self.source_component}, not on a link'
@@ -167,8 +169,9 @@ def set_log(self:BaseComponent, loglevel:int):
 def encode_command(self:BaseComponent, command:Command):
     "`command` as a COMMAND_LONG, or as a COMMAND_INT when it has a `frame`; raises `ValueError` when it cannot be one"
     command_id,*target = command.key
-    p = [*map(float, command.params), *[0.]*7][:7]
-    if command.frame is None: return self.mav.command_long_encode(*target, command_id, min(command.copies-1, 255), *p)
+    p = [float(v) for v in command.params]
+    p += [0.]*(7-len(p))
+    if command.frame is None: return mavlink.MAVLink_command_long_message(*target, command_id, min(command.copies-1, 255), *p)
     if any(math.isinf(v) for v in p[4:6]): raise ValueError(f'parameters 5 and 6 of a COMMAND_INT are integers, not {p[4:6]}')
     x,y = (0x7fffffff if v!=v else int(v) for v in p[4:6])
     return self.mav.command_int_encode(*target, command.frame, command_id, 0, 0, *p[:4], x, y, p[6])
@@ -194,8 +197,7 @@ def set_mav_connection(self:BaseComponent, mav_com:MAVCom):
     self.set_source_component()
     self._alarm = timers.alarm(lambda: self.asking.tick())
     self.asking = Commands(mav_com.remotes, self._send_copy, self._send_fence, alarm=partial(timers.move, self._alarm))
-    sees_all = self._callbacks or type(self).on_message is not BaseComponent.on_message
-    self.tables.join(mav_com.wanted, mavlink.MAVLINK_MSG_ID_COMMAND_ACK, *([None] if sees_all else []))
+    self.tables.join(mav_com.wanted, mavlink.MAVLINK_MSG_ID_COMMAND_ACK, *([None] if self._listeners else []))
     self.on_mav_connection()
 
 @patch
@@ -215,7 +217,7 @@ def close(self:BaseComponent):
     self.asking.lose(None, LinkError(f'{self!r} was closed'))
     self.worker.close()
     self.tables.leave()
-    if not com._closed: com.component.pop(self.source_component, None)
+    if not com._closed: com.remove_component(self)
     com.remotes.pop((self.source_system,self.source_component), None)
 
 @patch
@@ -251,26 +253,27 @@ _ack = mavlink.MAVLINK_MSG_ID_COMMAND_ACK
 def deliver(self:BaseComponent, msg):
     "Take a message that arrived for us; called by the link's reader"
     msg_id = msg.get_msgId()
-    if self._closed or (msg_id==_ack or msg_id in _commands) and self.served.doubled(msg): return
+    is_command = msg_id in _commands
+    if self._closed or (is_command or msg_id==_ack) and self.served.doubled(msg): return
     self.count_message(msg)
     if msg_id==_ack: self.asking.offer(msg)
     self.expectations.offer(msg)
     if handler := self.tables['receives'].get(msg_id): handler.f(msg)
-    if msg_id not in _commands: self.show(msg)
+    if self._listeners and not is_command: self.show(msg)
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #9800171b
 @patch
 def count_message(self:BaseComponent, msg):
     "Count `msg` in `message_cnts[system][MESSAGE_NAME]`"
-    counts = self.counts
+    counts,name = self.counts,msg.get_type()
     of = counts.message_cnts.setdefault(msg.get_srcSystem(), {})
-    of[msg.get_type()] = of.get(msg.get_type(), 0)+1
+    of[name] = of.get(name, 0)+1
     counts.num_msgs_rcvd += 1
 
 @patch
 def show(self:BaseComponent, msg)->bool:
     "Show `msg` to `on_message` and the callbacks; true when one of them says so"
-    return any([self.on_message(msg)]+[f(msg) for f in list(self._callbacks)])
+    return any([f(msg) for f in list(self._listeners)])
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #41c40a09
 @patch
@@ -278,8 +281,8 @@ def append_message_handler(self:BaseComponent,
     callback, # Called with each message for us, on the reader thread: be quick
 ):
     "Call `callback(msg)` for messages that arrive; a true value for a command means accepted"
-    if callback in (*self._callbacks, self.on_message): return
-    self._callbacks.append(callback)
+    if callback in (*self._listeners, self.on_message): return
+    self._listeners.append(callback)
     if self.mav_com: self.tables.want(None)
 
 @patch

@@ -49,7 +49,7 @@ def send_ack(self:BaseComponent,
 ):
     "Answer a command with a COMMAND_ACK to its sender"
     self.counts.num_acks_sent += 1
-    self.sender.send_now(self.mav.command_ack_encode(msg.command, ack_result, progress, value, *address(msg)))
+    self.sender.send_now(mavlink.MAVLink_command_ack_message(msg.command, ack_result, progress, value, *address(msg)))
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #fbbe575c
 @patch
@@ -68,11 +68,11 @@ def answer_command(self:BaseComponent, handler, msg):
 @receives(mavlink.MAVLINK_MSG_ID_COMMAND_LONG)
 def on_command(self:BaseComponent, msg):
     "Answer a command"
-    handler = self.commands.get(msg.command)
+    handler = self.tables['command'].get(msg.command)
     before = self.served.find(msg) if handler is None or handler.options['once'] else None
     if before is not None: return self.send_ack(msg, before.result, value=before.value)
     self.counts.num_cmds_rcvd += 1
-    said = self._accepted_by_callback(msg)
+    said = self._accepted_by_callback(msg) if self._listeners else mavlink.MAV_RESULT_UNSUPPORTED
     if handler: return self._work(handler, msg) if handler.options['slow'] else self.answer_command(handler, msg)
     if said==mavlink.MAV_RESULT_UNSUPPORTED and (msg.target_system,msg.target_component)!=(self.source_system,self.source_component): return
     self.served.note(msg, Outcome(said))

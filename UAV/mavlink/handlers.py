@@ -105,11 +105,13 @@ class Tables:
 
     def __getitem__(self, kind:str)->dict:
         "`{number: Handler}` of the methods marked as 'command', 'message' or 'receives'"
-        if self._made!=marks_made():
-            self._made = marks_made()
-            self._tables = {k:marked(self.component, k) for k in ('command','message','receives')}
-            if self.wanted is not None: self.want(*self._tables['receives'])
+        if self._made!=_made.marks: self._make()
         return self._tables[kind]
+
+    def _make(self):
+        self._made = _made.marks
+        self._tables = {k:marked(self.component, k) for k in ('command','message','receives')}
+        if self.wanted is not None: self.want(*self._tables['receives'])
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #a11221e5
 @patch
@@ -149,7 +151,7 @@ class Served:
         store_attr()
         self._copies = Seen(remembered, self.most, clock)           # the latest copy of each command
         self._numbers = Seen(remembered, self.most_senders, clock)  # numbers that were served, by sender
-        self._frames,self._lock = Seen(self.overtaken, self.most_frames, clock),threading.Lock()
+        self._frames = Seen(self.overtaken, self.most_frames, clock)
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #a7fbbb32
 @dataclass(frozen=True)
@@ -209,8 +211,10 @@ def _unsigned(frame:bytes)->bytes:
 @patch
 def doubled(self:Served, msg)->bool:
     "Did this very frame come a moment ago?"
-    frame,way,now = _unsigned(bytes(msg.get_msgbuf())),getattr(msg,'came_by',None),self.clock()
-    with self._lock:
-        first,when = self._frames.find(frame, (way,-math.inf))
-        self._frames.note(frame, (first,now))
-    return now-when<(self.echo if way==first else self.overtaken)
+    frame,came = _unsigned(bytes(msg.get_msgbuf())),(getattr(msg, 'came_by', None),self.clock())
+    first = self._frames.setdefault(frame, came)
+    if first is came: return False
+    (way,now),(first_way,when) = came,first
+    again = now-when<(self.echo if way==first_way else self.overtaken)
+    if not again: self._frames.note(frame, came)
+    return again

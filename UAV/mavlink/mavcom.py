@@ -42,6 +42,7 @@ class MAVCom:
         if not 1<=source_system<=255: raise ValueError(f'source_system is {source_system}, not in 1 … 255')
         self.connection_string,self.source_system = link_name(connection_string),source_system
         self.component,self.channels,self.remotes = {},[],Remotes()
+        self._here,self._everywhere = set(),[]      # addresses of our components; `(channel, None)` for each link
         self.remotes.lost_after = self.lost_after
         self.wanted,self.log = Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT),get_logger(f'mavcom.{source_system}', loglevel)
         self.message_log,self.forward = message_log,forward
@@ -102,6 +103,7 @@ def add_link(self:MAVCom,
         channel = Channel(self, link, link_name(connection_string), len(self.channels)%256)
         if not self._closed:
             self.channels.append(channel)
+            self._everywhere.append((channel, None))
             channel.thread.start()
             return channel
     link.close()
@@ -192,15 +194,12 @@ def route(self:MAVCom,
 ):
     "Give `msg` to all components that it is for, except the one that sent it"
     source = address(msg)
-    if origin is None and self._is_here(source): return self._note_echo(msg)
+    if origin is None and source in self._here: return self._note_echo(msg)
     if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_HEARTBEAT: self._note_beat(msg, source, origin)
     for c in list(self.component.values()):
         if c is origin or not accepts(msg, self.source_system, c.source_component): continue
         try: c.deliver(msg)
         except Exception: self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
-
-@patch
-def _is_here(self:MAVCom, address:tuple)->bool: return address[0]==self.source_system and address[1] in self.component
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #7f1bfd02
 @patch
@@ -212,12 +211,20 @@ def add_component(self:MAVCom, component):
     with self._lock:
         if self._closed: raise LinkError(f'{self!r} is closed')
         self.component[number] = component
+        self._here.add((self.source_system, number))
     try: component.set_mav_connection(self)
     except BaseException:
-        del self.component[number]
+        self.remove_component(component)
         raise
     component.beat()
     return component
+
+@patch
+def remove_component(self:MAVCom, component):
+    "`component` is no longer ours; its `close` does this"
+    if self.component.get(component.source_component) is not component: return
+    del self.component[component.source_component]
+    self._here.discard((self.source_system, component.source_component))
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #9d2b73f7
 @patch
@@ -290,7 +297,7 @@ def _watch(self:MAVCom):
     "Look who has fallen silent, and tell the components"
     def frames(address): return sum(c.sources[address].received for c in self.channels if address in c.sources)
     for remote in self.remotes.silent(time.monotonic(), frames):
-        if self._is_here(remote.address): remote.lost = False
+        if remote.address in self._here: remote.lost = False
         else: self._lose(remote.address)
 
 @patch

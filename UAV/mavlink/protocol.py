@@ -9,7 +9,7 @@ import math, threading
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..wire.dialect import Ack, LinkError, MAVError, address, enum_name, enum_value, given, parameters
+from ..wire.dialect import Ack, LinkError, MAVError, address, enum_name, enum_value, parameters
 
 # %% auto #0
 __all__ = ['patience', 'longest_rto', 'remembered', 'accepts', 'comes_from', 'NoAnswer', 'Lost', 'CommandError', 'Busy', 'Denied',

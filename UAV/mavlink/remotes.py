@@ -58,7 +58,8 @@ def wait(self:RoundTrip,
     copies:int=1, # How many are on the wire
 )->float:
     "Seconds to wait for the answer until the next copy: the time-out, doubled each time"
-    return min(self.rto*2**(copies-1), max(self.rto, longest_back_off))
+    rto = self.rto
+    return rto if copies==1 else min(rto*2**(copies-1), max(rto, longest_back_off))
 
 @patch
 def __repr__(self:RoundTrip):

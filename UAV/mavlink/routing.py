@@ -45,9 +45,9 @@ def write(self:MAVCom,
     "Send a frame where it belongs, signed if we sign"
     if self._closed: return
     if frame[7:10]==b'\0\0\0': self._our_beats.note(_same(frame))
-    self.keep(frame, True)
+    if self.message_log is not None: self.keep(frame, True)
     to = to or target(frame)
-    if self._is_here(to): return
+    if to in self._here: return
     for channel,peer in self._ways(to):
         channel.write(frame if self.signing is None else self.signing.sign(frame, channel.number), peer)
 
@@ -55,13 +55,12 @@ def write(self:MAVCom,
 def _ways(self:MAVCom, to:tuple)->list:
     "`(channel, peer)` by which a frame for `to` leaves; no peer: all of the link"
     single = len(self.channels)==1 and len(self.channels[0].readers)<2
-    return not single and to[0] and self.where(*to) or [(c,None) for c in self.channels]
+    return self._everywhere if single or not to[0] else self.where(*to) or self._everywhere
 
 # %% ../../nbs/api/25_mavlink.routing.ipynb #9c6fe928
 @patch
 def keep(self:MAVCom, frame:bytes, sent:bool):
     "Give `frame` to the log; a log that raises is heard of once, and used no more"
-    if self.message_log is None: return
     try: self.message_log.add(frame, sent)
     except Exception:
         self.message_log = None
@@ -84,12 +83,12 @@ _never_forwarded = mavlink.MAVLINK_MSG_ID_RADIO_STATUS,mavlink.MAVLINK_MSG_ID_SE
 def _forward(self:MAVCom, origin:Channel, frame:bytes, msg_id:int, source:tuple):
     "Pass on a frame that came by the link `origin`"
     to = target(frame)
-    if msg_id in _never_forwarded or self._is_here(source) or self._is_here(to): return
+    if msg_id in _never_forwarded or source in self._here or to in self._here: return
     with self._lock:
         first = self._passed.find(frame, origin)
         if first is origin: self._passed.note(frame, origin)
     if first is not origin: return          # it goes round
-    for channel,peer in self.where(*to) if to[0] else [(c,None) for c in self.channels]:
+    for channel,peer in self.where(*to) if to[0] else self._everywhere:
         if channel is not origin: channel.write(frame, peer)
 
 @patch
@@ -97,7 +96,7 @@ def _check(self:Channel, frame:bytes, msg_id:int, source:tuple)->bool:
     "Is the frame to be believed? If it is, it is logged and passed on as well"
     com = self.com
     if com.signing is not None and not com.signing.check(frame, msg_id, source): return False
-    com.keep(frame, False)
+    if com.message_log is not None: com.keep(frame, False)
     if com.forward: com._forward(self, frame, msg_id, source)
     return True
 

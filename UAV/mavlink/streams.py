@@ -107,7 +107,7 @@ def look(self:Streams):
     com,now = self.component.mav_com,self.clock()
     for asker,(frames,when) in list(self._askers.items()):
         count = self._frames_from(asker)
-        if count!=frames or com._is_here(asker): self._askers[asker] = count,now
+        if count!=frames or asker in com._here: self._askers[asker] = count,now
         elif now-when>=com.lost_after:
             self.component.log.info('%s/%s is silent: its streams end', *asker)
             self.end(asker)

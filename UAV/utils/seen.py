@@ -43,6 +43,19 @@ def forget(self:Seen, key):
     "As if `key` had never come"
     with self._lock: self._noted.pop(key, None)
 
+# %% ../../nbs/api/03_utils.seen.ipynb #c64c3581
+@patch
+def setdefault(self:Seen, key, value):
+    "What was noted of `key` within the window; else `value`, which is noted"
+    now = self.clock()
+    with self._lock:
+        before,when = self._noted.get(key, (None,-math.inf))
+        if now-when<self.window: return before
+        self._noted.pop(key, None)
+        self._noted[key] = value,now
+        if len(self._noted)>self.most: del self._noted[next(iter(self._noted))]
+    return value
+
 # %% ../../nbs/api/03_utils.seen.ipynb #b53e5b6f
 @patch
 def again(self:Seen, key)->bool:

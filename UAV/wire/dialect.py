@@ -10,8 +10,8 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 # %% auto #0
-__all__ = ['command_cancel', 'timesync', 'address', 'enum_name', 'enum_value', 'Ack', 'message_class', 'given', 'parameters',
-           'MAVError', 'LinkError']
+__all__ = ['command_cancel', 'timesync', 'address', 'enum_name', 'enum_value', 'Ack', 'message_class', 'parameters', 'MAVError',
+           'LinkError']
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #2413f3a0
 @patch
@@ -91,14 +91,13 @@ command_cancel = mavlink.mavlink_map.get(80) or message_class(80, 'COMMAND_CANCE
 timesync = message_class(111, 'TIMESYNC', mavlink.mavlink_map[111].crc_extra, 'qqBB', ['tc1','ts1','target_system','target_component'])
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #6cfcf00a
-def given(value:float)->float|None:
-    "A parameter's value, or `None` where it was not given (NaN, INT32_MAX)"
-    return None if value!=value or value in (0x7fffffff,0x80000000) else value    # as a float32, INT32_MAX is 2**31
+_not_given = 0x7fffffff,0x80000000      # INT32_MAX; as a float32 it is 2**31
 
 def parameters(msg)->list:
-    "The seven parameters of a COMMAND_LONG or COMMAND_INT, `None` where not given"
+    "The seven parameters of a COMMAND_LONG or COMMAND_INT, `None` where not given (NaN, INT32_MAX)"
     last = (msg.x,msg.y,msg.z) if hasattr(msg,'x') else (msg.param5,msg.param6,msg.param7)
-    return [given(p) for p in (msg.param1,msg.param2,msg.param3,msg.param4,*last)]
+    values = msg.param1,msg.param2,msg.param3,msg.param4,*last
+    return [None if v!=v or v in _not_given else v for v in values]
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #3f22ffcf
 class MAVError(Exception): "Something MAVLink could not do"
