@@ -238,7 +238,7 @@ def _twins(self:MAVCom)->list:
 def _note_beat(self:MAVCom, msg, source:tuple, origin):
     "A HEARTBEAT came from `source`"
     if 0 in source: return                  # 0 means all, and cannot send
-    now,was_lost = time.monotonic(),self.lost(source)
+    now,was_lost = time.monotonic(),self.remotes.why_lost(source)
     news = self.remotes.beat(source, msg, now)
     if was_lost: self.log.info('%s is back', self.name_of(source))
     if origin is None and self._is_double(msg, source):
@@ -289,25 +289,33 @@ def name_of(self:MAVCom, source:tuple)->str:
 
 @patch
 def lost(self:MAVCom, source:tuple)->str:
-    "Why a component that was heard before is lost; empty when it is not"
-    return self.remotes.why_lost(source)
+    "Why a component that was heard before is lost; empty when it is not, or when a frame of it has come since we looked"
+    remote = self.remotes.get(source)
+    return self.remotes.why_lost(source) if remote and self._frames(source)==remote.frames else ''
+
+@patch
+def _frames(self:MAVCom, source:tuple)->int:
+    "How many frames of `source` have come, on all links"
+    return sum(c.sources[source].received for c in self.channels if source in c.sources)
 
 @patch
 def _watch(self:MAVCom):
     "Look who has fallen silent, and tell the components"
-    def frames(address): return sum(c.sources[address].received for c in self.channels if address in c.sources)
-    for remote in self.remotes.silent(time.monotonic(), frames):
+    were = [r for r in list(self.remotes.values()) if r.lost]
+    for remote in self.remotes.silent(time.monotonic(), self._frames):
         if remote.address in self._here: remote.lost = False
         else: self._lose(remote.address)
+    for remote in were: remote.lost or self.log.info('%s is back', remote.name)
 
 @patch
 def _lose(self:MAVCom, source:tuple):
     "`source` has fallen silent"
-    self.log.warning(self.lost(source))
+    why = self.remotes.why_lost(source)
+    self.log.warning(why)
     for c in self.channels:
         if source in c.sources: c.sources[source].restart()     # what it sends meanwhile is not lost on the way
     for c in list(self.component.values()):
-        if hasattr(c, 'lose'): c.lose(source, self.lost(source))
+        if hasattr(c, 'lose'): c.lose(source, why)
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #3a36a383
 @patch
