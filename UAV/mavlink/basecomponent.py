@@ -5,7 +5,7 @@
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #60cd9150
 from __future__ import annotations
 from functools import partial
-import math, struct, threading
+import math, random, struct, threading
 
 from fastcore.basics import GetAttr, patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -202,8 +202,9 @@ def set_mav_connection(self:BaseComponent, mav_com:MAVCom):
 
 @patch
 def set_source_component(self:BaseComponent):
-    "Make the encoder that marks our messages with our ids"
+    "Make the encoder that marks our messages with our ids, and numbers them from anywhere"
     self.sender.mav = mavlink.MAVLink(None, self.mav_com.source_system, self.source_component)
+    self.sender.mav.seq = random.randrange(256)
 
 BaseComponent.set_source_compenent = BaseComponent.set_source_component   # the published spelling
 
