@@ -150,7 +150,7 @@ class Served:
         clock=time.monotonic, # Gives seconds
     ):
         store_attr()
-        self._copies = Seen(remembered, self.most, clock)           # latest copies, by sender and command, then by parameters
+        self._copies = Seen(remembered, self.most//self.most_alike, clock)     # latest copies, by sender and command
         self._numbers = Seen(remembered, self.most_senders, clock)  # numbers that were served, by sender
         self._frames = Seen(self.overtaken, self.most_frames, clock)
 
