@@ -244,7 +244,7 @@ def _twins(self:MAVCom)->list:
     def leads(com): return {c.name for c in com.channels if not c.name.startswith(('udp:','udpin:','tcpin:'))}      # those listen
     return [com for com in list(_open) if com is not self and com.source_system==self.source_system and leads(com)&leads(self)]
 
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #4277ab94
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #d45413b5
 @patch(as_prop=True)
 def remotes(self:MAVCom)->dict:
     "`{(system, component): Remote}` of all that were heard"
@@ -259,7 +259,7 @@ def name_of(self:MAVCom, source:tuple)->str:
 @patch
 def lost(self:MAVCom, source:tuple)->str:
     "Why a component that was heard before is lost; empty when it is not"
-    return self.remotes.why_lost(source)
+    return self.heart.lost(source)
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #3a36a383
 @patch
