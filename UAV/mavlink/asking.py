@@ -5,18 +5,17 @@
 # %% ../../nbs/api/23_mavlink.asking.ipynb #80a603bb
 from __future__ import annotations
 from collections import deque
-import math, threading, time
+import math, time
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..logging import get_logger
 from ..utils.seen import Seen
 from ..wire.dialect import address
-from .protocol import Command, Lost, Outbox, patience, remembered
+from .protocol import Command, Lost, Outbox, patience
 from .remotes import Remotes, RoundTrip, first_rto
 
 # %% auto #0
-__all__ = ['in_progress_timeout', 'noise', 'longest_stray', 'fence_tries', 'log', 'Line', 'Commands', 'Fence']
+__all__ = ['in_progress_timeout', 'noise', 'longest_stray', 'Line', 'Commands']
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #34973412
 in_progress_timeout = 3. # s that we wait after an IN_PROGRESS until we ask for the final ack
@@ -38,6 +37,11 @@ class Line:
 
     @property
     def is_broadcast(self)->bool: return 0 in self.key[1:]
+
+    @property
+    def is_unmeasured(self)->bool:
+        "Is nothing known of its round trip, which a question could tell?"
+        return self.round_trip.srtt is None and not (self.round_trip.deaf or self.is_broadcast)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #407dd8fb
 class Commands:
@@ -74,12 +78,12 @@ def _new_line(self:Commands, key:tuple)->Line:
 @patch
 def _advance(self:Commands, line:Line):
     "Let the first command of a line begin, now or after a fence; a line with nothing to do goes"
-    if line.on_wire or line.fence: return
-    if self.clock()>=line.hard: line.dirty = False
-    trip = line.round_trip
-    if line.dirty and (line.queue or not (trip.srtt or trip.deaf or line.is_broadcast)): self._raise_fence(line)
+    if line.fence or line.on_wire: return
+    if line.dirty and self.clock()>=line.hard: line.dirty = False
+    if line.dirty:
+        if line.queue or line.is_unmeasured: self._raise_fence(line)
     elif line.queue: self._copy(line, line.queue[0])
-    elif not line.dirty: self._lines.pop(line.key, None)
+    else: self._lines.pop(line.key, None)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #32646edb
 @patch
@@ -198,113 +202,6 @@ def _in_progress(self:Commands, command:Command, now:float)->bool:
     "The work has begun: wait longer"
     command.in_progress,command.due,command.deadline = True,now+in_progress_timeout,now+patience
     return True
-
-# %% ../../nbs/api/23_mavlink.asking.ipynb #6c48c0a1
-fence_tries = 3 # how often a fence asks; a component that answers neither is given until `hard`
-
-class Fence:
-    "A question whose answer shows that all answers to earlier ones have come"
-    __slots__ = 'asked','due','passing'
-    def __init__(self):
-        self.asked = {}         # when it was asked, by number
-        self.due = math.inf     # when to ask again, or to let the line pass
-        self.passing = False    # it was answered, or time is up: the line may pass when it is due
-
-# %% ../../nbs/api/23_mavlink.asking.ipynb #e67c8093
-@patch
-def _raise_fence(self:Commands, line:Line):
-    "Ask before the next command of a line is sent"
-    if line.fence: return
-    line.fence = Fence()
-    self._ask_fence(line)
-
-@patch
-def _ask_fence(self:Commands, line:Line):
-    "Ask with a new number; after the last try, or for a broadcast, wait until `hard`"
-    fence,target,now = line.fence,line.key[1:],self.clock()
-    over = len(fence.asked)>=fence_tries and (not line.round_trip.answers or now>=line.last+remembered)
-    fence.passing = over or line.is_broadcast
-    fence.due = line.hard if fence.passing else now+line.round_trip.wait(len(fence.asked)+1)
-    self._alarm(fence.due)
-    if fence.passing: return
-    self._number = max(self._number+1, int(now*1e6))
-    fence.asked[self._number],self._fences[self._number] = now,line
-    line.round_trip.asked += 1
-    self._outbox.add(self._put_question, target, self._number)
-
-@patch
-def _put_question(self:Commands, target:tuple, number:int):
-    try: self._ask(target, number)
-    except Exception as e: log.info('cannot ask %s: %s', target, e)
-
-# %% ../../nbs/api/23_mavlink.asking.ipynb #4ce74cbe
-log = get_logger('asking')
-
-# %% ../../nbs/api/23_mavlink.asking.ipynb #fe0e35b2
-@patch
-def answered(self:Commands,
-    number:int, # What `ask` was called with
-    source:tuple, # `(system, component)` that answers
-)->bool:
-    "A TIMESYNC or PING of ours was answered; false when no fence waits for it"
-    with self._outbox:
-        line = self._fences.get(number)
-        if line is None or line.key[1:]!=source: return False
-        now,fence = self.clock(),line.fence
-        asked = fence.asked[number]
-        self._sample(line, source, now-asked)
-        line.round_trip.answers = True
-        if line.on_wire: self._judge_held(line, asked)
-        elif not fence.passing: self._pass_soon(line, now)
-        return True
-
-# %% ../../nbs/api/23_mavlink.asking.ipynb #16954b13
-@patch
-def _pass_soon(self:Commands, line:Line, now:float):
-    "The fence was answered: let the line pass when the margin is over"
-    fence,trip = line.fence,line.round_trip
-    fence.passing,fence.due = True,max(now+4*trip.rttvar, line.last+1.25*trip.largest)
-    self._fence_due(line, now)
-    self._alarm(fence.due)
-
-# %% ../../nbs/api/23_mavlink.asking.ipynb #ebc69c0c
-@patch
-def _fence_due(self:Commands, line:Line, now:float):
-    "Ask again, or let the line pass, when it is time"
-    if now<line.fence.due: return
-    if not line.fence.passing: return self._ask_fence(line)
-    self._drop_fence(line)
-    if line.on_wire: return             # it was for an ack that came too early
-    line.dirty = False
-    self._advance(line)
-
-@patch
-def _drop_fence(self:Commands, line:Line):
-    for number in line.fence.asked: self._fences.pop(number, None)
-    line.fence = None
-
-# %% ../../nbs/api/23_mavlink.asking.ipynb #323f5df6
-@patch
-def _hold(self:Commands, line:Line, command:Command, ack, now:float)->bool:
-    "Keep the latest early ack until a fence is answered"
-    command.held = ack,now
-    self._raise_fence(line)
-    return True
-
-@patch
-def _judge_held(self:Commands, line:Line, asked:float):
-    "A fence was answered: our own ack has come before, so what we hold is it, unless it came far too early"
-    command = line.on_wire
-    (ack,came),command.held = command.held or (None,-math.inf),None
-    self._drop_fence(line)
-    if came-command.first>=.5*line.round_trip.least: self._end(line, ack, clean=line.last<asked)
-
-@patch
-def _take_held(self:Commands, line:Line, command:Command):
-    "No other ack came in time, and no fence will tell: what we hold was the answer"
-    ack,came = command.held
-    self._sample(line, address(ack), came-command.first)
-    self._end(line, ack, clean=False)
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #1a0d91c2
 @patch

@@ -79,7 +79,11 @@ class Answer:
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #9557b964
 def _wake(future):
-    try: future.get_loop().call_soon_threadsafe(_woken, future)
+    "Wake the coroutine that waits for `future`; called from any thread"
+    from asyncio import _get_running_loop
+    loop = future.get_loop()
+    if _get_running_loop() is loop: return _woken(future)       # it is this thread's loop
+    try: loop.call_soon_threadsafe(_woken, future)
     except RuntimeError: pass           # the loop was closed while we waited
 
 def _woken(future):
@@ -140,11 +144,11 @@ class Outbox:
     def __enter__(self): self._lock.acquire()
     def __exit__(self, *args):
         self._lock.release()
-        self.flush()
+        if self._calls: self.flush()
 
     def flush(self):
         "Make the calls, unless another thread is at it: then it makes ours as well"
-        while self._calls and self._busy.acquire(blocking=False):
+        while self._calls and self._busy.acquire(False):
             try:
                 while self._calls:
                     f,args = self._calls.popleft()

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..wire.frames import decode, target
-from .mavcom import Channel, MAVCom, _same
+from .heart import essence
+from .mavcom import Channel, MAVCom
 
 # %% auto #0
 __all__ = ['LinkQuality']
@@ -21,11 +22,13 @@ def _heard_by(self:Channel, system:int, component:int)->list:
     def heard(reader): return (system,component) in reader.seen or not component and any(s==system for s,_ in list(reader.seen))
     return [(reader.heard, self, peer) for peer,reader in list(self.readers.items()) if heard(reader)]
 
+# %% ../../nbs/api/25_mavlink.routing.ipynb #b87b128e
 @patch
 def where(self:MAVCom, system:int, component:int)->list:
     "`(channel, peer)` of those through whom a component was heard lately; failing that, its system"
     found = [f for c in self.channels for f in c._heard_by(system, component)]
-    if not found and component and system!=self.source_system: found = [f for c in self.channels for f in c._heard_by(system, 0)]
+    if not found and component and system!=self.source_system:
+        found = [f for c in self.channels for f in c._heard_by(system, 0)]
     newest = max((heard for heard,_,_ in found), default=0.)
     return [(channel,peer) for heard,channel,peer in found if newest-heard<self.lost_after]
 
@@ -38,24 +41,25 @@ def write(self:Channel, frame:bytes, peer=None):
     except Exception: self.com.log.exception('%s cannot be written to', self)
 
 @patch
+def _ways(self:MAVCom, to:tuple)->list:
+    "`(channel, peer)` by which a frame for `to` leaves; no peer: all of the link"
+    single = len(self.channels)==1 and len(self.channels[0].readers)<2
+    return self._everywhere if single or not to[0] else self.where(*to) or self._everywhere
+
+# %% ../../nbs/api/25_mavlink.routing.ipynb #f914a4d9
+@patch
 def write(self:MAVCom,
     frame:bytes, # A packed message of ours
     to:tuple|None=None, # `(system, component)` that it goes to; `None`: as the message says
 ):
     "Send a frame where it belongs, signed if we sign"
     if self._closed: return
-    if frame[7:10]==b'\0\0\0': self._our_beats.note(_same(frame))
+    if frame[7:10]==b'\0\0\0': self.heart.sent.note(essence(frame))
     if self.message_log is not None: self.keep(frame, True)
     to = to or target(frame)
     if to in self._here: return
     for channel,peer in self._ways(to):
         channel.write(frame if self.signing is None else self.signing.sign(frame, channel.number), peer)
-
-@patch
-def _ways(self:MAVCom, to:tuple)->list:
-    "`(channel, peer)` by which a frame for `to` leaves; no peer: all of the link"
-    single = len(self.channels)==1 and len(self.channels[0].readers)<2
-    return self._everywhere if single or not to[0] else self.where(*to) or self._everywhere
 
 # %% ../../nbs/api/25_mavlink.routing.ipynb #9c6fe928
 @patch

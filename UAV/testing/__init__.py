@@ -1,7 +1,8 @@
 """What tests need: peers, cables, environments. Nothing else of the package imports this."""
 from UAV.testing.cable import Cable
+from UAV.testing.desk import desk
 from UAV.testing.peer import Peer, free_port
 from UAV.testing.programs import mavproxy, own_environment
 from UAV.testing.watching import Logged, Quick
 
-__all__ = ['Cable', 'Logged', 'Peer', 'Quick', 'free_port', 'mavproxy', 'own_environment']
+__all__ = ['Cable', 'desk', 'Logged', 'Peer', 'Quick', 'free_port', 'mavproxy', 'own_environment']

@@ -80,7 +80,7 @@ class UDPLink(Link):
     "A UDP socket with its peers; the base of `udpin` and `udpout`"
     datagrams = True
     def __init__(self, bind:tuple):
-        self._closed = False
+        self._closed = self._paused = False
         self._bind(bind)
 
     def _bind(self, bind:tuple):
@@ -103,7 +103,7 @@ def port(self:UDPLink)->int:
 # %% ../../nbs/api/13_wire.links.ipynb #6ead8322
 @patch
 def recv(self:UDPLink):
-    while not self._closed:
+    while not (self._closed or self._paused):
         try: data,peer = self.sock.recvfrom(65535)
         except ConnectionError: continue    # no program listens there yet (ICMP port unreachable)
         except OSError: return
@@ -119,6 +119,16 @@ def _send(self:UDPLink, data:bytes, peer:tuple):
 def close(self:UDPLink):
     if self._closed: return
     self._closed = True
+    self._wake_reader()
+
+@patch
+def pause(self:UDPLink):
+    "Wake a waiting `recv`, which returns `None`; an event loop reads the socket from now on"
+    self._paused = True
+    self._wake_reader()
+
+@patch
+def _wake_reader(self:UDPLink):
     host,port = self._bound
     try: self.sock.sendto(b'', ('127.0.0.1' if host=='0.0.0.0' else host, port))
     except OSError:
