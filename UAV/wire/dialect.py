@@ -69,7 +69,7 @@ mavlink.enums['MAV_RESULT'].setdefault(6, _cancelled);
 _types = dict(B='uint8_t', H='uint16_t', q='int64_t')
 
 def message_class(msg_id:int, name:str, crc_extra:int, wire:str, names:list):
-    "A pymavlink class for a message of numbers: its fields' `names`, and their `struct` types in the order of the `wire`"
+    "A pymavlink class for a message of numbers: its fields' `names`, and their `struct` types as on the `wire`"
     code,types = struct.Struct('<'+wire),[_types[t] for t in wire]
     class Message(mavlink.MAVLink_message):
         id,msgname,unpacker,native_format = msg_id,name,code,bytearray(b'<'+wire.encode())
