@@ -19,13 +19,16 @@ PER_SECOND = 5760               # bytes at 57,600 baud
 LOSSY = dict(loss=.2, duplicate=.1, reorder=.1, latency=.01, jitter=.04)         # 30 ± 20 ms
 SCENARIOS = {
     'no loss': dict(asks=200),
+    'no loss, a camera that does not tell': dict(asks=200, tells=False),
     'no loss, a new client for each': dict(asks=20, restart=True),
     '20 % lost, 10 % doubled, 10 % late, 30 ± 20 ms': dict(asks=200, **LOSSY),
+    'the same, a camera that does not tell': dict(asks=200, tells=False, **LOSSY),
     'jitter of 0.2 s, 5 % lost': dict(asks=100, days=2, loss=.05, jitter=.2),
     '40 % lost, 300 ms': dict(asks=40, days=5, loss=.4, latency=.3),
     '1 s there and back, 20 % lost': dict(asks=50, days=4, loss=.2, latency=.5),
     '2 s there and back, 20 % lost': dict(asks=40, days=5, loss=.2, latency=1.),
     '57,600 baud, half full': dict(asks=200, baudrate=57600, telemetry=.5),
+    '57,600 baud, half full, does not tell': dict(asks=200, tells=False, baudrate=57600, telemetry=.5),
     'three outages of 3 s': dict(asks=80, pace=.3, loss=.05, latency=.02, outages=[(3,6),(10,13),(18,21)]),
     'two outages of 8 s': dict(asks=100, pace=.3, loss=.05, latency=.02, outages=[(3,11),(19,27)]),
     'bursts of 3, 2 s there and back, 20 % lost': dict(asks=10, days=4, loss=.2, latency=1., count=3),
@@ -71,14 +74,15 @@ class Radio(LossyLink):
         super().write(data, peer)
 
 class Counted(Grey):
-    "A camera that notes for which ask it does something"
-    def __init__(self, journal):
+    "A camera that notes for which ask it does something; it `tells` which picture it will be, or not, as most cameras"
+    def __init__(self, journal, tells=True):
         super().__init__()
-        self.journal = journal
+        self.journal,self.tells = journal,tells
 
     def image_start_capture(self, interval=0., count=1):
-        super().image_start_capture(interval, count)
+        index = super().image_start_capture(interval, count)
         self.journal.did(int(count), sys._getframe(1))
+        return index if self.tells else None
 
     def set_camera_zoom(self, kind, value): self.journal.did(1, sys._getframe(1))
 
@@ -91,7 +95,7 @@ def play(name, seed, quick=False):
     radio = Radio('udpin:127.0.0.1:0', seed=f'{seed} {name} ground', **half(way))
     radio.journal,radio.baudrate = journal,way.get('baudrate')
     far = LossyLink(f'udpout:127.0.0.1:{radio.port}', seed=f'{seed} {name} far', **half(way))
-    camera = Counted(journal)
+    camera = Counted(journal, way.get('tells', True))
     with MAVCom(radio, source_system=255, **QUIET) as ground, MAVCom(far, source_system=1, **QUIET) as drone, camera:
         drone.add_component(CameraServer(camera=camera, **QUIET))
         if 'telemetry' in way: chatter(drone.add_component(Component(1, mavlink.MAV_TYPE_QUADROTOR, **QUIET)), way['telemetry']*PER_SECOND)

@@ -5,6 +5,7 @@
 # %% ../../nbs/api/62_mavlink.camera_client.ipynb #de6bb8c1
 from __future__ import annotations
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 import math, random, time
 
 from fastcore.basics import patch
@@ -41,7 +42,8 @@ class CameraClient(Component):
         self.notices = {}       # `{(system,component): PictureLog}`: the pictures that were heard of
         self._requests = []     # `((system,component), PictureLog)` of each capture that is under way
         self._telling = set()   # cameras that tell with their ack which picture it will be
-        self._shot = random.SystemRandom().randrange(self.last_shot)
+        self._shot,self._step = random.SystemRandom().randrange(self.last_shot),0   # numbers of the last ones
+        self._turns = WeakKeyDictionary()   # who may ask a camera that does not tell: `{event loop: {target: Lock}}`
 
 # %% ../../nbs/api/62_mavlink.camera_client.ipynb #600a3756
 @patch
@@ -52,10 +54,17 @@ def next_shot(self:CameraClient)->int:
 
 # %% ../../nbs/api/62_mavlink.camera_client.ipynb #f9f5ae30
 @patch
+def _soon(self:CameraClient, target:tuple)->float:
+    "Seconds in which what follows an ack of `target` should be here"
+    trip = self.remotes[target].round_trip if target in self.remotes else None
+    return self.first_look+4*(trip and trip.rttvar or 0.)
+
+@patch
 async def _ask_for(self:CameraClient, target:tuple, msg_id:int, index:float, legacy:int, params:list, fits=None)->tuple:
     "A message of `target`, by REQUEST_MESSAGE or else by the `legacy` command: `(message or None, the last ack)`"
-    msg,ack = await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, index], msg_id, target, fits=fits)
-    if msg is None and not ack.lost: msg,ack = await self._request(legacy, params, msg_id, target, fits=fits)
+    after = max(.5, self._soon(target))
+    msg,ack = await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, index], msg_id, target, after, fits=fits)
+    if msg is None and not ack.lost: msg,ack = await self._request(legacy, params, msg_id, target, after, fits=fits)
     return msg,ack
 
 # %% ../../nbs/api/62_mavlink.camera_client.ipynb #01c8c1d0
@@ -120,16 +129,8 @@ async def _hear(self:CameraClient,
     "The next message `msg_id`, or `None`; raises `Lost` when `source` is, or falls, silent"
     def fits(msg): return source is None or comes_from(msg, *source)
     with self.expecting(msg_id, fits, source) as wanted:
-        if source and (why := self._silent(source)): raise Lost(why)
+        if source and (why := self.mav_com.lost(source)): raise Lost(why)
         return None if there() else await wanted.wait(timeout)
-
-# %% ../../nbs/api/62_mavlink.camera_client.ipynb #4de92506
-@patch
-def _silent(self:CameraClient, source:tuple)->str:
-    "Why `source` is lost; empty when it is not, or when a frame of it has come since"
-    remote = self.remotes.get(source)
-    came = sum(c.sources[source].received for c in self.mav_com.channels if source in c.sources)
-    return '' if remote is None or came>remote.frames else self.mav_com.lost(source)
 
 # %% ../../nbs/api/62_mavlink.camera_client.ipynb #eb0e23d6
 @dataclass(frozen=True)

@@ -22,6 +22,13 @@ def set_camera_mode(self:CameraClient,
     "Switch between taking pictures, video, and surveying"
     return [0, mode_id, NAN, NAN, NAN, NAN, NAN]
 
+# %% ../../nbs/api/63_mavlink.camera_verbs.ipynb #5989d767
+@patch
+def next_step(self:CameraClient)->list:
+    "Parameters 4 to 7 of a step: each is 0 or NaN, and not all as in one of the 15 steps before"
+    self._step = (self._step+1)%16
+    return [NAN if self._step&bit else 0 for bit in (1,2,4,8)]
+
 # %% ../../nbs/api/63_mavlink.camera_verbs.ipynb #22894b19
 @patch
 @verb(mavlink.MAV_CMD_SET_CAMERA_ZOOM)
@@ -30,7 +37,7 @@ def set_camera_zoom(self:CameraClient,
     zoom_value:float=1, # Steps, speed -1 to 1, %, mm, or degrees
 ):
     "Zoom"
-    return [zoom_type, zoom_value]
+    return [zoom_type, zoom_value, 0, *self.next_step()]
 
 @patch
 @verb(mavlink.MAV_CMD_SET_CAMERA_FOCUS)
@@ -39,7 +46,7 @@ def set_camera_focus(self:CameraClient,
     focus_value:float=1, # Steps, speed -1 to 1, %, or metres
 ):
     "Focus"
-    return [focus_type, focus_value]
+    return [focus_type, focus_value, 0, *self.next_step()]
 
 # %% ../../nbs/api/63_mavlink.camera_verbs.ipynb #8a68d885
 @patch

@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #885c9f3f
 from __future__ import annotations
+from contextlib import nullcontext
 import asyncio, math, time
 
 from fastcore.basics import patch, store_attr
@@ -44,12 +45,17 @@ def __repr__(self:Capture):
 @patch
 async def _count_before(self:Capture, single:bool)->int|None:
     "Index of the next picture by the camera's count; `None` when it is not needed or not to be had. Raises `Busy`"
-    if single and self.target in self.client._telling: return None
+    if single and self._tells: return None
     for look in (1, 2):                                 # a status may be an old one that came late
         status = await self.client.request_camera_capture_status(*self.target)
         if status is None: return None
-        if single or not status.image_status&2: return status.image_count+(status.image_count==self._highest())
+        if single or not status.image_status&2: return self._next_index(status.image_count)
     raise Busy(f'{self.name} is taking a series')
+
+@patch(as_prop=True)
+def _tells(self:Capture)->bool:
+    "Does the camera tell with its ack which picture it will be?"
+    return self.target in self.client._telling
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #f89fa266
 @patch
@@ -57,6 +63,13 @@ def _highest(self:Capture)->int:
     "Index of the newest picture that we have heard of"
     known = self.client.notices.get(self.target)
     return known.last.image_index if known and known.last else -1
+
+@patch
+def _next_index(self:Capture, image_count:int)->int:
+    "Index of the next picture, when the camera has `image_count`, and those that other captures of ours wait for"
+    others = [r for r in list(self.client._requests) if r is not self and r.target==self.target and isinstance(r, Capture)]
+    promised = [first+n for r in others for first,n in list(r.log.runs) if n<math.inf]
+    return max([image_count+(image_count==self._highest()), *promised])
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #7f07bda1
 @patch
@@ -66,28 +79,36 @@ async def _send(self:Capture, params:list, before:int|None)->int|None:
     while self.asked<self.tries:
         self.asked += 1
         ack = await self.client.send_command(*self.target, mavlink.MAV_CMD_IMAGE_START_CAPTURE, params)
-        told = (getattr(ack, 'param', 0) or 0)-1
+        told = (ack.param or 0)-1
         if ack.lost: raise Lost(ack.lost)
-        if ack.result is None and self.target in telling and before is None: continue   # again: it has a number
-        if ack.result is not None: ack.check()          # a refusal
-        if told<0 and (before is not None or self.target not in telling): return before
+        if ack.result is None and before is not None: return before     # the count will tell
+        if ack.result is None and self._tells: continue                 # again: it has a number
+        ack.check()                                     # a refusal
+        if told<0 and (before is not None or not self._tells): return before
         telling.add(self.target) if told>=0 else telling.discard(self.target)
         if told>known or told==said: return told
         if before is not None: return before            # a series has no number: it must not be sent again
         said = told
     raise NoAnswer(f'{self.name} was asked {self.tries} times, and no picture came')
 
+# %% ../../nbs/api/66_mavlink.capture.ipynb #d7fe669c
+@patch
+def _turn(self:CameraClient, target:tuple)->asyncio.Lock:
+    "The turn to ask a camera, among the captures of one event loop"
+    return self._turns.setdefault(asyncio.get_running_loop(), {}).setdefault(target, asyncio.Lock())
+
 # %% ../../nbs/api/66_mavlink.capture.ipynb #57ef633f
 @patch
 async def _ask(self:Capture, count:float):
     "Ask for one shot, or for a series; raises `CommandError`, `Lost` or `NoAnswer`"
     single = count==1
-    before = await self._count_before(single)
     if single: self.number = self.number or self.client.next_shot()
     self.running = not single
     params = [0, 0, 1, self.number] if single else [0, self.interval, 0 if count==math.inf else count, 0]
-    self.log.begin(await self._send(params, before), count)
-    self.log.sure = 2 if self.target in self.client._telling else 4
+    async with nullcontext() if single and self._tells else self.client._turn(self.target):
+        before = await self._count_before(single)
+        self.log.begin(await self._send(params, before), count)
+    self.log.sure = 2 if self._tells else 4
     self.owed,self.since = 0 if count==math.inf else self.owed-count,time.monotonic()
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #9f66ffa2
@@ -118,27 +139,49 @@ async def next(self:Capture):
 # %% ../../nbs/api/66_mavlink.capture.ipynb #70a43326
 @patch
 async def _verify(self:Capture):
-    "Wait for a notice; when none comes, compare with the camera"
-    came,silent,soon = self.log.came,time.monotonic()-self.since,self.client.first_look
+    "Wait for a notice; when none comes, ask for it, or compare with the camera"
+    came,silent,soon = self.log.came,time.monotonic()-self.since,self.client._soon(self.target)
     if self.running: soon = max(soon, min(1.2*self.interval, 10.))
     def there(): return self.log.came!=came
-    wait = max(soon, min(silent, 2.))
-    msg = await self.client._hear(CAMERA_IMAGE_CAPTURED, wait, self.target, there)
+    msg = await self.client._hear(CAMERA_IMAGE_CAPTURED, max(soon, min(silent, 2.)), self.target, there)
     if msg: self.log.add(msg)
     if self.number in self.log.notices: self.log.instead(self.number)      # it numbers its pictures as we do
+    if not there(): await self._ask_for_told()
     if there(): self.since = time.monotonic()
     else: await self._look()
+
+# %% ../../nbs/api/66_mavlink.capture.ipynb #ee94dc5c
+@patch
+async def _ask_for_told(self:Capture):
+    "Ask for the notice of a shot whose index the camera has told"
+    index = next(self.log.wanted(), None)
+    if self.running or index is None or not self._tells: return
+    def fits(m): return m.image_index==index
+    after = self.client._soon(self.target)
+    msg = await self.client.request_message(CAMERA_IMAGE_CAPTURED, [index], *self.target, timeout=after, fits=fits)
+    if msg: self.log.add(msg)
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #74fb431e
 @patch
 async def _look(self:Capture):
-    "What does the camera say about our pictures? Raises `NoAnswer` after `timeout` without anything new"
+    "What does the camera say about our pictures? Raises `NoAnswer` when it is `_in_vain` to wait for them"
+    came = self.log.came
     status,verdict = await self.client._look(self.target, self.log)
-    if verdict in ('short','anew'): return await self._cut(status.image_count, verdict)
-    at_work = status is None or status.image_status or self.log.missing(status.image_count)
-    longest = max(self.timeout, 2*self.interval*self.running)*(self.patience if at_work else 1)
-    if self.log.odd or time.monotonic()-self.since<longest: return
-    raise NoAnswer(f'{self.name}: {self.log.left+self.owed:g} pictures did not come')
+    if self.log.came!=came: self.since = time.monotonic()
+    elif verdict in ('short','anew'): await self._cut(status.image_count, verdict)
+    elif self._in_vain(status): raise NoAnswer(f'{self.name}: {self.log.left+self.owed:g} pictures did not come')
+
+@patch
+def _in_vain(self:Capture, status)->bool:
+    "Has nothing new come for too long? That depends on the link, and on what the camera says of itself"
+    self.asked += status is None
+    longest = max(self.timeout, 4*self.client.rto(self.target), 2*self.interval*self.running)
+    if status is None: return self.asked>self.tries and self._silent_for(self.patience*longest)
+    if self.log.missing(status.image_count): return self._silent_for(3*self.patience*longest)   # it is there
+    return not self.log.odd and self._silent_for((self.patience if status.image_status else 1)*longest)
+
+@patch
+def _silent_for(self:Capture, seconds:float)->bool: return time.monotonic()-self.since>=seconds
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #41a81db1
 @patch

@@ -145,12 +145,13 @@ class Served:
     echo,overtaken = .3,1.5     # seconds in which a frame is a double of one by the same way; or by another way
     most,most_senders = 1024,64 # commands, and numbers of a sender, that are remembered; senders with numbers
     most_frames = 64            # far fewer than 256, after which sequence numbers come round
+    most_alike = 8              # commands of one sender with the same id and other parameters
 
     def __init__(self,
         clock=time.monotonic, # Gives seconds
     ):
         store_attr()
-        self._copies = Seen(remembered, self.most, clock)           # the latest copy of each command
+        self._copies = Seen(remembered, self.most//self.most_alike, clock)     # latest copies, by sender and command
         self._numbers = Seen(remembered, self.most_senders, clock)  # numbers that were served, by sender
         self._frames = Seen(self.overtaken, self.most_frames, clock)
 
@@ -163,26 +164,36 @@ class Copy:
     seq:int             # sequence number of its frame
     when:float          # seconds on the memory's clock
 
-def _key(msg): return address(msg),msg.command,tuple(str(p) for p in parameters(msg))
+def _kind(msg): return address(msg),msg.command
+def _values(msg): return tuple(str(p) for p in parameters(msg))
 def _confirmation(msg): return getattr(msg,'confirmation',0)    # a COMMAND_INT has none
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #b528c611
 @patch
 def note(self:Served, msg, outcome:Outcome):
     "Remember what the command `msg` was answered"
-    self._copies.note(_key(msg), Copy(outcome, _confirmation(msg), msg.get_seq(), self.clock()))
+    self._note_copy(msg, Copy(outcome, _confirmation(msg), msg.get_seq(), self.clock()))
+
+@patch
+def _note_copy(self:Served, msg, copy:Copy):
+    "Remember the latest copy of a command, and of a few others of its kind"
+    alike = self._copies.find(_kind(msg))
+    if alike is None: alike = Seen(remembered, self.most_alike, self.clock)
+    alike.note(_values(msg), copy)
+    self._copies.note(_kind(msg), alike)
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #7cc197c3
 @patch
 def find(self:Served, msg)->Outcome|None:
     "What the command `msg` was answered when it came before; `None`: it is new"
-    copy = self._copies.find(_key(msg))
+    alike = self._copies.find(_kind(msg))
+    copy = None if alike is None else alike.find(_values(msg))
     if copy is None: return
     higher,now = _confirmation(msg)-copy.confirmation,self.clock()
     later = 0<(msg.get_seq()-copy.seq)%256<128
     if higher<=0: return copy.outcome if higher and not later and now-copy.when<-higher*self.overtaken else None
     if now-copy.when>=higher*longest_rto: return
-    if later: self._copies.note(_key(msg), replace(copy, confirmation=_confirmation(msg), seq=msg.get_seq(), when=now))
+    if later: self._note_copy(msg, replace(copy, confirmation=_confirmation(msg), seq=msg.get_seq(), when=now))
     return copy.outcome
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #de1d497d
@@ -191,7 +202,9 @@ def find_number(self:Served, msg, number:int)->Outcome|None:
     "What the shot with this `number` was answered; `None`: it is new, has no number (0), or `msg` is a broadcast"
     numbers = self._numbers.find(address(msg))
     if not number or numbers is None or 0 in (msg.target_system,msg.target_component): return
-    return numbers.find(number)
+    before = numbers.find(number)
+    if before: self.note_number(msg, number, before)        # it may be asked for once more
+    return before
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #cb3fee86
 @patch

@@ -70,15 +70,30 @@ def note(self:Heart,
     self.greeted = now
     self.beat()
 
-# %% ../../nbs/api/23_mavlink.heart.ipynb #458829b5
+# %% ../../nbs/api/23_mavlink.heart.ipynb #7e9c20b0
+@patch
+def frames(self:Heart, address:tuple)->int:
+    "How many frames of `address` have come, on all links"
+    return sum(c.sources[address].received for c in self.com.channels if address in c.sources)
+
+# %% ../../nbs/api/23_mavlink.heart.ipynb #1c0b5405
+@patch
+def lost(self:Heart, address:tuple)->str:
+    "Why `address` is lost; empty when it is not, or when a frame of it has come since we looked"
+    remote = self.remotes.get(address)
+    return self.remotes.why_lost(address) if remote and self.frames(address)==remote.frames else ''
+
 @patch
 def watch(self:Heart):
-    "Look who has fallen silent"
-    def frames(address): return sum(c.sources[address].received for c in self.com.channels if address in c.sources)
-    for remote in self.remotes.silent(time.monotonic(), frames):
+    "Look who has fallen silent, and who is back"
+    were = [r for r in list(self.remotes.values()) if r.lost]
+    for remote in self.remotes.silent(time.monotonic(), self.frames):
         if remote.address in self.com._here: remote.lost = False
         else: self.lose(remote.address)
+    for remote in were:
+        if not remote.lost: self.com.log.info('%s is back', remote.name)
 
+# %% ../../nbs/api/23_mavlink.heart.ipynb #a281c68c
 @patch
 def lose(self:Heart, source:tuple):
     "`source` has fallen silent"

@@ -254,7 +254,7 @@ def _abandon_all():
 
 if hasattr(os,'register_at_fork'): os.register_at_fork(after_in_child=_abandon_all)
 
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #4277ab94
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #d45413b5
 @patch(as_prop=True)
 def remotes(self:MAVCom)->dict:
     "`{(system, component): Remote}` of all that were heard"
@@ -271,7 +271,7 @@ def name_of(self:MAVCom, source:tuple)->str:
 @patch
 def lost(self:MAVCom, source:tuple)->str:
     "Why a component that was heard before is lost; empty when it is not"
-    return self.remotes.why_lost(source)
+    return self.heart.lost(source)
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #3a36a383
 @patch

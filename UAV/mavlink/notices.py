@@ -93,7 +93,7 @@ async def _check_formatted(self:CameraClient, target:tuple, log:PictureLog, stat
 @patch
 async def _gather(self:CameraClient, target:tuple, log:PictureLog, count:int, timeout:float, longest:float=2.):
     "Wait until `count` notices are ready, or nothing new came for `timeout` seconds; raises `Lost`"
-    last,wait,patience = time.monotonic(),self.first_look,timeout
+    last,wait,patience = time.monotonic(),self._soon(target),timeout
     while len(log.ready(count))<count and time.monotonic()-last<patience:
         came = log.came
         msg = await self._hear(CAMERA_IMAGE_CAPTURED, min(wait, timeout), target, there=lambda: log.came!=came)
@@ -102,7 +102,7 @@ async def _gather(self:CameraClient, target:tuple, log:PictureLog, count:int, ti
             status,_ = await self._look(target, log)
             if status: patience = max(timeout, 2*status.image_interval)
             if status and not log.came: log.guess(max(0, status.image_count-count))     # the latest ones must be meant
-        if log.came!=came: last,wait = time.monotonic(),self.first_look
+        if log.came!=came: last,wait = time.monotonic(),self._soon(target)
         else: wait = min(2*wait, longest)
 
 # %% ../../nbs/api/65_mavlink.notices.ipynb #3e5a7d2c
@@ -125,7 +125,7 @@ async def wait_images(self:CameraClient, target_system:int|None=None, target_com
 async def _mark(self:CameraClient, target:tuple):
     "Begin a log for a camera; one that we have not heard yet is asked only once"
     if target in self.notices or self._no_camera(target): return
-    if target in self.remotes and not self._silent(target): status = await self.request_camera_capture_status(*target)
+    if target in self.remotes and not self.mav_com.lost(target): status = await self.request_camera_capture_status(*target)
     else: status = await self._ask_once(target, CAMERA_CAPTURE_STATUS)
     if status: self.notices.setdefault(target, PictureLog(status.image_count, since=status.time_boot_ms))
 

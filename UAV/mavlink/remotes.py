@@ -139,7 +139,7 @@ def silent(self:Remotes,
     found = []
     for remote in list(self.values()):
         count = frames(remote.address)
-        if count!=remote.frames: remote.frames,remote.alive = count,now
+        if count!=remote.frames: remote.frames,remote.alive,remote.lost = count,now,False
         if remote.lost or remote.type is None: continue
         remote.lost = now-max(remote.alive, remote.heard)>=self.lost_after
         if remote.lost: found.append(remote)

@@ -28,7 +28,8 @@ class Peer:
         self.parser.robust_parsing = True
         self.sock,self._listening = socket.socket(socket.AF_INET, kind),port is None
         self.sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, buffer)
-        self.sock.bind(('127.0.0.1',0)) if self._listening else self.sock.connect(('127.0.0.1',port))
+        if self._listening: self.sock.bind(('127.0.0.1',0))
+        else: self.sock.connect(('127.0.0.1',port))
         self.sock.setblocking(False)
 
     def close(self): self.sock.close()
