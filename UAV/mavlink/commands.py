@@ -155,7 +155,7 @@ async def send_command(self:BaseComponent,
     return await self._ack_of(command)
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #0fc5e215
-BaseComponent.command_timeout = None # s until each next copy, unless `send_command` is told; `None`: as round trips demand
+BaseComponent.command_timeout = None # s until each next copy, unless `send_command` is told; `None`: as measured
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #f823fd35
 @patch
