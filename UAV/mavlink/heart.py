@@ -83,6 +83,7 @@ def lost(self:Heart, address:tuple)->str:
     remote = self.remotes.get(address)
     return self.remotes.why_lost(address) if remote and self.frames(address)==remote.frames else ''
 
+# %% ../../nbs/api/23_mavlink.heart.ipynb #99876a36
 @patch
 def watch(self:Heart):
     "Look who has fallen silent, and who is back"
