@@ -91,7 +91,8 @@ def _advance(self:Commands, line:Line):
 def _copy(self:Commands, line:Line, command:Command):
     "Put a copy of `command` on the wire"
     now = line.last = self.clock()
-    unheard = line.key[1:] not in self.remotes
+    remote = self.remotes.get(line.key[1:])
+    unheard = remote is None or remote.lost
     if not command.copies: command.first,command.deadline = now,now+patience
     if unheard and command.retries is None: command.retries = 2
     command.copies += 1

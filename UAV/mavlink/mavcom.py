@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #3ccd1d9b
 from __future__ import annotations
-import atexit, os, threading, time, weakref
+import atexit, os, re, threading, time, weakref
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -197,8 +197,8 @@ def remove_component(self:MAVCom, component):
 @patch
 def _twins(self:MAVCom)->list:
     "Other `MAVCom`s of this process with our system id, on a link to the same place"
-    listens = 'udp:','udpin:','tcpin:'
-    def leads(com): return {c.name for c in com.channels if not c.name.startswith(listens)}
+    listens = re.compile('udp:|udpin:|tcpin:')
+    def leads(com): return {c.name for c in com.channels if not listens.search(c.name)}
     alike = [com for com in list(_open) if com is not self and com.source_system==self.source_system]
     return [com for com in alike if leads(com)&leads(self)]
 
