@@ -68,6 +68,7 @@ def start(self:Commands, command:Command):
         line.queue.append(command)
         self._advance(line)
 
+# %% ../../nbs/api/23_mavlink.asking.ipynb #d8cd9368
 @patch
 def _new_line(self:Commands, key:tuple)->Line:
     remote = self.remotes.get(key[1:])
@@ -98,6 +99,7 @@ def _copy(self:Commands, line:Line, command:Command):
     self._outbox.add(self._transmit, command)
     self._alarm(command.due)
 
+# %% ../../nbs/api/23_mavlink.asking.ipynb #b7a9efc3
 @patch
 def _transmit(self:Commands, command:Command):
     "Send it; one that cannot be sent ends with the error"
@@ -134,6 +136,7 @@ def _line_of(self:Commands, command_id:int, source:tuple)->Line|None:
         line = self._lines.get((command_id,*target))
         if line is not None and line.on_wire: return line
 
+# %% ../../nbs/api/23_mavlink.asking.ipynb #9c769256
 @patch
 def _sample(self:Commands, line:Line, source:tuple, seconds:float):
     "Learn a round trip; a component that answers is known from now on"
@@ -162,6 +165,7 @@ def _end(self:Commands, line:Line, value, clean:bool):
     command.set(value)
     self._advance(line)
 
+# %% ../../nbs/api/23_mavlink.asking.ipynb #cb9d5296
 @patch
 def _spoil(self:Commands, line:Line, command:Command):
     "Acks of `command` may still come, until `hard`"
@@ -181,6 +185,7 @@ def tick(self:Commands):
             if not line.queue: self._advance(line)
         self._alarm(min(map(_due, self._lines.values()), default=math.inf))
 
+# %% ../../nbs/api/23_mavlink.asking.ipynb #022678d8
 def _due(line:Line)->float:
     "When something must be done about a line"
     fence = line.fence.due if line.fence else math.inf

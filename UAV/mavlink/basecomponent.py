@@ -47,13 +47,15 @@ class BaseComponent(GetAttr):
         self.source_component,self.mav_type,self.system_status = source_component,mav_type,mavlink.MAV_STATE_ACTIVE
         self.log = get_logger(f'{type(self).__name__}.{source_component}', loglevel)
         self.counts,self.tables,self.sender = Counts(),Tables(self),Sender(self)
-        self.served,self.worker,self.under_way = Served(),Worker(f'worker of {type(self).__name__} {source_component}'),{}
+        self.worker = Worker(f'worker of {type(self).__name__} {source_component}')
+        self.served,self.under_way = Served(),{}
         self.mav_com,self.asking,self.expectations = None,None,Expectations()
         self._listeners = [self.on_message] if type(self).on_message is not BaseComponent.on_message else []
         self._closed,self._alarm = False,None
 
     def __repr__(self):
-        where = f'{self.source_system}/{self.source_component}' if self.mav_com else f'{self.source_component}, not on a link'
+        number = self.source_component
+        where = f'{self.source_system}/{number}' if self.mav_com else f'{number}, not on a link'
         return f'{type(self).__name__} {where}: {self.counts}'
 
     def on_mav_connection(self): "Called when we are on a link; for subclasses"
@@ -83,68 +85,17 @@ def remotes(self:BaseComponent)->dict:
     if self.mav_com is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
     return self.mav_com.remotes
 
+# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #f0ec742c
 @patch(as_prop=True)
 def round_trips(self:BaseComponent)->dict:
     "Seconds to `(system, component)` and back, of those that have answered"
     return self.mav_com.round_trips
 
+# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #b5e01755
 @patch
 def set_log(self:BaseComponent, loglevel:int):
     "Change how much this component logs"
     self.log.setLevel(loglevel)
-
-# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #ee0c0b82
-@patch
-def _send_copy(self:BaseComponent, command:Command):
-    "What the machine calls to put a copy on the wire"
-    target = command.key[1:]
-    self.sender.send_now(encode_command(command), None if 0 in target else target)
-
-@patch
-def _send_fence(self:BaseComponent, target:tuple, number:int):
-    "What it calls to ask with a number: TIMESYNC (which ArduPilot answers) and PING (which MAVSDK answers)"
-    self.send_message(timesync(0, number*1000, *target))
-    self.send_message(self.mav.ping_encode(number, 0, 0, 0))
-
-# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #8baf541f
-@patch
-def set_mav_connection(self:BaseComponent, mav_com:MAVCom):
-    "Join the link of `mav_com`; raises `LinkError` when we have left another"
-    if self._closed: raise LinkError(f'{self!r} is closed: make a new one')
-    self.mav_com,self.expectations = mav_com,Expectations(mav_com.wanted)
-    self.set_source_component()
-    self._alarm = timers.alarm(lambda: self.asking.tick())
-    self.asking = Commands(mav_com.remotes, self._send_copy, self._send_fence, alarm=partial(timers.move, self._alarm))
-    self.tables.join(mav_com.wanted, mavlink.MAVLINK_MSG_ID_COMMAND_ACK, *([None] if self._listeners else []))
-    self.on_mav_connection()
-
-# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #8564b325
-@patch
-def set_source_component(self:BaseComponent):
-    "Make the encoder that marks our messages with our ids"
-    self.sender.join(self.mav_com.source_system, self.source_component)
-
-BaseComponent.set_source_compenent = BaseComponent.set_source_component   # the published spelling
-
-# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #b8d1e7ab
-@patch
-def close(self:BaseComponent):
-    "Leave the link; safe to call twice"
-    com,self._closed = self.mav_com,True       # what arrives from now on starts nothing
-    if com is None: return
-    timers.cancel(self._alarm)
-    self.asking.lose(None, LinkError(f'{self!r} was closed'))
-    self.worker.close()
-    self.tables.leave()
-    if not com._closed: com.remove_component(self)
-    com.remotes.pop((self.source_system,self.source_component), None)
-
-# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #e1ca69fd
-@patch
-def lose(self:BaseComponent, source:tuple, why:str):
-    "`source` has fallen silent: what waits for it ends, with the reason"
-    self.expectations.lose(source, why)
-    self.asking.lose(source, Lost(why))
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #a69b759c
 @patch
@@ -165,6 +116,59 @@ def encode_heartbeat(self:BaseComponent):
 def beat(self:BaseComponent):
     "Send our heartbeat"
     self.send_message(self.encode_heartbeat())
+
+# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #ee0c0b82
+@patch
+def _send_copy(self:BaseComponent, command:Command):
+    "What the machine calls to put a copy on the wire"
+    target = command.key[1:]
+    self.sender.send_now(encode_command(command), None if 0 in target else target)
+
+@patch
+def _send_fence(self:BaseComponent, target:tuple, number:int):
+    "What it calls to ask with a number: TIMESYNC (which ArduPilot answers) and PING (which MAVSDK answers)"
+    self.send_message(timesync(0, number*1000, *target))
+    self.send_message(self.mav.ping_encode(number, 0, 0, 0))
+
+# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #8564b325
+@patch
+def set_source_component(self:BaseComponent):
+    "Make the encoder that marks our messages with our ids"
+    self.sender.join(self.mav_com.source_system, self.source_component)
+
+BaseComponent.set_source_compenent = BaseComponent.set_source_component   # the published spelling
+
+# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #8baf541f
+@patch
+def set_mav_connection(self:BaseComponent, mav_com:MAVCom):
+    "Join the link of `mav_com`; raises `LinkError` when we have left another"
+    if self._closed: raise LinkError(f'{self!r} is closed: make a new one')
+    self.mav_com,self.expectations = mav_com,Expectations(mav_com.wanted)
+    self.set_source_component()
+    self._alarm = timers.alarm(lambda: self.asking.tick())
+    self.asking = Commands(mav_com.remotes, self._send_copy, self._send_fence, alarm=partial(timers.move, self._alarm))
+    self.tables.join(mav_com.wanted, mavlink.MAVLINK_MSG_ID_COMMAND_ACK, *([None] if self._listeners else []))
+    self.on_mav_connection()
+
+# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #e1ca69fd
+@patch
+def lose(self:BaseComponent, source:tuple, why:str):
+    "`source` has fallen silent: what waits for it ends, with the reason"
+    self.expectations.lose(source, why)
+    self.asking.lose(source, Lost(why))
+
+# %% ../../nbs/api/26_mavlink.basecomponent.ipynb #b8d1e7ab
+@patch
+def close(self:BaseComponent):
+    "Leave the link; safe to call twice"
+    com,self._closed = self.mav_com,True       # what arrives from now on starts nothing
+    if com is None: return
+    timers.cancel(self._alarm)
+    self.asking.lose(None, LinkError(f'{self!r} was closed'))
+    self.worker.close()
+    self.tables.leave()
+    if not com._closed: com.remove_component(self)
+    com.remotes.pop((self.source_system,self.source_component), None)
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #8108ee26
 _commands = mavlink.MAVLINK_MSG_ID_COMMAND_LONG,mavlink.MAVLINK_MSG_ID_COMMAND_INT

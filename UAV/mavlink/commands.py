@@ -40,6 +40,7 @@ def run_command(self:BaseComponent, handler, msg)->Outcome:
     except Exception as e: return Outcome(self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
     return Outcome(mavlink.MAV_RESULT_ACCEPTED, value if type(value) is int else 0)
 
+# %% ../../nbs/api/27_mavlink.commands.ipynb #36a353d8
 @patch
 def send_ack(self:BaseComponent,
     msg, # The command
@@ -74,10 +75,12 @@ def on_command(self:BaseComponent, msg):
     self.counts.num_cmds_rcvd += 1
     said = self._accepted_by_callback(msg) if self._listeners else mavlink.MAV_RESULT_UNSUPPORTED
     if handler: return self._work(handler, msg) if handler.options['slow'] else self.answer_command(handler, msg)
-    if said==mavlink.MAV_RESULT_UNSUPPORTED and (msg.target_system,msg.target_component)!=(self.source_system,self.source_component): return
+    for_us = (msg.target_system,msg.target_component)==(self.source_system,self.source_component)
+    if said==mavlink.MAV_RESULT_UNSUPPORTED and not for_us: return
     self.served.note(msg, Outcome(said))
     self.send_ack(msg, said)
 
+# %% ../../nbs/api/27_mavlink.commands.ipynb #9965a83c
 @patch
 def _accepted_by_callback(self:BaseComponent, msg)->int:
     "What the callbacks make of a command, as a MAV_RESULT"
@@ -96,6 +99,7 @@ def _work(self:BaseComponent, handler, msg):
     same = address(running)==address(msg) and parameters(running)==parameters(msg)
     self.send_ack(msg, mavlink.MAV_RESULT_IN_PROGRESS if same else mavlink.MAV_RESULT_TEMPORARILY_REJECTED)
 
+# %% ../../nbs/api/27_mavlink.commands.ipynb #806093a6
 @patch
 def _answer_slowly(self:BaseComponent, handler, msg):
     try: self.answer_command(handler, msg)
@@ -120,6 +124,7 @@ def on_command_cancel(self:BaseComponent, msg):
     running = self.under_way.get(msg.command)
     if running is not None and address(running)==address(msg): running.cancelled = True
 
+# %% ../../nbs/api/27_mavlink.commands.ipynb #68ddf668
 @patch
 def is_cancelled(self:BaseComponent,
     command_id:int, # A MAV_CMD
@@ -139,16 +144,18 @@ async def send_command(self:BaseComponent,
     frame:int|None=None, # Send a COMMAND_INT in this MAV_FRAME, and not a COMMAND_LONG
     until=None, # An `Expected` message that makes the ack unnecessary
 )->Ack:
-    "Send a command and wait for its ack; the `Ack` is true when accepted, and prints its reason. Raises `LinkError` when we are on no link"
+    "Send a command and wait for its `Ack`, which is true when accepted; raises `LinkError` when we are on no link"
     if self.mav_com is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
     if self.mav_com._closed: raise LinkError(f'{self.mav_com!r} is closed')
     if len(params)>7: raise ValueError(f'a command has seven parameters, not {len(params)}')
-    if frame is not None and retries is None: retries = 0       # it has no `confirmation`: a second one would be another command
-    command = Command((target_system or 0,target_component or 0), command_id, params, frame, timeout or self.command_timeout, retries)
+    if frame is not None and retries is None: retries = 0       # no `confirmation`: a copy would be a new command
+    target,timeout = (target_system or 0,target_component or 0),timeout or self.command_timeout
+    command = Command(target, command_id, params, frame, timeout, retries)
     if until is not None: until.then = lambda: self.asking.drop(command)
     return await self._ack_of(command)
 
-BaseComponent.command_timeout = None # s until each next copy, when `send_command` is not told; `None`: as the round trips demand
+# %% ../../nbs/api/27_mavlink.commands.ipynb #0fc5e215
+BaseComponent.command_timeout = None # s until each next copy, unless `send_command` is told; `None`: as measured
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #f823fd35
 @patch
@@ -173,7 +180,8 @@ async def _ack_of(self:BaseComponent, command:Command)->Ack:
 def on_ping(self:BaseComponent, msg):
     "Answer a PING, or take the answer to ours"
     source = address(msg)
-    if not (msg.target_system or msg.target_component): return self.send_message(self.mav.ping_encode(msg.time_usec, msg.seq, *source))
+    if not (msg.target_system or msg.target_component):
+        return self.send_message(self.mav.ping_encode(msg.time_usec, msg.seq, *source))
     sent = self.asking.pings.find(msg.time_usec)
     if sent is None: self.asking.answered(msg.time_usec, source)
     elif source in self.remotes: self.remotes[source].round_trip.sample(time.monotonic()-sent)
@@ -189,7 +197,7 @@ def on_timesync(self:BaseComponent, msg):
 # %% ../../nbs/api/27_mavlink.commands.ipynb #5fc3442b
 @patch
 def cancel_command(self:BaseComponent, target_system:int, target_component:int, command_id:int):
-    "Take back a command that is under way: the coroutine that awaits its ack gets CANCELLED, or the result if it was too late"
+    "Take back a command that is under way: its ack will be CANCELLED, or the result if it was too late"
     self.send_message(command_cancel(command_id, target_system, target_component))
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #d44a10ae

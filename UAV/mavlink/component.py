@@ -112,6 +112,7 @@ def message_name(msg_id:int)->str:
     "The dialect's name of a message; its number when it has none"
     return mavlink.mavlink_map[msg_id].msgname if msg_id in mavlink.mavlink_map else str(msg_id)
 
+# %% ../../nbs/api/28_mavlink.component.ipynb #d99d3cb5
 @patch
 async def _request(self:Component, command_id:int, params, msg_id:int, target:tuple,
                    timeout:float|None=None, tries:int|None=None, fits=None, retries:int|None=None):

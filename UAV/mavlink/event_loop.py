@@ -24,6 +24,7 @@ def read_in_loop(self:Channel, loop):
     self.link.sock.setblocking(False)
     loop.add_reader(self.link.sock, self.take_all)
 
+# %% ../../nbs/api/28_mavlink.event_loop.ipynb #6cef9bb5
 @patch
 def take_all(self:Channel,
     most:int=64, # Datagrams at a time
@@ -47,6 +48,7 @@ async def __aenter__(self:MAVCom):
         raise
     return self
 
+# %% ../../nbs/api/28_mavlink.event_loop.ipynb #559d9fc4
 @patch
 async def __aexit__(self:MAVCom, *args):
     import asyncio

@@ -34,6 +34,7 @@ def _raise_fence(self:Commands, line:Line):
     line.fence = Fence()
     self._ask_fence(line)
 
+# %% ../../nbs/api/24_mavlink.fences.ipynb #306640f3
 @patch
 def _ask_fence(self:Commands, line:Line):
     "Ask with a new number; after the last try, or for a broadcast, wait until `hard`"
@@ -48,13 +49,13 @@ def _ask_fence(self:Commands, line:Line):
     line.round_trip.asked += 1
     self._outbox.add(self._put_question, target, self._number)
 
+# %% ../../nbs/api/24_mavlink.fences.ipynb #4ce74cbe
+log = get_logger('asking')
+
 @patch
 def _put_question(self:Commands, target:tuple, number:int):
     try: self._ask(target, number)
     except Exception as e: log.info('cannot ask %s: %s', target, e)
-
-# %% ../../nbs/api/24_mavlink.fences.ipynb #4ce74cbe
-log = get_logger('asking')
 
 # %% ../../nbs/api/24_mavlink.fences.ipynb #fe0e35b2
 @patch
@@ -94,6 +95,7 @@ def _fence_due(self:Commands, line:Line, now:float):
     line.dirty = False
     self._advance(line)
 
+# %% ../../nbs/api/24_mavlink.fences.ipynb #7bc59338
 @patch
 def _drop_fence(self:Commands, line:Line):
     for number in line.fence.asked: self._fences.pop(number, None)
@@ -107,6 +109,7 @@ def _hold(self:Commands, line:Line, command:Command, ack, now:float)->bool:
     self._raise_fence(line)
     return True
 
+# %% ../../nbs/api/24_mavlink.fences.ipynb #e9a39b0f
 @patch
 def _judge_held(self:Commands, line:Line, asked:float):
     "A fence was answered: our own ack has come before, so what we hold is it, unless it came far too early"
@@ -115,6 +118,7 @@ def _judge_held(self:Commands, line:Line, asked:float):
     self._drop_fence(line)
     if came-command.first>=.5*line.round_trip.least: self._end(line, ack, clean=line.last<asked)
 
+# %% ../../nbs/api/24_mavlink.fences.ipynb #481bb0cb
 @patch
 def _take_held(self:Commands, line:Line, command:Command):
     "No other ack came in time, and no fence will tell: what we hold was the answer"

@@ -28,7 +28,8 @@ async def wait_heartbeat(self:BaseComponent,
 )->tuple|None:
     "`(system, component)` of the first that beats, or `None`"
     def fits(address, mav_type):
-        return all(wanted in (None,0,is_) for wanted,is_ in zip((target_system,target_component), address)) and remote_mav_type in (None,mav_type)
+        if remote_mav_type not in (None,mav_type): return False
+        return all(wanted in (None,0,is_) for wanted,is_ in zip((target_system,target_component), address))
     with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: fits(address(m), m.type)) as heartbeat:
         for remote in list(self.remotes.values()):
             recent = time.monotonic()-remote.heard<1.5*self.mav_com.beat_period
@@ -76,4 +77,5 @@ async def _timesync_once(self:BaseComponent, target:tuple, timeout:float)->TimeS
 @patch
 async def test_command(self:BaseComponent, target_system:int, target_component:int, camera_id:int=0)->Ack:
     "Trigger a camera with MAV_CMD_DO_DIGICAM_CONTROL; `camera_id` goes into the command identity"
-    return await self.send_command(target_system, target_component, mavlink.MAV_CMD_DO_DIGICAM_CONTROL, [0, 0, 0, 0, 1, camera_id])
+    params = 0,0,0,0,1,camera_id
+    return await self.send_command(target_system, target_component, mavlink.MAV_CMD_DO_DIGICAM_CONTROL, params)

@@ -70,28 +70,31 @@ def note(self:Heart,
     self.greeted = now
     self.beat()
 
-# %% ../../nbs/api/23_mavlink.heart.ipynb #458829b5
+# %% ../../nbs/api/23_mavlink.heart.ipynb #7e9c20b0
+@patch
+def frames(self:Heart, address:tuple)->int:
+    "How many frames of `address` have come, on all links"
+    return sum(c.sources[address].received for c in self.com.channels if address in c.sources)
+
+# %% ../../nbs/api/23_mavlink.heart.ipynb #1c0b5405
+@patch
+def lost(self:Heart, address:tuple)->str:
+    "Why `address` is lost; empty when it is not, or when a frame of it has come since we looked"
+    remote = self.remotes.get(address)
+    return self.remotes.why_lost(address) if remote and self.frames(address)==remote.frames else ''
+
+# %% ../../nbs/api/23_mavlink.heart.ipynb #99876a36
 @patch
 def watch(self:Heart):
-    "Look who has fallen silent"
-    were_lost = [r for r in list(self.remotes.values()) if r.lost]
+    "Look who has fallen silent, and who is back"
+    were = [r for r in list(self.remotes.values()) if r.lost]
     for remote in self.remotes.silent(time.monotonic(), self.frames):
         if remote.address in self.com._here: remote.lost = False
         else: self.lose(remote.address)
-    for remote in were_lost:
+    for remote in were:
         if not remote.lost: self.com.log.info('%s is back', remote.name)
 
-@patch
-def frames(self:Heart, source:tuple)->int:
-    "How many frames of `source` have come, on all links"
-    return sum(c.sources[source].received for c in self.com.channels if source in c.sources)
-
-@patch
-def why_lost(self:Heart, source:tuple)->str:
-    "Why `source` is lost, in words; empty when it is not, or when a frame of it has come since we looked"
-    remote = self.remotes.get(source)
-    return self.remotes.why_lost(source) if remote and self.frames(source)==remote.frames else ''
-
+# %% ../../nbs/api/23_mavlink.heart.ipynb #a281c68c
 @patch
 def lose(self:Heart, source:tuple):
     "`source` has fallen silent"

@@ -21,12 +21,90 @@ from .heart import Heart
 _all_ = ['date_time_str', 'time_since_boot_ms', 'time_UTC_usec']
 
 # %% auto #0
-__all__ = ['MAVCom', 'link_name', 'Channel', 'date_time_str', 'time_since_boot_ms', 'time_UTC_usec']
+__all__ = ['link_name', 'Channel', 'MAVCom', 'date_time_str', 'time_since_boot_ms', 'time_UTC_usec']
+
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #7bfb7815
+def link_name(link:str|Link)->str:
+    "What to call a link"
+    return link if isinstance(link, str) else type(link).__name__+(f'({link._name})' if hasattr(link,'_name') else '')
+
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #7b653934
+class Channel:
+    "A link of a `MAVCom`: the thread that reads it, who was heard there, and its way back when it has gone"
+    first_retry,last_retry = .5,10. # s between attempts to reopen it, doubled each time
+    most_peers,most_strangers = 256,32 # frame readers that are kept: of peers that sent good frames, and of others
+
+    def __init__(self, com:MAVCom, link:Link, name:str, number:int):
+        self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
+        self.readers,self.sources = {},Sources()
+        self.busy_since,self._stop = None,threading.Event()     # when the bytes came that are being worked on
+        self.thread = threading.Thread(target=self._read, name=f'reader of {name}', daemon=True)
+
+    def __repr__(self): return f'{self.name}{"" if self.up else " (gone)"}'
+
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #2b041a9f
+@patch
+def _read(self:Channel):
+    "What the thread does until `close`"
+    while not self._stop.is_set():
+        got = self._receive()
+        if got is not None: self._take_safely(got)
+        elif not self._stop.is_set(): self._come_back()
+
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #a64ff5bc
+@patch
+def _receive(self:Channel):
+    "`(data, peer)`; `None` when the link has gone"
+    try: return self.link.recv()
+    except Exception: self.com.log.exception('%s cannot be read', self)
+
+@patch
+def _take_safely(self:Channel, got:tuple):
+    try: self.take(*got)
+    except Exception: self.com.log.exception('%s gave what cannot be taken', self)
+    finally: self.busy_since = None
+
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #51007cac
+@patch
+def _new_reader(self:Channel, peer)->FrameReader:
+    "A reader for a new peer; when there are too many, those go that were silent longest"
+    known = [p for p,reader in self.readers.items() if reader.seen]
+    strangers = [p for p in self.readers if p not in known]
+    for peers,most in ((known,self.most_peers), (strangers,self.most_strangers-1)):
+        for p in sorted(peers, key=lambda p: self.readers[p].heard)[:max(0, len(peers)-most)]: del self.readers[p]
+    reader = FrameReader(self.com.wanted, self.sources, self.link.datagrams, only_signed=self.com.signing is not None)
+    self.readers[peer] = reader
+    return reader
+
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #7a890940
+@patch
+def take(self:Channel, data:bytes, peer=None):
+    "Bytes came from `peer`"
+    now = self.busy_since = time.monotonic()
+    reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
+    judged = com.forward or com.signing is not None or com.message_log is not None
+    reader.heard,reader.check = now,self._check if judged else None
+    messages = reader.feed(data)
+    if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
+    for msg in messages:
+        msg.came_by = self,peer
+        com.route(msg)
+
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #50b3d456
+@patch
+def close(self:Channel):
+    "Let go of the link, and wait for the thread"
+    self._stop.set()
+    try:
+        self.link.close()
+        if self.thread is not threading.current_thread(): self.thread.join()
+    finally: self.link.release()
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #4dade846
 class MAVCom:
     "One MAVLink system on one link or several; close it, or use it in a `with`"
-    beat_period,lost_after = 1.,5. # s between two heartbeats of each component; s of silence after which another one is lost
+    beat_period = 1. # s between two heartbeats of each component
+    lost_after = 5. # s of silence after which another component is lost
     stuck_after = 2. # s after which a handler that does not return silences our heartbeats
 
     def __init__(self,
@@ -50,31 +128,7 @@ class MAVCom:
         self.heart.start()
         _open.add(self)
 
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #9947c7bf
-_open = weakref.WeakSet()       # those that are open in this process
-
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #7bfb7815
-def link_name(link:str|Link)->str:
-    "What to call a link"
-    return link if isinstance(link, str) else type(link).__name__+(f'({link._name})' if hasattr(link,'_name') else '')
-
-@patch
-def __repr__(self:MAVCom):
-    return f'MAVCom({self.connection_string!r}, source_system={self.source_system}) with components {sorted(self.component)}'
-
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #7b653934
-class Channel:
-    "A link of a `MAVCom`: the thread that reads it, who was heard there, and its way back when it has gone"
-    first_retry,last_retry = .5,10. # s between attempts to reopen it, doubled each time
-    most_peers,most_strangers = 256,32 # frame readers that are kept: of peers that sent good frames, and of others
-
-    def __init__(self, com:MAVCom, link:Link, name:str, number:int):
-        self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
-        self.readers,self.sources = {},Sources()
-        self.busy_since,self._stop = None,threading.Event()     # when the bytes came that are being worked on
-        self.thread = threading.Thread(target=self._read, name=f'reader of {name}', daemon=True)
-
-    def __repr__(self): return f'{self.name}{"" if self.up else " (gone)"}'
+_open = weakref.WeakSet()    # those that are open in this process
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #a8b7a562
 @patch
@@ -92,11 +146,7 @@ def add_link(self:MAVCom,
     link.release()
     raise LinkError(f'{self!r} was closed')
 
-@patch(as_prop=True)
-def link(self:MAVCom)->Link:
-    "Our first link"
-    return self.channels[0].link
-
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #1b532ef9
 @patch
 def _use(self:MAVCom, channel:Channel)->Channel:
     self.channels.append(channel)
@@ -104,52 +154,59 @@ def _use(self:MAVCom, channel:Channel)->Channel:
     channel.thread.start()
     return channel
 
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #2b041a9f
-@patch
-def _read(self:Channel):
-    "What the thread does until `close`"
-    while not self._stop.is_set():
-        got = self._receive()
-        if got is not None: self._take_safely(got)
-        elif not self._stop.is_set(): self._come_back()
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #48ef8fec
+@patch(as_prop=True)
+def link(self:MAVCom)->Link:
+    "Our first link"
+    return self.channels[0].link
 
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #c6fa2cf1
 @patch
-def _receive(self:Channel):
-    "`(data, peer)`; `None` when the link has gone"
-    try: return self.link.recv()
-    except Exception: self.com.log.exception('%s cannot be read', self)
+def __repr__(self:MAVCom):
+    who = f'MAVCom({self.connection_string!r}, source_system={self.source_system})'
+    return f'{who} with components {sorted(self.component)}'
 
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #7f1bfd02
 @patch
-def _take_safely(self:Channel, got:tuple):
-    try: self.take(*got)
-    except Exception: self.com.log.exception('%s gave what cannot be taken', self)
-    finally: self.busy_since = None
+def add_component(self:MAVCom, component):
+    "Add `component`, which beats at once; returns it. Raises `ValueError` when its address is taken on this link"
+    number = component.source_component
+    if number in self.component or any(number in com.component for com in self._twins()):
+        raise ValueError(f'system {self.source_system} has a component {number} already')
+    with self._lock:
+        if self._closed: raise LinkError(f'{self!r} is closed')
+        self.component[number] = component
+        self._here.add((self.source_system, number))
+    try: component.set_mav_connection(self)
+    except BaseException:
+        self.remove_component(component)
+        raise
+    component.beat()
+    return component
 
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #7a890940
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #78819268
 @patch
-def take(self:Channel, data:bytes, peer=None):
-    "Bytes came from `peer`"
-    now = self.busy_since = time.monotonic()
-    reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
-    judged = com.forward or com.signing is not None or com.message_log is not None
-    reader.heard,reader.check = now,self._check if judged else None
-    messages = reader.feed(data)
-    if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
-    for msg in messages:
-        msg.came_by = self,peer
-        com.route(msg)
+def remove_component(self:MAVCom, component):
+    "`component` is no longer ours; its `close` does this"
+    number = component.source_component
+    if self.component.get(number) is not component: return
+    del self.component[number]
+    self._here.discard((self.source_system, number))
 
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #51007cac
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #818f57ea
 @patch
-def _new_reader(self:Channel, peer)->FrameReader:
-    "A reader for a new peer; when there are too many, those go that were silent longest"
-    known = [p for p,reader in self.readers.items() if reader.seen]
-    strangers = [p for p in self.readers if p not in known]
-    for peers,most in ((known,self.most_peers), (strangers,self.most_strangers-1)):
-        for p in sorted(peers, key=lambda p: self.readers[p].heard)[:max(0, len(peers)-most)]: del self.readers[p]
-    reader = FrameReader(self.com.wanted, self.sources, self.link.datagrams, only_signed=self.com.signing is not None)
-    self.readers[peer] = reader
-    return reader
+def _twins(self:MAVCom)->list:
+    "Other `MAVCom`s of this process with our system id, on a link to the same place"
+    listens = 'udp:','udpin:','tcpin:'
+    def leads(com): return {c.name for c in com.channels if not c.name.startswith(listens)}
+    alike = [com for com in list(_open) if com is not self and com.source_system==self.source_system]
+    return [com for com in alike if leads(com)&leads(self)]
+
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #67a18320
+@patch
+def _note_beat(self:MAVCom, msg, source:tuple, origin):
+    self.heart.note(msg, source, ours=origin is not None)
+    if origin is None and 0 not in source: self.heart.check_double(msg, source)
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #c2f728ea
 @patch
@@ -166,21 +223,7 @@ def route(self:MAVCom,
         try: c.deliver(msg)
         except Exception: self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
 
-@patch
-def _note_beat(self:MAVCom, msg, source:tuple, origin):
-    self.heart.note(msg, source, ours=origin is not None)
-    if origin is None and 0 not in source: self.heart.check_double(msg, source)
-
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #50b3d456
-@patch
-def close(self:Channel):
-    "Let go of the link, and wait for the thread"
-    self._stop.set()
-    try:
-        self.link.close()
-        if self.thread is not threading.current_thread(): self.thread.join()
-    finally: self.link.release()
-
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #e493bb56
 @patch
 def close(self:MAVCom):
     "Close the components, the links and their threads; safe to call twice"
@@ -211,55 +254,24 @@ def _abandon_all():
 
 if hasattr(os,'register_at_fork'): os.register_at_fork(after_in_child=_abandon_all)
 
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #7f1bfd02
-@patch
-def add_component(self:MAVCom, component):
-    "Add `component`, which beats at once; returns it. Raises `ValueError` when its address is taken on this link"
-    number = component.source_component
-    if number in self.component or any(number in com.component for com in self._twins()):
-        raise ValueError(f'system {self.source_system} has a component {number} already')
-    with self._lock:
-        if self._closed: raise LinkError(f'{self!r} is closed')
-        self.component[number] = component
-        self._here.add((self.source_system, number))
-    try: component.set_mav_connection(self)
-    except BaseException:
-        self.remove_component(component)
-        raise
-    component.beat()
-    return component
-
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #78819268
-@patch
-def remove_component(self:MAVCom, component):
-    "`component` is no longer ours; its `close` does this"
-    number = component.source_component
-    if self.component.get(number) is not component: return
-    del self.component[number]
-    self._here.discard((self.source_system, number))
-
-@patch
-def _twins(self:MAVCom)->list:
-    "Other `MAVCom`s of this process with our system id, on a link to the same place"
-    def leads(com): return {c.name for c in com.channels if not c.name.startswith(('udp:','udpin:','tcpin:'))}      # those listen
-    return [com for com in list(_open) if com is not self and com.source_system==self.source_system and leads(com)&leads(self)]
-
-# %% ../../nbs/api/24_mavlink.mavcom.ipynb #4277ab94
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #d45413b5
 @patch(as_prop=True)
 def remotes(self:MAVCom)->dict:
     "`{(system, component): Remote}` of all that were heard"
     return self.heart.remotes
 
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #77cc63bb
 @patch
 def name_of(self:MAVCom, source:tuple)->str:
     "`system/component` and what it is"
     remote = self.remotes.get(source)
     return remote.name if remote else f'{source[0]}/{source[1]} (no heartbeat)'
 
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #1c41e0c8
 @patch
 def lost(self:MAVCom, source:tuple)->str:
     "Why a component that was heard before is lost; empty when it is not"
-    return self.heart.why_lost(source)
+    return self.heart.lost(source)
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #3a36a383
 @patch
@@ -271,6 +283,7 @@ def _come_back(self:Channel):
         if self._reopened(): return
         wait = min(2*wait, self.last_retry)
 
+# %% ../../nbs/api/24_mavlink.mavcom.ipynb #9dcd8517
 @patch
 def _reopened(self:Channel)->bool:
     "Try once"

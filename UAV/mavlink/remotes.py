@@ -20,6 +20,7 @@ first_rto = .5 # s: a question to a component that has not answered yet is asked
 least_rto = .2 # s: no question is asked again sooner, however short the round trips are
 longest_back_off = 1.5 # s: waits double from copy to copy, up to this, or the measured time-out when that is longer
 
+# %% ../../nbs/api/22_mavlink.remotes.ipynb #cfabb8f8
 class RoundTrip:
     "How long a question and its answer take, in seconds (RFC 6298)"
     def __init__(self):
@@ -61,6 +62,7 @@ def wait(self:RoundTrip,
     rto = self.rto
     return rto if copies==1 else min(rto*2**(copies-1), max(rto, longest_back_off))
 
+# %% ../../nbs/api/22_mavlink.remotes.ipynb #0755052f
 @patch
 def __repr__(self:RoundTrip):
     if self.srtt is None: return 'RoundTrip: not measured'
@@ -143,6 +145,7 @@ def silent(self:Remotes,
         if remote.lost: found.append(remote)
     return found
 
+# %% ../../nbs/api/22_mavlink.remotes.ipynb #db1f53cd
 @patch
 def why_lost(self:Remotes, address:tuple)->str:
     "Why `address` is lost, in words; empty when it is not"

@@ -19,7 +19,8 @@ __all__ = ['LinkQuality']
 @patch
 def _heard_by(self:Channel, system:int, component:int)->list:
     "`(when, channel, peer)` for the peers through which a component was heard, or (0) any of its system"
-    def heard(reader): return (system,component) in reader.seen or not component and any(s==system for s,_ in list(reader.seen))
+    def heard(reader):
+        return (system,component) in reader.seen or not component and any(s==system for s,_ in list(reader.seen))
     return [(reader.heard, self, peer) for peer,reader in list(self.readers.items()) if heard(reader)]
 
 # %% ../../nbs/api/25_mavlink.routing.ipynb #b87b128e
@@ -40,6 +41,7 @@ def write(self:Channel, frame:bytes, peer=None):
     try: self.link.write(frame) if peer is None else self.link.write(frame, peer)
     except Exception: self.com.log.exception('%s cannot be written to', self)
 
+# %% ../../nbs/api/25_mavlink.routing.ipynb #26726d07
 @patch
 def _ways(self:MAVCom, to:tuple)->list:
     "`(channel, peer)` by which a frame for `to` leaves; no peer: all of the link"
@@ -95,6 +97,7 @@ def _forward(self:MAVCom, origin:Channel, frame:bytes, msg_id:int, source:tuple)
     for channel,peer in self.where(*to) if to[0] else self._everywhere:
         if channel is not origin: channel.write(frame, peer)
 
+# %% ../../nbs/api/25_mavlink.routing.ipynb #c287ad9d
 @patch
 def _check(self:Channel, frame:bytes, msg_id:int, source:tuple)->bool:
     "Is the frame to be believed? If it is, it is logged and passed on as well"
@@ -136,8 +139,10 @@ class LinkQuality:
     @property
     def says(self)->str:
         "All but the names, as text"
-        ms = None if self.round_trip is None else self.round_trip*1000
-        return f'{self.received} frames, {self.loss:.0%} lost'+('' if ms is None else f', {ms:.{0 if ms>=10 else 1}f} ms there and back')
+        heard = f'{self.received} frames, {self.loss:.0%} lost'
+        if self.round_trip is None: return heard
+        ms = self.round_trip*1000
+        return f'{heard}, {ms:.{0 if ms>=10 else 1}f} ms there and back'
 
     def __repr__(self): return f'{self.system}/{self.component} on {self.link}: {self.says}'
 
@@ -147,6 +152,7 @@ def round_trips(self:MAVCom)->dict:
     "Seconds to `(system, component)` and back, smoothed, of those that have answered"
     return {a:r.round_trip.srtt for a,r in list(self.remotes.items()) if r.round_trip.srtt is not None}
 
+# %% ../../nbs/api/25_mavlink.routing.ipynb #9753d1d7
 @patch(as_prop=True)
 def link_quality(self:MAVCom)->list:
     "A `LinkQuality` for each component and link, ordered by address"
@@ -155,6 +161,8 @@ def link_quality(self:MAVCom)->list:
     return [LinkQuality(*f) for f in sorted(found, key=lambda f: f[:3])]
 
 # %% ../../nbs/api/25_mavlink.routing.ipynb #b44f473f
+_heard_nothing = 'heard nothing: does another one send to this port, and from the other kind of link?'
+
 @patch
 def summary(self:MAVCom)->str:
     "Who was heard, how well, and what our components did, as text"
@@ -163,7 +171,7 @@ def summary(self:MAVCom)->str:
         where = f' by {q.link}' if len(self.channels)>1 else ''
         lost = ', LOST' if self.lost((q.system,q.component)) else ''
         lines.append(f'  heard {self.name_of((q.system,q.component))}{where}: {q.says}{lost}')
-    if not self.link_quality: lines.append('  heard nothing: does another one send to this port, and from the other kind of link?')
+    if not self.link_quality: lines.append(f'  {_heard_nothing}')
     lines += [f'  {c!r}' for c in self.channels if not c.up]
     bad = sum(r.bad for c in self.channels for r in list(c.readers.values()))
     if bad: lines.append(f'  {bad} pieces of garbage')

@@ -49,7 +49,8 @@ def _pack(self:Sender, msg)->bytes:
     if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_SETUP_SIGNING and 0 in (msg.target_system,msg.target_component):
         raise ValueError('a key is not for all: SETUP_SIGNING needs a target')
     try: return pack(msg, self.mav)
-    except (struct.error, TypeError, OverflowError) as e: raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
+    except (struct.error, TypeError, OverflowError) as e:
+        raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
 
 # %% ../../nbs/api/25_mavlink.sender.ipynb #22c46d15
 class Hold:
@@ -107,7 +108,8 @@ def encode_command(command:Command):
     command_id,*target = command.key
     p = [float(v) for v in command.params]
     p += [0.]*(7-len(p))
-    if command.frame is None: return mavlink.MAVLink_command_long_message(*target, command_id, min(command.copies-1, 255), *p)
+    if command.frame is None:
+        return mavlink.MAVLink_command_long_message(*target, command_id, min(command.copies-1, 255), *p)
     if any(map(math.isinf, p[4:6])): raise ValueError(f'parameters 5 and 6 of a COMMAND_INT are integers, not {p[4:6]}')
     x,y = (0x7fffffff if math.isnan(v) else int(v) for v in p[4:6])
     return mavlink.MAVLink_command_int_message(*target, command.frame, command_id, 0, 0, *p[:4], x, y, p[6])

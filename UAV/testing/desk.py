@@ -10,7 +10,19 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..mavlink.remotes import Remotes
 
 # %% auto #0
-__all__ = ['desk']
+__all__ = ['ack_of', 'desk']
+
+# %% ../../nbs/api/98_testing.desk.ipynb #ef6cee47
+def ack_of(
+    command_id:int, # A MAV_CMD
+    result:int, # A MAV_RESULT
+    source:tuple, # `(system, component)` that sends it
+):
+    "A COMMAND_ACK as it arrives"
+    encoder = mavlink.MAVLink(None, *source)
+    ack = encoder.command_ack_encode(command_id, result)
+    ack.pack(encoder)
+    return ack
 
 # %% ../../nbs/api/98_testing.desk.ipynb #32450304
 def desk(
@@ -33,9 +45,8 @@ def desk(
                 self.tick()
             self.now = end
 
-        def reply(self, result=mavlink.MAV_RESULT_ACCEPTED, command_id=mavlink.MAV_CMD_IMAGE_START_CAPTURE, source=(1,100)):
+        def reply(self, result=mavlink.MAV_RESULT_ACCEPTED, command_id=mavlink.MAV_CMD_IMAGE_START_CAPTURE,
+                  source=(1,100)):
             "An ack comes from `source`"
-            ack = mavlink.MAVLink(None, *source).command_ack_encode(command_id, result)
-            ack.pack(mavlink.MAVLink(None, *source))
-            self.offer(ack)
+            self.offer(ack_of(command_id, result, source))
     return Desk

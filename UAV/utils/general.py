@@ -105,7 +105,8 @@ def cancel(self:Timers, job:Job):
         self._changed.notify_all()
         if thread is None or thread is threading.current_thread(): return
         while self._running is job: self._changed.wait()
-        while self._thread is thread and self._running is None and all(o.cancelled for o in self._jobs): self._changed.wait()
+        while self._thread is thread and self._running is None and all(o.cancelled for o in self._jobs):
+            self._changed.wait()
         if self._thread is thread: return
     thread.join()
 

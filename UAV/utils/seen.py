@@ -32,12 +32,14 @@ def note(self:Seen, key, value=True):
         self._noted[key] = value,self.clock()
         if len(self._noted)>self.most: del self._noted[next(iter(self._noted))]
 
+# %% ../../nbs/api/03_utils.seen.ipynb #a199ce73
 @patch
 def find(self:Seen, key, default=None):
     "The value of `key`, or `default` when it has not come within the window"
     value,when = self._noted.get(key, (default,-math.inf))
     return value if self.clock()-when<self.window else default
 
+# %% ../../nbs/api/03_utils.seen.ipynb #0baba59c
 @patch
 def forget(self:Seen, key):
     "As if `key` had never come"

@@ -62,19 +62,21 @@ class Ack(int):
     __str__ = __repr__
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #025a9204
-mavlink.enums['MAV_RESULT'].setdefault(6, mavlink.EnumEntry('MAV_RESULT_CANCELLED', 'Command has been cancelled (COMMAND_CANCEL).'));
+_cancelled = mavlink.EnumEntry('MAV_RESULT_CANCELLED', 'Command has been cancelled (COMMAND_CANCEL).')
+mavlink.enums['MAV_RESULT'].setdefault(6, _cancelled);
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #d89d3214
 _types = dict(B='uint8_t', H='uint16_t', q='int64_t')
 
 def message_class(msg_id:int, name:str, crc_extra:int, wire:str, names:list):
-    "A pymavlink class for a message whose fields `names` are numbers, in the order and with the `struct` types of the `wire`"
+    "A pymavlink class for a message of numbers: its fields' `names`, and their `struct` types as on the `wire`"
     code,types = struct.Struct('<'+wire),[_types[t] for t in wire]
     class Message(mavlink.MAVLink_message):
         id,msgname,unpacker,native_format = msg_id,name,code,bytearray(b'<'+wire.encode())
         fieldnames = ordered_fieldnames = names
         fieldtypes,fieldenums_by_name,fielddisplays_by_name,fieldunits_by_name = types,{},{},{}
-        orders,lengths,array_lengths,instance_field,instance_offset = list(range(len(names))),[1]*len(names),[0]*len(names),None,-1
+        orders,lengths,array_lengths = list(range(len(names))),[1]*len(names),[0]*len(names)
+        instance_field,instance_offset = None,-1
 
         def __init__(self, *values):
             super().__init__(msg_id, name)
@@ -82,13 +84,16 @@ def message_class(msg_id:int, name:str, crc_extra:int, wire:str, names:list):
             for field,value in zip(names, values+(0,)*(len(names)-len(values))): setattr(self, field, value)
 
         def pack(self, mav, force_mavlink1=False):
-            return self._pack(mav, crc_extra, code.pack(*(getattr(self, n) for n in names)), force_mavlink1=force_mavlink1)
+            payload = code.pack(*(getattr(self, n) for n in names))
+            return self._pack(mav, crc_extra, payload, force_mavlink1=force_mavlink1)
     Message.crc_extra,Message.__name__ = crc_extra,f'MAVLink_{name.lower()}_message'
     mavlink.mavlink_map[msg_id] = Message
     return Message
 
-command_cancel = mavlink.mavlink_map.get(80) or message_class(80, 'COMMAND_CANCEL', 14, 'HBB', ['command','target_system','target_component'])
-timesync = message_class(111, 'TIMESYNC', mavlink.mavlink_map[111].crc_extra, 'qqBB', ['tc1','ts1','target_system','target_component'])
+# %% ../../nbs/api/10_wire.dialect.ipynb #97266b00
+_to = ['target_system','target_component']
+command_cancel = mavlink.mavlink_map.get(80) or message_class(80, 'COMMAND_CANCEL', 14, 'HBB', ['command', *_to])
+timesync = message_class(111, 'TIMESYNC', mavlink.mavlink_map[111].crc_extra, 'qqBB', ['tc1','ts1', *_to])
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #6cfcf00a
 _not_given = 0x7fffffff,0x80000000      # INT32_MAX; as a float32 it is 2**31
