@@ -59,6 +59,7 @@ def _soon(self:CameraClient, target:tuple)->float:
     trip = self.remotes[target].round_trip if target in self.remotes else None
     return self.first_look+4*(trip and trip.rttvar or 0.)
 
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #d5a1b074
 @patch
 async def _ask_for(self:CameraClient, target:tuple, msg_id:int, index:float, legacy:int, params:list, fits=None)->tuple:
     "A message of `target`, by REQUEST_MESSAGE or else by the `legacy` command: `(message or None, the last ack)`"

@@ -41,6 +41,12 @@ def name(self:Capture)->str:
 def __repr__(self:Capture):
     return f'Capture from {self.name}: {self.owed:g} to be asked for, {self.log.left:g} asked for'
 
+# %% ../../nbs/api/66_mavlink.capture.ipynb #7fe970be
+@patch(as_prop=True)
+def _tells(self:Capture)->bool:
+    "Does the camera tell with its ack which picture it will be?"
+    return self.target in self.client._telling
+
 # %% ../../nbs/api/66_mavlink.capture.ipynb #7b2637ed
 @patch
 async def _count_before(self:Capture, single:bool)->int|None:
@@ -52,11 +58,6 @@ async def _count_before(self:Capture, single:bool)->int|None:
         if single or not status.image_status&2: return self._next_index(status.image_count)
     raise Busy(f'{self.name} is taking a series')
 
-@patch(as_prop=True)
-def _tells(self:Capture)->bool:
-    "Does the camera tell with its ack which picture it will be?"
-    return self.target in self.client._telling
-
 # %% ../../nbs/api/66_mavlink.capture.ipynb #f89fa266
 @patch
 def _highest(self:Capture)->int:
@@ -64,11 +65,12 @@ def _highest(self:Capture)->int:
     known = self.client.notices.get(self.target)
     return known.last.image_index if known and known.last else -1
 
+# %% ../../nbs/api/66_mavlink.capture.ipynb #aa3035b3
 @patch
 def _next_index(self:Capture, image_count:int)->int:
     "Index of the next picture, when the camera has `image_count`, and those that other captures of ours wait for"
-    others = [r for r in list(self.client._requests) if r is not self and r.target==self.target and isinstance(r, Capture)]
-    promised = [first+n for r in others for first,n in list(r.log.runs) if n<math.inf]
+    captures = [r for r in list(self.client._requests) if isinstance(r, Capture) and r.target==self.target]
+    promised = [first+n for r in captures if r is not self for first,n in list(r.log.runs) if n<math.inf]
     return max([image_count+(image_count==self._highest()), *promised])
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #7f07bda1
@@ -136,6 +138,18 @@ async def next(self:Capture):
     known.skip(found[0].image_index, found[0])      # `wait_images` need not give it again
     return found[0]
 
+# %% ../../nbs/api/66_mavlink.capture.ipynb #5853c8d5
+@patch
+def _silent_for(self:Capture, seconds:float)->bool: return time.monotonic()-self.since>=seconds
+
+@patch
+def _in_vain(self:Capture, status)->bool:
+    "Has nothing new come for too long? That depends on the link, and on what the camera says of itself"
+    longest = max(self.timeout, 4*self.client.rto(self.target), 2*self.interval*self.running)
+    if status is None: return self.asked>self.tries and self._silent_for(self.patience*longest)
+    if self.log.missing(status.image_count): return self._silent_for(3*self.patience*longest)   # it is there
+    return not self.log.odd and self._silent_for((self.patience if status.image_status else 1)*longest)
+
 # %% ../../nbs/api/66_mavlink.capture.ipynb #70a43326
 @patch
 async def _verify(self:Capture):
@@ -167,21 +181,10 @@ async def _look(self:Capture):
     "What does the camera say about our pictures? Raises `NoAnswer` when it is `_in_vain` to wait for them"
     came = self.log.came
     status,verdict = await self.client._look(self.target, self.log)
+    if status is None: self.asked += 1
     if self.log.came!=came: self.since = time.monotonic()
     elif verdict in ('short','anew'): await self._cut(status.image_count, verdict)
     elif self._in_vain(status): raise NoAnswer(f'{self.name}: {self.log.left+self.owed:g} pictures did not come')
-
-@patch
-def _in_vain(self:Capture, status)->bool:
-    "Has nothing new come for too long? That depends on the link, and on what the camera says of itself"
-    self.asked += status is None
-    longest = max(self.timeout, 4*self.client.rto(self.target), 2*self.interval*self.running)
-    if status is None: return self.asked>self.tries and self._silent_for(self.patience*longest)
-    if self.log.missing(status.image_count): return self._silent_for(3*self.patience*longest)   # it is there
-    return not self.log.odd and self._silent_for((self.patience if status.image_status else 1)*longest)
-
-@patch
-def _silent_for(self:Capture, seconds:float)->bool: return time.monotonic()-self.since>=seconds
 
 # %% ../../nbs/api/66_mavlink.capture.ipynb #41a81db1
 @patch
@@ -200,7 +203,7 @@ async def _cut(self:Capture, image_count:int, verdict:str):
 async def capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     interval:float=0, # Seconds between two pictures
     count:int=1, # How many; 0: until you leave the loop
-    timeout:float=5., # Seconds without anything new after which we give up
+    timeout:float=5., # Seconds without anything new after which we give up; longer on a slow link, or when it is there
 ):
     "For `async for`: the CAMERA_IMAGE_CAPTURED of each picture of yours. Raises `CommandError`, `Lost`, `NoAnswer`"
     shots = Capture(self, self._one_camera(target_system, target_component), interval, count, timeout)

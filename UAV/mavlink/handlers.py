@@ -110,8 +110,9 @@ class Tables:
         return self._tables[kind]
 
     def _make(self):
-        self._made = _made.marks
+        made = _made.marks
         self._tables = {k:marked(self.component, k) for k in ('command','message','receives')}
+        self._made = made                       # only now: other threads look here
         if self.wanted is not None: self.want(*self._tables['receives'])
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #a11221e5

@@ -125,7 +125,8 @@ async def wait_images(self:CameraClient, target_system:int|None=None, target_com
 async def _mark(self:CameraClient, target:tuple):
     "Begin a log for a camera; one that we have not heard yet is asked only once"
     if target in self.notices or self._no_camera(target): return
-    if target in self.remotes and not self.mav_com.lost(target): status = await self.request_camera_capture_status(*target)
+    heard = target in self.remotes and not self.mav_com.lost(target)
+    if heard: status = await self.request_camera_capture_status(*target)
     else: status = await self._ask_once(target, CAMERA_CAPTURE_STATUS)
     if status: self.notices.setdefault(target, PictureLog(status.image_count, since=status.time_boot_ms))
 
