@@ -26,7 +26,7 @@ def _heard_by(self:Channel, system:int, component:int)->list:
 # %% ../../nbs/api/25_mavlink.routing.ipynb #b87b128e
 @patch
 def where(self:MAVCom, system:int, component:int)->list:
-    "`(channel, peer)` of those through whom a component was heard lately; failing that, its system"
+    "`(channel, peer)` by which a component was heard lately; failing that, its system"
     found = [f for c in self.channels for f in c._heard_by(system, component)]
     if not found and component and system!=self.source_system:
         found = [f for c in self.channels for f in c._heard_by(system, 0)]
