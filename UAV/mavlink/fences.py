@@ -13,7 +13,7 @@ from .protocol import Command, remembered
 from .asking import Commands, Line
 
 # %% auto #0
-__all__ = ['fence_tries', 'log', 'Fence']
+__all__ = ['fence_tries', 'log', 'busy', 'Fence']
 
 # %% ../../nbs/api/24_mavlink.fences.ipynb #6c48c0a1
 fence_tries = 3 # how often a fence asks; a component that answers neither is given until `hard`
@@ -110,13 +110,15 @@ def _hold(self:Commands, line:Line, command:Command, ack, now:float)->bool:
     return True
 
 # %% ../../nbs/api/24_mavlink.fences.ipynb #e9a39b0f
+busy = .02 # s by which a computer that is busy makes a round trip longer: no ack is thrown away for that
+
 @patch
 def _judge_held(self:Commands, line:Line, asked:float):
     "A fence was answered: our own ack has come before, so what we hold is it, unless it came far too early"
     command = line.on_wire
     (ack,came),command.held = command.held or (None,-math.inf),None
     self._drop_fence(line)
-    if came-command.first>=.5*line.round_trip.least: self._end(line, ack, clean=line.last<asked)
+    if came-command.first>=.5*line.round_trip.least-busy: self._end(line, ack, clean=line.last<asked)
 
 # %% ../../nbs/api/24_mavlink.fences.ipynb #481bb0cb
 @patch
