@@ -22,7 +22,7 @@ __all__ = []
 BaseComponent.results = {CommandError:None, NotImplementedError:mavlink.MAV_RESULT_UNSUPPORTED}
 
 @patch
-def result_of(self:BaseComponent, error:Exception, what:str)->int:
+def result_of(self:BaseComponent, error:BaseException, what:str)->int:
     "The MAV_RESULT for an `error` that `what` raised"
     kind = next((k for k in type(error).__mro__ if k in self.results), None)
     if kind is None:
@@ -37,7 +37,7 @@ def result_of(self:BaseComponent, error:Exception, what:str)->int:
 def run_command(self:BaseComponent, handler, msg)->Outcome:
     "Call `handler` with the parameters of `msg`"
     try: value = handler(parameters(msg), msg)
-    except Exception as e: return Outcome(self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
+    except (Exception, SystemExit) as e: return Outcome(self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
     return Outcome(mavlink.MAV_RESULT_ACCEPTED, value if type(value) is int else 0)
 
 @patch
@@ -82,7 +82,7 @@ def on_command(self:BaseComponent, msg):
 def _accepted_by_callback(self:BaseComponent, msg)->int:
     "What the callbacks make of a command, as a MAV_RESULT"
     try: return mavlink.MAV_RESULT_ACCEPTED if self.show(msg) else mavlink.MAV_RESULT_UNSUPPORTED
-    except Exception: self.log.exception('a callback raised on %s', enum_name('MAV_CMD', msg.command, 'MAV_CMD_'))
+    except (Exception, SystemExit): self.log.exception('a callback raised on %s', enum_name('MAV_CMD', msg.command, 'MAV_CMD_'))
     return mavlink.MAV_RESULT_FAILED
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #58facc76
