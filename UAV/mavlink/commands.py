@@ -18,11 +18,11 @@ from .basecomponent import BaseComponent
 # %% auto #0
 __all__ = []
 
-# %% ../../nbs/api/27_mavlink.commands.ipynb #e09ff4d8
+# %% ../../nbs/api/27_mavlink.commands.ipynb #92dff27e
 BaseComponent.results = {CommandError:None, NotImplementedError:mavlink.MAV_RESULT_UNSUPPORTED}
 
 @patch
-def result_of(self:BaseComponent, error:Exception, what:str)->int:
+def result_of(self:BaseComponent, error:BaseException, what:str)->int:
     "The MAV_RESULT for an `error` that `what` raised"
     kind = next((k for k in type(error).__mro__ if k in self.results), None)
     if kind is None:
@@ -32,12 +32,12 @@ def result_of(self:BaseComponent, error:Exception, what:str)->int:
     self.log.info('%s: %s: %s', what, enum_name('MAV_RESULT', result, 'MAV_RESULT_'), error)
     return result
 
-# %% ../../nbs/api/27_mavlink.commands.ipynb #548cfbe6
+# %% ../../nbs/api/27_mavlink.commands.ipynb #6b06d813
 @patch
 def run_command(self:BaseComponent, handler, msg)->Outcome:
     "Call `handler` with the parameters of `msg`"
     try: value = handler(parameters(msg), msg)
-    except Exception as e: return Outcome(self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
+    except (Exception, SystemExit) as e: return Outcome(self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
     return Outcome(mavlink.MAV_RESULT_ACCEPTED, value if type(value) is int else 0)
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #36a353d8
@@ -80,12 +80,12 @@ def on_command(self:BaseComponent, msg):
     self.served.note(msg, Outcome(said))
     self.send_ack(msg, said)
 
-# %% ../../nbs/api/27_mavlink.commands.ipynb #9965a83c
+# %% ../../nbs/api/27_mavlink.commands.ipynb #9a3b9006
 @patch
 def _accepted_by_callback(self:BaseComponent, msg)->int:
     "What the callbacks make of a command, as a MAV_RESULT"
     try: return mavlink.MAV_RESULT_ACCEPTED if self.show(msg) else mavlink.MAV_RESULT_UNSUPPORTED
-    except Exception: self.log.exception('a callback raised on %s', enum_name('MAV_CMD', msg.command, 'MAV_CMD_'))
+    except (Exception, SystemExit): self.log.exception('a callback raised on %s', enum_name('MAV_CMD', msg.command, 'MAV_CMD_'))
     return mavlink.MAV_RESULT_FAILED
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #58facc76

@@ -91,7 +91,7 @@ def _next(self:Timers):
 def _run(self:Timers):
     while job := self._next():
         try: job.f()
-        except Exception: log.exception('a job of %s raised', self.name)
+        except (Exception, SystemExit): log.exception('a job of %s raised', self.name)
         with self._changed:
             self._running = None
             self._changed.notify_all()
@@ -148,7 +148,7 @@ class Worker:
     def _run(self):
         while job := self._jobs.get():
             try: job[0](*job[1])
-            except Exception: log.exception('a job of %s raised', self.name)
+            except (Exception, SystemExit): log.exception('a job of %s raised', self.name)
 
 # %% ../../nbs/api/01_utils.general.ipynb #444a43a6
 @patch
