@@ -61,7 +61,7 @@ def _receive(self:Channel):
 @patch
 def _take_safely(self:Channel, got:tuple):
     try: self.take(*got)
-    except Exception: self.com.log.exception('%s gave what cannot be taken', self)
+    except (Exception, SystemExit): self.com.log.exception('%s gave what cannot be taken', self)
     finally: self.busy_since = None
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #51007cac
@@ -221,7 +221,7 @@ def route(self:MAVCom,
     for c in list(self.component.values()):
         if c is origin or not accepts(msg, self.source_system, c.source_component): continue
         try: c.deliver(msg)
-        except Exception: self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
+        except (Exception, SystemExit): self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #e493bb56
 @patch
