@@ -34,7 +34,7 @@ class Channel:
     first_retry,last_retry = .5,10. # s between attempts to reopen it, doubled each time
     most_peers,most_strangers = 256,32 # frame readers that are kept: of peers that sent good frames, and of others
 
-    def __init__(self, com:MAVCom, link:Link, name:str, number:int):
+    def __init__(self, com, link:Link, name:str, number:int):
         self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
         self.readers,self.sources = {},Sources()
         self.busy_since,self._stop = None,threading.Event()     # when the bytes came that are being worked on
