@@ -166,7 +166,7 @@ class Copy:
     when:float          # seconds on the memory's clock
 
 def _kind(msg): return address(msg),msg.command
-def _values(msg): return tuple(str(p) for p in parameters(msg))
+def _values(msg): return tuple(parameters(msg))
 def _confirmation(msg): return getattr(msg,'confirmation',0)    # a COMMAND_INT has none
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #b528c611
