@@ -12,8 +12,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..wire.dialect import Ack, LinkError, MAVError, address, enum_name, enum_value, parameters
 
 # %% auto #0
-__all__ = ['patience', 'longest_rto', 'remembered', 'accepts', 'comes_from', 'NoAnswer', 'Lost', 'CommandError', 'Busy', 'Denied',
-           'Unsupported', 'Failed', 'Cancelled', 'Answer', 'Command', 'Outbox', 'Expected', 'Expectations']
+__all__ = ['patience', 'longest_rto', 'remembered', 'shot_tries', 'accepts', 'comes_from', 'NoAnswer', 'Lost', 'CommandError',
+           'Busy', 'Denied', 'Unsupported', 'Failed', 'Cancelled', 'Answer', 'Command', 'Outbox', 'Expected',
+           'Expectations']
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #0020fd1f
 def accepts(
@@ -60,6 +61,7 @@ def check(self:Ack)->Ack:
 patience = 10.    # s after its first copy in which a command is sent again
 longest_rto = 5.  # s that its sender waits at most after a copy
 remembered = patience+longest_rto # s that a server remembers what must not be done twice
+shot_tries = 3 # how often a client asks for a shot under its number, each time with all its patience
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #73ad66e9
 class Answer:
