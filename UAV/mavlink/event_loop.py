@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/28_mavlink.event_loop.ipynb #a77b763e
 from __future__ import annotations
+from functools import partial
 from fastcore.basics import patch
 from ..wire.dialect import LinkError
 from ..wire.links import UDPLink
@@ -18,10 +19,12 @@ __all__ = []
 def read_in_loop(self:Channel, loop):
     "Have `loop` read the link, and not a thread; raises `LinkError` when that is no UDP link"
     if not isinstance(self.link, UDPLink): raise LinkError(f'{self.name} cannot be read by an event loop: only UDP can')
+    if self._stop.is_set(): raise LinkError(f'{self.name} is closed, or read by an event loop already')
     self._stop.set()
     self.link.pause()
     self.thread.join()
     self.link.sock.setblocking(False)
+    self.release = partial(self.leave_loop, loop)
     loop.add_reader(self.link.sock, self.take_all)
 
 # %% ../../nbs/api/28_mavlink.event_loop.ipynb #6cef9bb5
@@ -33,8 +36,25 @@ def take_all(self:Channel,
     for _ in range(most):
         try: data,peer = self.link.sock.recvfrom(65535)
         except BlockingIOError: return
-        except OSError: continue            # no program listens there (ICMP port unreachable)
-        if data: self._take_safely((data, peer))
+        except ConnectionError: continue    # no program listens there (ICMP port unreachable)
+        except OSError: return
+        if data and self.link._expects(peer): self._take_safely((data, peer))
+
+# %% ../../nbs/api/28_mavlink.event_loop.ipynb #0b3b44dc
+@patch
+def _forget_in(self:Channel, loop):
+    loop.remove_reader(self.link.sock)
+    self.link.release()
+
+# %% ../../nbs/api/28_mavlink.event_loop.ipynb #4aaffa86
+@patch
+def leave_loop(self:Channel, loop):
+    "Have `loop` forget the link, then give it back to the system"
+    import asyncio
+    if loop.is_closed(): return self.link.release()
+    if asyncio._get_running_loop() is loop or not loop.is_running(): return self._forget_in(loop)
+    try: loop.call_soon_threadsafe(self._forget_in, loop)
+    except RuntimeError: self.link.release()        # it was closed in the meantime
 
 # %% ../../nbs/api/28_mavlink.event_loop.ipynb #d912a1c0
 @patch
@@ -50,7 +70,4 @@ async def __aenter__(self:MAVCom):
 
 # %% ../../nbs/api/28_mavlink.event_loop.ipynb #559d9fc4
 @patch
-async def __aexit__(self:MAVCom, *args):
-    import asyncio
-    for channel in self.channels: asyncio.get_running_loop().remove_reader(channel.link.sock)
-    self.close()
+async def __aexit__(self:MAVCom, *args): self.close()

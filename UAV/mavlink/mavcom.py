@@ -98,7 +98,10 @@ def close(self:Channel):
     try:
         self.link.close()
         if self.thread is not threading.current_thread(): self.thread.join()
-    finally: self.link.release()
+    finally: self.release()
+
+@patch
+def release(self:Channel): "Give the link back to the system"; self.link.release()
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #4dade846
 class MAVCom:
