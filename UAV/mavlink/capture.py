@@ -20,7 +20,8 @@ __all__ = ['Capture']
 # %% ../../nbs/api/66_mavlink.capture.ipynb #7b8a71ca
 class Capture:
     "Pictures that were asked for, until each of them has been given"
-    tries,stopped = shot_tries,False # how often we ask in a row without a new picture; has `image_stop_capture` been called?
+    # How often we ask in a row without a new picture; has `image_stop_capture` been called?
+    tries,stopped = shot_tries,False
     patience = 4 # times the timeout while a picture is being taken, or its notice does not get through
 
     def __init__(self, client:CameraClient, target:tuple, interval:float, count:int, timeout:float):

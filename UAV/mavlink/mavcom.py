@@ -224,7 +224,8 @@ def route(self:MAVCom,
     for c in list(self.component.values()):
         if c is origin or not accepts(msg, self.source_system, c.source_component): continue
         try: c.deliver(msg)
-        except (Exception, SystemExit): self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
+        except (Exception, SystemExit):
+            self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #e493bb56
 @patch
