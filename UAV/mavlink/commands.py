@@ -174,7 +174,7 @@ async def _ack_of(self:BaseComponent, command:Command)->Ack:
         if not command.there: self.asking.drop(command)
     if ack is not None: self.counts.num_acks_rcvd += 1
     elif not command.dropped: self.counts.num_acks_drop += 1
-    if ack is None: return Ack(None, None, command_id, lost or self.mav_com.lost(tuple(target)))
+    if ack is None: return Ack(None, None, command_id, lost or self.mav_com.lost(tuple(target)), target=tuple(target))
     return Ack(ack.result, address(ack), command_id, param=ack.result_param2)
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #4d246eb7

@@ -42,9 +42,10 @@ class Ack(int):
         command:int|None=None, # MAV_CMD that was asked
         lost:str='', # Why there was no answer, when that is known
         param:int=0, # `result_param2` of the COMMAND_ACK: its meaning depends on the command
+        target:tuple|None=None, # `(system, component)` that was asked; 0 for all
     ):
         self = super().__new__(cls, result==mavlink.MAV_RESULT_ACCEPTED)
-        self.result,self.source,self.command,self.lost,self.param = result,source,command,lost,param
+        self.result,self.source,self.command,self.lost,self.param,self.target = result,source,command,lost,param,target
         return self
 
     @property
@@ -56,8 +57,9 @@ class Ack(int):
 
     def __repr__(self):
         what = '' if self.command is None else enum_name('MAV_CMD', self.command, 'MAV_CMD_')+': '
-        if self.result is None: return what+'no answer'+(f' ({self.lost})' if self.lost else '')
-        who = f' from {self.source[0]}/{self.source[1]}' if self.source else ''
+        other = self.source or (not self.lost and self.target)        # `lost` names it already
+        who = f' from {other[0]}/{other[1]}' if other else ''
+        if self.result is None: return what+'no answer'+who+(f' ({self.lost})' if self.lost else '')
         return what+enum_name('MAV_RESULT', self.result, 'MAV_RESULT_')+who+('' if self else f' ({self.reason})')
     __str__ = __repr__
 
