@@ -180,6 +180,7 @@ def check_camera(
     camera, # A Camera; it is closed at the end
 )->Report:
     "Does `camera` do what others rely on? Raises `AssertionError` with a sentence that says what it does not"
+    assert hasattr(camera, 'subscribe'), f'{camera!r} is no Camera: its class must be a subclass of Camera'
     assert hasattr(camera, 'captures'), f'{type(camera).__name__}.__init__ must call super().__init__(...)'
     seen,told = SeenEvents(),[]
     camera.subscribe(seen.append)
