@@ -55,7 +55,7 @@ class CameraServer(Component):
         if 1<=source_component<=6: raise ValueError(f'a camera cannot be component {source_component}, an autopilot\'s')
         super().__init__(source_component, mav_type, loglevel)
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
-        elif isinstance(camera, type): raise TypeError(f'{camera.__name__} is a class; give a camera: {camera.__name__}()')
+        elif isinstance(camera, type): raise TypeError(f'{camera.__name__} is a class; a camera is {camera.__name__}()')
         elif not hasattr(camera,'information'): raise TypeError(f'{camera!r} is no camera: it has no `information`')
         if isinstance(guard, str) and guard!='signed': raise ValueError(f'guard is {guard!r}, not \'signed\'')
         self.camera,self.guard = FakeCamera() if camera is None else camera,guard
