@@ -66,7 +66,10 @@ def messages(self:Component)->dict:
 def encode_requested(self:Component, msg_id:int, values=(), msg=None):
     "The messages that a request `msg` for `msg_id`, with parameters `values`, is answered with; raises `Unsupported`"
     if msg_id not in self.messages: raise Unsupported(f'no message {msg_id}')
-    found = self.messages[msg_id](list(values), msg)
+    handler = self.messages[msg_id]
+    found = handler(list(values), msg)
+    if found is None or isinstance(found, (str,bytes)):
+        raise TypeError(f'{handler.name} returned {found!r}, not a message')
     return [found] if isinstance(found, mavlink.MAVLink_message) else found
 
 # %% ../../nbs/api/28_mavlink.component.ipynb #e637dbb9

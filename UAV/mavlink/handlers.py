@@ -43,8 +43,11 @@ def arguments(wanted:list, values:list)->dict:
 _made = ns(marks=0)
 
 def _mark(kind, value, **options):
-    "A decorator that adds a mark"
+    "A decorator that adds a mark; raises `TypeError` for what cannot be marked"
+    if not isinstance(value, int): raise TypeError(f'{value!r} is not a number, such as mavlink.MAV_CMD_DO_JUMP')
     def _f(f):
+        if f is None: raise TypeError('nothing to mark: @patch must be on top')
+        if inspect.iscoroutinefunction(f): raise TypeError(f'{f.__name__} is async: its caller cannot await')
         f.marks = getattr(f,'marks',())+((kind,value,options),)
         _made.marks += 1
         return f
