@@ -27,9 +27,10 @@ class Line:
     __slots__ = 'key','queue','round_trip','dirty','last','hard','fence'
     def __init__(self, key:tuple, round_trip:RoundTrip):
         self.key,self.queue,self.round_trip = key,deque(),round_trip
-        self.dirty = False      # acks of a command before may still come …
-        self.last = self.hard = -math.inf # … which was sent last at this time; at this one they have come or are lost
-        self.fence = None
+        self.dirty = False      # may acks of a command that has ended still come?
+        self.last = -math.inf   # when a command was sent last
+        self.hard = -math.inf   # from then on no late ack can come: it is here, or lost
+        self.fence = None       # the question that must be answered before the next command is sent
 
     @property
     def on_wire(self)->Command|None:
