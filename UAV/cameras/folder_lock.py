@@ -26,7 +26,7 @@ def lock_file(file):
 
 # %% ../../nbs/api/41_cameras.folder_lock.ipynb #5c0a5008
 _busy = errno.EACCES, errno.EAGAIN, errno.EDEADLK
-_unable = 'EROFS','EPERM','EACCES','ENOLCK','ENOSYS','EINVAL','ENOSPC','EDQUOT','ENOTSUP'
+_unable = 'EROFS','EPERM','EACCES','ENOLCK','ENOSYS','EINVAL','ENOSPC','EDQUOT','ENOTSUP','EIO','EBADF','ESTALE'
 _no_lock = {getattr(errno, name, errno.ENOSYS) for name in _unable}
 
 # %% ../../nbs/api/41_cameras.folder_lock.ipynb #c8218eac

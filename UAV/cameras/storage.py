@@ -95,9 +95,15 @@ def log_file(self:Storage)->Path:
     return self.folder/'pictures.jsonl'
 
 @patch
+def _clear(self:Storage, part:Path):
+    "Remove what a crash left; a folder that is read-only keeps it"
+    try: part.unlink(missing_ok=True)
+    except OSError as e: self._log.warning('%s stays: %s', part.name, e.strerror)
+
+@patch
 def _recover(self:Storage):
     "Read the log, take in what a crash left, and clear up"
-    for part in [*self.folder.glob('IMG_*.jpg.part'), *self.folder.glob('pictures.jsonl.part')]: part.unlink()
+    for part in [*self.folder.glob('IMG_*.jpg.part'), *self.folder.glob('pictures.jsonl.part')]: self._clear(part)
     self._finish_format()
     logged,whole = read_log(self.log_file)
     count = max(logged, default=-1)+1

@@ -15,10 +15,11 @@ from .protocol import Command, Lost, Outbox, patience
 from .remotes import Remotes, RoundTrip, first_rto
 
 # %% auto #0
-__all__ = ['in_progress_timeout', 'noise', 'longest_stray', 'Line', 'Commands']
+__all__ = ['in_progress_timeout', 'longest_work', 'noise', 'longest_stray', 'Line', 'Commands']
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #34973412
 in_progress_timeout = 3. # s that we wait after an IN_PROGRESS until we ask for the final ack
+longest_work = 600. # s after which a command ends, however often IN_PROGRESS is said
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #8c41c72d
 class Line:
@@ -205,8 +206,9 @@ def _overdue(self:Commands, line:Line, command:Command, now:float):
 # %% ../../nbs/api/23_mavlink.asking.ipynb #8a01638b
 @patch
 def _in_progress(self:Commands, command:Command, now:float)->bool:
-    "The work has begun: wait longer"
-    command.in_progress,command.due,command.deadline = True,now+in_progress_timeout,now+patience
+    "The work has begun: wait longer, but not for ever"
+    end = command.first+longest_work
+    command.in_progress,command.due,command.deadline = True,min(now+in_progress_timeout, end),min(now+patience, end)
     return True
 
 # %% ../../nbs/api/23_mavlink.asking.ipynb #1a0d91c2

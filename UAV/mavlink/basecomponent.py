@@ -199,7 +199,12 @@ def count_message(self:BaseComponent, msg):
 @patch
 def show(self:BaseComponent, msg)->bool:
     "Show `msg` to `on_message` and the callbacks; true when one of them says so"
-    return any([f(msg) for f in list(self._listeners)])
+    said,error = False,None
+    for listener in list(self._listeners):
+        try: said = bool(listener(msg)) or said
+        except Exception as e: error = e            # the others see it all the same
+    if error: raise error
+    return said
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #41c40a09
 @patch

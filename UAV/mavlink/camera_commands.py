@@ -10,7 +10,8 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..wire.dialect import enum_name
 from .protocol import Denied, Unsupported
 from .handlers import Outcome, command, message
-from .camera_server import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION, CAMERA_SETTINGS,
+from .camera_server import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
+    CAMERA_SETTINGS,
     STORAGE_INFORMATION, VIDEO_STREAM_INFORMATION, VIDEO_STREAM_STATUS, CameraServer)
 
 # %% auto #0

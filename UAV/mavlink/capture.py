@@ -9,7 +9,7 @@ import asyncio, math, time
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from .protocol import Busy, Lost, NoAnswer
+from .protocol import Busy, Lost, NoAnswer, shot_tries
 from .camera_client import CAMERA_IMAGE_CAPTURED, CameraClient
 from .picture_log import PictureLog
 import UAV.mavlink.notices
@@ -20,7 +20,8 @@ __all__ = ['Capture']
 # %% ../../nbs/api/66_mavlink.capture.ipynb #7b8a71ca
 class Capture:
     "Pictures that were asked for, until each of them has been given"
-    tries,stopped = 3,False # how often we ask in a row without a new picture; has `image_stop_capture` been called?
+    # How often we ask in a row without a new picture; has `image_stop_capture` been called?
+    tries,stopped = shot_tries,False
     patience = 4 # times the timeout while a picture is being taken, or its notice does not get through
 
     def __init__(self, client:CameraClient, target:tuple, interval:float, count:int, timeout:float):

@@ -37,7 +37,8 @@ def result_of(self:BaseComponent, error:BaseException, what:str)->int:
 def run_command(self:BaseComponent, handler, msg)->Outcome:
     "Call `handler` with the parameters of `msg`"
     try: value = handler(parameters(msg), msg)
-    except (Exception, SystemExit) as e: return Outcome(self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
+    except (Exception, SystemExit) as e:
+        return Outcome(self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
     return Outcome(mavlink.MAV_RESULT_ACCEPTED, value if type(value) is int else 0)
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #36a353d8
@@ -85,7 +86,8 @@ def on_command(self:BaseComponent, msg):
 def _accepted_by_callback(self:BaseComponent, msg)->int:
     "What the callbacks make of a command, as a MAV_RESULT"
     try: return mavlink.MAV_RESULT_ACCEPTED if self.show(msg) else mavlink.MAV_RESULT_UNSUPPORTED
-    except (Exception, SystemExit): self.log.exception('a callback raised on %s', enum_name('MAV_CMD', msg.command, 'MAV_CMD_'))
+    except (Exception, SystemExit):
+        self.log.exception('a callback raised on %s', enum_name('MAV_CMD', msg.command, 'MAV_CMD_'))
     return mavlink.MAV_RESULT_FAILED
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #58facc76

@@ -12,7 +12,7 @@ import inspect, math, re, threading, time
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..utils.seen import Seen
-from .protocol import Denied, longest_rto, remembered
+from .protocol import Denied, longest_rto, remembered, shot_tries
 from ..wire.dialect import address, parameters
 
 # %% auto #0
@@ -153,7 +153,7 @@ class Served:
     ):
         store_attr()
         self._copies = Seen(remembered, self.most//self.most_alike, clock)     # latest copies, by sender and command
-        self._numbers = Seen(remembered, self.most_senders, clock)  # numbers that were served, by sender
+        self._numbers = Seen(shot_tries*remembered, self.most_senders, clock)   # numbers that were served, by sender
         self._frames = Seen(self.overtaken, self.most_frames, clock)
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #a7fbbb32
@@ -166,7 +166,7 @@ class Copy:
     when:float          # seconds on the memory's clock
 
 def _kind(msg): return address(msg),msg.command
-def _values(msg): return tuple(str(p) for p in parameters(msg))
+def _values(msg): return tuple(parameters(msg))
 def _confirmation(msg): return getattr(msg,'confirmation',0)    # a COMMAND_INT has none
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #b528c611
@@ -214,7 +214,7 @@ def note_number(self:Served, msg, number:int, outcome:Outcome):
     source = address(msg)
     if not number: return self._numbers.forget(source)
     numbers = self._numbers.find(source)
-    if numbers is None: numbers = Seen(remembered, self.most, self.clock)
+    if numbers is None: numbers = Seen(shot_tries*remembered, self.most, self.clock)
     numbers.note(number, outcome)
     self._numbers.note(source, numbers)
 

@@ -34,7 +34,7 @@ class Channel:
     first_retry,last_retry = .5,10. # s between attempts to reopen it, doubled each time
     most_peers,most_strangers = 256,32 # frame readers that are kept: of peers that sent good frames, and of others
 
-    def __init__(self, com:MAVCom, link:Link, name:str, number:int):
+    def __init__(self, com, link:Link, name:str, number:int):
         self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
         self.readers,self.sources = {},Sources()
         self.busy_since,self._stop = None,threading.Event()     # when the bytes came that are being worked on
@@ -61,7 +61,7 @@ def _receive(self:Channel):
 @patch
 def _take_safely(self:Channel, got:tuple):
     try: self.take(*got)
-    except Exception: self.com.log.exception('%s gave what cannot be taken', self)
+    except (Exception, SystemExit): self.com.log.exception('%s gave what cannot be taken', self)
     finally: self.busy_since = None
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #51007cac
@@ -224,7 +224,8 @@ def route(self:MAVCom,
     for c in list(self.component.values()):
         if c is origin or not accepts(msg, self.source_system, c.source_component): continue
         try: c.deliver(msg)
-        except Exception: self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
+        except (Exception, SystemExit):
+            self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #e493bb56
 @patch

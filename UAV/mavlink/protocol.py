@@ -12,8 +12,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..wire.dialect import Ack, LinkError, MAVError, address, enum_name, enum_value, parameters
 
 # %% auto #0
-__all__ = ['patience', 'longest_rto', 'remembered', 'accepts', 'comes_from', 'NoAnswer', 'Lost', 'CommandError', 'Busy', 'Denied',
-           'Unsupported', 'Failed', 'Cancelled', 'Answer', 'Command', 'Outbox', 'Expected', 'Expectations']
+__all__ = ['patience', 'longest_rto', 'remembered', 'shot_tries', 'accepts', 'comes_from', 'NoAnswer', 'Lost', 'CommandError',
+           'Busy', 'Denied', 'Unsupported', 'Failed', 'Cancelled', 'Answer', 'Command', 'Outbox', 'Expected',
+           'Expectations']
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #0020fd1f
 def accepts(
@@ -60,6 +61,7 @@ def check(self:Ack)->Ack:
 patience = 10.    # s after its first copy in which a command is sent again
 longest_rto = 5.  # s that its sender waits at most after a copy
 remembered = patience+longest_rto # s that a server remembers what must not be done twice
+shot_tries = 3 # how often a client asks for a shot under its number, each time with all its patience
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #73ad66e9
 class Answer:
@@ -74,16 +76,14 @@ class Answer:
             if self.there: return False
             self.value,self.there,waiting = value,True,self._waiting
             self._waiting = []
-        for future in waiting: _wake(future)
+        for future,thread in waiting: _wake(future, thread)
         return True
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #9557b964
-def _wake(future):
-    "Wake the coroutine that waits for `future`; called from any thread"
-    from asyncio import _get_running_loop
-    loop = future.get_loop()
-    if _get_running_loop() is loop: return _woken(future)       # it is this thread's loop
-    try: loop.call_soon_threadsafe(_woken, future)
+def _wake(future, thread:int):
+    "Wake the coroutine that waits for `future` on a loop in `thread`; called from any thread"
+    if thread==threading.get_ident(): return _woken(future)
+    try: future.get_loop().call_soon_threadsafe(_woken, future)
     except RuntimeError: pass           # the loop was closed while we waited
 
 def _woken(future):
@@ -98,17 +98,23 @@ async def wait(self:Answer,
     import asyncio
     loop = asyncio.get_running_loop()
     future = loop.create_future()
+    us = future,threading.get_ident()
     with self._lock:
         there = self.there
-        if not there: self._waiting.append(future)
+        if not there: self._waiting.append(us)
     if not there:
         timer = timeout is not None and loop.call_later(timeout, _woken, future)
         try: await future
         finally:
             timer and timer.cancel()
-            with self._lock: self._waiting = [f for f in self._waiting if f is not future]
+            if not self.there: self._leave(us)
     if isinstance(self.value, Exception): raise self.value
     return self.value
+
+@patch
+def _leave(self:Answer, us:tuple):
+    "We do not wait any more"
+    with self._lock: self._waiting = [w for w in self._waiting if w is not us]
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #534e4f01
 class Command(Answer):
