@@ -195,7 +195,8 @@ async def _cut(self:Capture, image_count:int, verdict:str):
         await self.client._ask_for_notice(self.target, self.number)
     if self.number in self.log.notices: return
     untaken = self.log.cut(image_count)
-    self.owed += 0 if untaken==math.inf and self.given else untaken     # a series without an end was ended elsewhere
+    ended_elsewhere = untaken==math.inf and self.given and verdict=='short'     # a series without an end
+    self.owed += 0 if ended_elsewhere else untaken
     self.running = False
     if verdict=='anew': self.number = None
 
