@@ -110,7 +110,9 @@ async def _ask(self:Capture, count:float):
     params = [0, 0, 1, self.number] if single else [0, self.interval, 0 if count==math.inf else count, 0]
     async with nullcontext() if single and self._tells else self.client._turn(self.target):
         before = await self._count_before(single)
+        if self.stopped: return
         self.log.begin(await self._send(params, before), count)
+    if self.stopped and self.running: await self.client.image_stop_capture(*self.target)     # it overtook the command
     self.log.sure = 2 if self._tells else 4
     self.owed,self.since = 0 if count==math.inf else self.owed-count,time.monotonic()
 
