@@ -53,7 +53,8 @@ def _tells(self:Capture)->bool:
 async def _count_before(self:Capture, single:bool)->int|None:
     "Index of the next picture by the camera's count; `None` when it is not needed or not to be had. Raises `Busy`"
     if single and self._tells: return None
-    for look in (1, 2):                                 # a status may be an old one that came late
+    for pause in (0, self.client._soon(self.target)):   # the status may be an old one, or our last series just ends
+        await asyncio.sleep(pause)
         status = await self.client.request_camera_capture_status(*self.target)
         if status is None: return None
         if single or not status.image_status&2: return self._next_index(status.image_count)
@@ -215,5 +216,5 @@ async def capture(self:CameraClient, target_system:int|None=None, target_compone
         try:
             while (msg := await shots.next()) is not None: yield msg
         except (GeneratorExit, asyncio.CancelledError):
-            if shots.running and shots.log.left: await self.image_stop_capture(*shots.target)
+            if shots.running and (shots.log.left or shots.owed): await self.image_stop_capture(*shots.target)
             raise
