@@ -53,7 +53,8 @@ def _tells(self:Capture)->bool:
 async def _count_before(self:Capture, single:bool)->int|None:
     "Index of the next picture by the camera's count; `None` when it is not needed or not to be had. Raises `Busy`"
     if single and self._tells: return None
-    for look in (1, 2):                                 # a status may be an old one that came late
+    for pause in (0, self.client._soon(self.target)):   # the status may be an old one, or our last series just ends
+        await asyncio.sleep(pause)
         status = await self.client.request_camera_capture_status(*self.target)
         if status is None: return None
         if single or not status.image_status&2: return self._next_index(status.image_count)
@@ -110,7 +111,9 @@ async def _ask(self:Capture, count:float):
     params = [0, 0, 1, self.number] if single else [0, self.interval, 0 if count==math.inf else count, 0]
     async with nullcontext() if single and self._tells else self.client._turn(self.target):
         before = await self._count_before(single)
+        if self.stopped: return
         self.log.begin(await self._send(params, before), count)
+    if self.stopped and self.running: await self.client.image_stop_capture(*self.target)     # it overtook the command
     self.log.sure = 2 if self._tells else 4
     self.owed,self.since = 0 if count==math.inf else self.owed-count,time.monotonic()
 
@@ -195,7 +198,8 @@ async def _cut(self:Capture, image_count:int, verdict:str):
         await self.client._ask_for_notice(self.target, self.number)
     if self.number in self.log.notices: return
     untaken = self.log.cut(image_count)
-    self.owed += 0 if untaken==math.inf and self.given else untaken     # a series without an end was ended elsewhere
+    ended_elsewhere = untaken==math.inf and self.given and verdict=='short'     # a series without an end
+    self.owed += 0 if ended_elsewhere else untaken
     self.running = False
     if verdict=='anew': self.number = None
 
@@ -212,5 +216,5 @@ async def capture(self:CameraClient, target_system:int|None=None, target_compone
         try:
             while (msg := await shots.next()) is not None: yield msg
         except (GeneratorExit, asyncio.CancelledError):
-            if shots.running and shots.log.left: await self.image_stop_capture(*shots.target)
+            if shots.running and (shots.log.left or shots.owed): await self.image_stop_capture(*shots.target)
             raise

@@ -150,6 +150,7 @@ async def send_command(self:BaseComponent,
     if self.mav_com is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
     if self._closed: raise LinkError(f'component {self.source_system}/{self.source_component} is closed')
     if self.mav_com._closed: raise LinkError(f'{self.mav_com!r} is closed')
+    if self._closed: raise LinkError(f'{self!r} is closed')
     if len(params)>7: raise ValueError(f'a command has seven parameters, not {len(params)}')
     if frame is not None and retries is None: retries = 0       # no `confirmation`: a copy would be a new command
     target,timeout = (target_system or 0,target_component or 0),timeout or self.command_timeout
@@ -168,6 +169,7 @@ async def _ack_of(self:BaseComponent, command:Command)->Ack:
     command_id,*target = command.key
     try:
         self.asking.start(command)
+        if self._closed: self.asking.lose(None, LinkError(f'{self!r} was closed'))      # just now
         ack,lost = await command.wait(),''
     except Lost as e: ack,lost = None,str(e)
     finally:

@@ -112,7 +112,7 @@ def check_double(self:Heart, msg, source:tuple):
     channel = msg.came_by[0]
     heard = channel.sources.source(source)
     frames = heard.received+heard.missing-heard.doubled
-    if not self.remotes.note_sequence(source, msg.get_seq(), channel.number, frames): return
+    if not self.remotes.note_sequence(source, msg.get_seq(), channel.number, frames, heard.restarts): return
     name = self.remotes[source].name
     self.com.log.error('%s: two components use this address; both obey its commands, and you see one', name)
 

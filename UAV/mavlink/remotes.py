@@ -13,7 +13,7 @@ from ..wire.dialect import enum_name
 from .protocol import longest_rto
 
 # %% auto #0
-__all__ = ['first_rto', 'least_rto', 'longest_back_off', 'most_late', 'RoundTrip', 'Remote', 'Remotes']
+__all__ = ['first_rto', 'least_rto', 'longest_back_off', 'late', 'latest', 'RoundTrip', 'Remote', 'Remotes']
 
 # %% ../../nbs/api/22_mavlink.remotes.ipynb #c9706371
 first_rto = .5 # s: a question to a component that has not answered yet is asked again after this
@@ -80,7 +80,7 @@ class Remote:
     alive:float=0. # When any frame came
     frames:int=0 # How many had come then
     lost:bool=False # It was heard before, and is silent now
-    sequences:dict=field(default_factory=dict) # By link: number of its last HEARTBEAT, and frames by then
+    sequences:dict=field(default_factory=dict) # By link: number of its last HEARTBEAT; frames and restarts by then
     backs:list=field(default_factory=list) # Did that number go back? For the last ten
     double:bool=False # Two components seem to use this address
     round_trip:RoundTrip=field(default_factory=RoundTrip)
@@ -159,15 +159,24 @@ def note_sequence(self:Remotes,
     sequence:int, # The number of its frame, 0 … 255
     link=None, # The link that brought it
     frames:int=0, # How many frames of `address` had come on that link by then, doubled ones not counted
+    restarts:int=0, # How often its numbers had begun anew on that link
 )->bool:
     "Note the number of a heartbeat; true once, when three of the last ten went back: two components use this address"
     remote = self.known(address)
-    before,counted = remote.sequences.get(link, (sequence,frames))
-    ahead = (sequence-before-(frames-counted)+128)%256-128          # of what was to be expected
-    remote.sequences[link] = sequence,frames
-    remote.backs = [*remote.backs[-9:], ahead<-most_late]
+    before,counted,begun = remote.sequences.setdefault(link, (sequence,frames,restarts))
+    if sequence==before: return False                   # it came by two ways
+    remote.sequences[link] = sequence,frames,restarts
+    if restarts==begun+1: return False                  # after an outage numbers tell nothing
+    remote.note_back(sequence-before, frames-counted)
     news = not remote.double and sum(remote.backs)>=3
     remote.double = remote.double or news
     return news
 
-most_late = 8 # frames that may overtake another
+# %% ../../nbs/api/22_mavlink.remotes.ipynb #761ff25e
+late,latest = 8,64 # frames that may overtake one of a quiet component, and of any
+
+@patch
+def note_back(self:Remote, step:int, frames:int):
+    "Numbers went on by `step` while `frames` came: is that back, and not half a heartbeat late?"
+    ahead = (step-frames+128)%256-128
+    self.backs = [*self.backs[-9:], ahead<-min(max(late, frames//2), latest)]

@@ -43,6 +43,7 @@ class Source:
         self.beside = {}                    # all who are heard through the same peer: {(system, component): Source}
         self._open = {}                     # missing numbers that may still come, and at which frame they were missed
         self._run,self._awaited = 0,None    # frames in a row that seem late, and the one that would be the next of them
+        self.restarts = 0                   # how often its numbers began anew
 
     @property
     def received(self): return sum(self.counts.copy().values())
@@ -50,6 +51,7 @@ class Source:
     def restart(self):
         "Numbers begin anew: the sender was restarted, or was out of reach for too long to tell"
         self.next,self._open,self._run = None,{},0
+        self.restarts += 1
 
 # %% ../../nbs/api/12_wire.reader.ipynb #23a43018
 @patch
