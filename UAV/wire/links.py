@@ -188,6 +188,7 @@ def open_link(
     baudrate:int=57600, # For serial ports
 )->Link:
     "Open the link that `connection_string` names; raises `LinkError` at once when that cannot be done"
+    if not isinstance(connection_string, str): raise LinkError(f'{connection_string!r} is no connection string')
     fitting = [(prefix,cls) for cls in link_types for prefix in cls.prefixes if connection_string.startswith(prefix)]
     if not fitting: raise LinkError(f'{connection_string!r} begins with none of the prefixes of links')
     prefix,cls = max(fitting, key=lambda f: len(f[0]))

@@ -36,7 +36,8 @@ class Wanted:
 # %% ../../nbs/api/12_wire.reader.ipynb #38d440ca
 class Source:
     "What was heard of one component: frames by message id, and how many were lost on the way"
-    enough = 8      # frames of a component that say something about its way
+    enough = 8          # frames of a component that say something about its way
+    longest_gap = 32    # more numbers in a row are not there because of an outage, or since the sender was restarted
     def __init__(self):
         self.counts,self.next = {},None     # {message id: frames}; the sequence number that should come now
         self.missing,self.doubled = 0,0     # numbers that never came; frames that came again
@@ -60,7 +61,7 @@ def gap(self:Source, seq:int):
     ahead = 0 if self.next is None else (seq-self.next)&255
     at = self.received+self.missing
     if ahead>=128: return self._behind(seq, at)
-    if seq: self._miss(ahead, at)       # at 0 a sender that was restarted begins: that is no loss
+    if seq and ahead<=self.longest_gap: self._miss(ahead, at)   # at 0 a sender that was restarted begins: no loss
     self.next = (seq+1)&255
 
 @patch
