@@ -1,5 +1,5 @@
 """Measure UAV beside pymavlink, MAVSDK and an older checkout of itself, in one run on one machine. See README.md."""
-import argparse, importlib.metadata, json, os, platform, select, socket, statistics, subprocess, sys, time
+import argparse, importlib.metadata, json, os, platform, select, socket, statistics, subprocess, sys, tempfile, time
 from datetime import date
 from pathlib import Path
 
@@ -280,10 +280,13 @@ def connections(quick, before):
 
 # starting, and doing nothing ----------------------------------------------------------------------------------------------------------
 
+bytecode = tempfile.TemporaryDirectory()     # of all who are measured, ours and theirs
+
 def import_time(module, tree=None):
-    "Import `module` in a fresh process: ms"
+    "Import `module` in a fresh process, compiled before as after an installation: ms"
     code = f'import time; t,c = time.perf_counter(),time.process_time(); import {module}; print(time.perf_counter()-t, time.process_time()-c)'
-    env = dict(environment(tree), PYTHONPATH=str(tree or TREE))
+    env = dict(environment(tree), PYTHONPATH=str(tree or TREE), PYTHONPYCACHEPREFIX=bytecode.name)
+    env.pop('PYTHONDONTWRITEBYTECODE', None)
     wall,cpu = map(float, subprocess.run([sys.executable, '-c', code], env=env, capture_output=True, text=True, check=True).stdout.split())
     return dict(p50=1e3*wall, cpu=1e3*cpu)
 
