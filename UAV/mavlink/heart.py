@@ -111,7 +111,7 @@ def check_double(self:Heart, msg, source:tuple):
     "Do the numbers of its frames say that two components use the address `source`?"
     channel = msg.came_by[0]
     heard = channel.sources.source(source)
-    frames = heard.received+heard.missing-heard.doubled
+    frames = heard.received+heard.missing+heard.skipped-heard.doubled
     if not self.remotes.note_sequence(source, msg.get_seq(), channel.number, frames, heard.restarts): return
     name = self.remotes[source].name
     self.com.log.error('%s: two components use this address; both obey its commands, and you see one', name)

@@ -44,6 +44,7 @@ class Source:
         self.beside = {}                    # all who are heard through the same peer: {(system, component): Source}
         self._open = {}                     # missing numbers that may still come, and at which frame they were missed
         self._run,self._awaited = 0,None    # frames in a row that seem late, and the one that would be the next of them
+        self.skipped = 0                    # numbers of gaps that were longer, and say nothing of the way
         self.restarts = 0                   # how often its numbers began anew
 
     @property
@@ -61,7 +62,8 @@ def gap(self:Source, seq:int):
     ahead = 0 if self.next is None else (seq-self.next)&255
     at = self.received+self.missing
     if ahead>=128: return self._behind(seq, at)
-    if seq and ahead<=self.longest_gap: self._miss(ahead, at)   # at 0 a sender that was restarted begins: no loss
+    if ahead>self.longest_gap: self.skipped += ahead
+    elif seq: self._miss(ahead, at)     # at 0 a sender that was restarted begins: that is no loss
     self.next = (seq+1)&255
 
 @patch
