@@ -217,10 +217,10 @@ def _in_progress(self:Commands, command:Command, now:float)->bool:
 def drop(self:Commands, command:Command):
     "The answer of `command` is not needed any more"
     with self._outbox:
+        command.dropped = True          # first: who waits in another thread wakes at once
         command.set(None)
         line = self._lines.get(command.key)
         if line is None or command not in line.queue: return
-        command.dropped = True
         if command is not line.on_wire: line.queue.remove(command)
         elif not command.in_progress: command.due = min(command.due, line.last+line.round_trip.wait(command.copies))
         self._advance(line)

@@ -150,7 +150,6 @@ async def send_command(self:BaseComponent,
     if self.mav_com is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
     if self._closed: raise LinkError(f'component {self.source_system}/{self.source_component} is closed')
     if self.mav_com._closed: raise LinkError(f'{self.mav_com!r} is closed')
-    if self._closed: raise LinkError(f'{self!r} is closed')
     if len(params)>7: raise ValueError(f'a command has seven parameters, not {len(params)}')
     if frame is not None and retries is None: retries = 0       # no `confirmation`: a copy would be a new command
     target,timeout = (target_system or 0,target_component or 0),timeout or self.command_timeout
@@ -165,7 +164,6 @@ BaseComponent.command_timeout = None # s until each next copy, unless `send_comm
 @patch
 async def _ack_of(self:BaseComponent, command:Command)->Ack:
     "Start `command`, and wait for its end"
-    self.counts.num_cmds_sent += 1
     command_id,*target = command.key
     try:
         self.asking.start(command)
@@ -174,6 +172,7 @@ async def _ack_of(self:BaseComponent, command:Command)->Ack:
     except Lost as e: ack,lost = None,str(e)
     finally:
         if not command.there: self.asking.drop(command)
+        self.counts.num_cmds_sent += command.copies>0
     if ack is not None: self.counts.num_acks_rcvd += 1
     elif not command.dropped: self.counts.num_acks_drop += 1
     if ack is None: return Ack(None, None, command_id, lost or self.mav_com.lost(tuple(target)), target=tuple(target))
