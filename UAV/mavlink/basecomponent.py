@@ -79,17 +79,22 @@ def commands(self:BaseComponent)->dict:
     return self.tables['command']
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #8cdee33d
+@patch
+def _joined(self:BaseComponent)->MAVCom:
+    "Our `MAVCom`; raises `LinkError` when we are on none"
+    if self.mav_com is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
+    return self.mav_com
+
 @patch(as_prop=True)
 def remotes(self:BaseComponent)->dict:
     "What is known of the components on our link; raises `LinkError` when we are on none"
-    if self.mav_com is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
-    return self.mav_com.remotes
+    return self._joined().remotes
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #f0ec742c
 @patch(as_prop=True)
 def round_trips(self:BaseComponent)->dict:
-    "Seconds to `(system, component)` and back, of those that have answered"
-    return self.mav_com.round_trips
+    "Seconds to `(system, component)` and back, of those that have answered; raises `LinkError` when we are on no link"
+    return self._joined().round_trips
 
 # %% ../../nbs/api/26_mavlink.basecomponent.ipynb #b5e01755
 @patch

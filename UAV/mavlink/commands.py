@@ -147,9 +147,9 @@ async def send_command(self:BaseComponent,
     until=None, # An `Expected` message that makes the ack unnecessary
 )->Ack:
     "Send a command and wait for its `Ack`, which is true when accepted; raises `LinkError` when we are on no link"
-    if self.mav_com is None: raise LinkError(f'{self!r}: add it to a MAVCom first')
+    com = self._joined()
     if self._closed: raise LinkError(f'component {self.source_system}/{self.source_component} is closed')
-    if self.mav_com._closed: raise LinkError(f'{self.mav_com!r} is closed')
+    if com._closed: raise LinkError(f'{com!r} is closed')
     if len(params)>7: raise ValueError(f'a command has seven parameters, not {len(params)}')
     if frame is not None and retries is None: retries = 0       # no `confirmation`: a copy would be a new command
     target,timeout = (target_system or 0,target_component or 0),timeout or self.command_timeout

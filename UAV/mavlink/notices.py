@@ -44,7 +44,8 @@ def _following(self:CameraClient, request):
 def _no_camera(self:CameraClient, target:tuple)->str:
     "Why `target` announces no pictures; empty when it may be a camera"
     remote,vague = self.remotes.get(target),(None,mavlink.MAV_TYPE_GENERIC,mavlink.MAV_TYPE_ONBOARD_CONTROLLER)
-    if remote is None or target in self.notices or is_camera(target, remote.type) or remote.type in vague: return ''
+    kind = remote and remote.type
+    if kind in vague or target in self.notices or is_camera(target, kind): return ''
     cameras = ' and '.join(self.mav_com.name_of(s) for s in self._cameras_heard(0) if s[0]==target[0])
     cameras = cameras or 'a camera that was not heard yet'
     return f'{self.mav_com.name_of(target)} is no camera: its pictures come from {cameras}'

@@ -12,7 +12,7 @@ from .dialect import LinkError
 from .links import Link, link_types, log, net_address
 
 # %% auto #0
-__all__ = ['Outbox', 'TCPOut', 'Client', 'TCPIn', 'SerialLink']
+__all__ = ['Outbox', 'StreamLink', 'TCPOut', 'Client', 'TCPIn', 'SerialLink']
 
 # %% ../../nbs/api/14_wire.streams.ipynb #1530076f
 class Outbox:
@@ -83,15 +83,21 @@ def _tcp_outbox(sock:socket.socket)->Outbox:
         if hasattr(socket, option): sock.setsockopt(socket.IPPROTO_TCP, getattr(socket, option), value)
     return Outbox(sock, lambda data: sock.send(data, getattr(socket,'MSG_DONTWAIT',0)))
 
+# %% ../../nbs/api/14_wire.streams.ipynb #8073ee91
+class StreamLink(Link):
+    "A link with one device; its `_open` makes the device and the `_outbox`"
+    def __init__(self, name:str, baudrate:int=57600):
+        self.name,self.baudrate,self._closed = name,baudrate,False
+        self._open()
+
+    def write(self, data:bytes, peer=None): self._outbox.write(data)
+    def release(self): self._outbox.device.close()
+
 # %% ../../nbs/api/14_wire.streams.ipynb #c9f27cd2
-class TCPOut(Link):
+class TCPOut(StreamLink):
     "`tcp:HOST:PORT`: a client"
     prefixes = ('tcp:',)
-    def __init__(self, name:str, baudrate:int=0):
-        self.name,self._closed = name,False
-        self._connect()
-
-    def _connect(self):
+    def _open(self):
         address,self.sock = net_address(self.name),socket.socket(socket.AF_INET, socket.SOCK_STREAM)
         self.sock.settimeout(3)
         try: self.sock.connect(address)
@@ -109,17 +115,11 @@ def recv(self:TCPOut):
     return (data,None) if data else None
 
 @patch
-def write(self:TCPOut, data:bytes, peer=None): self._outbox.write(data)
-
-@patch
 def close(self:TCPOut):
     self._closed = True
     self._outbox.close()
     try: self.sock.shutdown(socket.SHUT_RDWR)
     except OSError: pass      # the other side was faster
-
-@patch
-def release(self:TCPOut): self.sock.close()
 
 # %% ../../nbs/api/14_wire.streams.ipynb #52837493
 class Client:
@@ -215,13 +215,9 @@ def release(self:TCPIn):
     for sock in (self.sock,self._bell,self._ring): sock.close()
 
 # %% ../../nbs/api/14_wire.streams.ipynb #062b04b7
-class SerialLink(Link):
+class SerialLink(StreamLink):
     "A serial port, `DEVICE` or `DEVICE,BAUDRATE`"
     prefixes = ('',)        # what no other link knows
-    def __init__(self, name:str, baudrate:int=57600):
-        self.name,self.baudrate,self._closed = name,baudrate,False
-        self._open()
-
     def _send(self, data:bytes)->int:       # pyserial's own write spins when the line is full
         return os.write(self.port.fileno(), data) if os.name=='posix' else self.port.write(data)
 
@@ -234,8 +230,8 @@ def _open(self:SerialLink):
     exclusive = True if os.name=='posix' else None
     try: self.port = serial.Serial(device, int(rate or self.baudrate), write_timeout=0, exclusive=exclusive)
     except Exception as e:
-        raise SerialLinkError(f'cannot open serial port {self.name}: {e} (what does not begin with udpin:, '
-                              'udpout:, tcp:, tcpin: or virtual: is a serial port)') from e
+        others = ' '.join(prefix for cls in link_types for prefix in cls.prefixes if prefix)
+        raise SerialLinkError(f'cannot open serial port {self.name}: {e} (no port begins with {others})') from e
     self._outbox = Outbox(self.port, self._send)
 
 # %% ../../nbs/api/14_wire.streams.ipynb #589043d9
@@ -251,38 +247,21 @@ def recv(self:SerialLink):
 
 # %% ../../nbs/api/14_wire.streams.ipynb #5fb7f07d
 @patch
-def write(self:SerialLink, data:bytes, peer=None): self._outbox.write(data)
-
-@patch
 def close(self:SerialLink):
     self._closed = True
     self._outbox.close()
     self.port.cancel_read()
 
-@patch
-def release(self:SerialLink): self.port.close()
-
 # %% ../../nbs/api/14_wire.streams.ipynb #d6d9b17e
 @patch
-def reopen(self:TCPOut):
-    "Connect once more; raises `LinkError` when no server is there, or after `close`"
+def reopen(self:StreamLink):
+    "Open the device once more; raises `LinkError` when it is not there, or after `close`"
     self._outbox.close()
-    self.sock.close()
-    self._connect()
-    if not self._closed: return
-    self.sock.close()
-    raise LinkError(f'TCP {self.name} was closed')
-
-# %% ../../nbs/api/14_wire.streams.ipynb #b89af808
-@patch
-def reopen(self:SerialLink):
-    "Open the port once more; raises `LinkError` when it is not there, or after `close`"
-    self._outbox.close()
-    self.port.close()
+    self.release()
     self._open()
     if not self._closed: return
-    self.port.close()
-    raise LinkError(f'serial port {self.name} was closed')
+    self.release()
+    raise LinkError(f'{type(self).__name__} {self.name} was closed')
 
 # %% ../../nbs/api/14_wire.streams.ipynb #006cb091
 link_types[:0] = [TCPOut, TCPIn, SerialLink]
