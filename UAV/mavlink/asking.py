@@ -24,21 +24,14 @@ longest_work = 600. # s after which a command ends, however often IN_PROGRESS is
 # %% ../../nbs/api/23_mavlink.asking.ipynb #8c41c72d
 class Line:
     "Commands with one key: the first is on the wire, the others wait"
-    __slots__ = 'key','queue','round_trip','dirty','last','hard','fence'
+    __slots__ = 'key','queue','on_wire','round_trip','is_broadcast','dirty','last','hard','fence'
     def __init__(self, key:tuple, round_trip:RoundTrip):
-        self.key,self.queue,self.round_trip = key,deque(),round_trip
+        self.key,self.queue,self.round_trip,self.is_broadcast = key,deque(),round_trip,0 in key[1:]
+        self.on_wire = None     # the first of the queue, once it was sent
         self.dirty = False      # may acks of a command that has ended still come?
         self.last = -math.inf   # when a command was sent last
         self.hard = -math.inf   # from then on no late ack can come: it is here, or lost
         self.fence = None       # the question that must be answered before the next command is sent
-
-    @property
-    def on_wire(self)->Command|None:
-        "The command that was sent"
-        return self.queue[0] if self.queue and self.queue[0].copies else None
-
-    @property
-    def is_broadcast(self)->bool: return 0 in self.key[1:]
 
     @property
     def is_unmeasured(self)->bool:
@@ -97,6 +90,7 @@ def _copy(self:Commands, line:Line, command:Command):
     unheard = remote is None or remote.lost
     if not command.copies: command.first,command.deadline = now,now+patience
     if unheard and command.retries is None: command.retries = 2
+    line.on_wire = command
     command.copies += 1
     command.due = now+(command.timeout or (first_rto if unheard else line.round_trip.wait(command.copies)))
     self._outbox.add(self._transmit, command)
@@ -162,7 +156,7 @@ longest_stray = 5. # s: acks on their way for longer than this, or twice the lar
 @patch
 def _end(self:Commands, line:Line, value, clean:bool):
     "The first command of a line has its answer; the next one may begin"
-    command = line.queue.popleft()
+    command,line.on_wire = line.queue.popleft(),None
     if line.fence: self._drop_fence(line)           # it was asked before the last copy went out
     if line.is_broadcast or not clean: self._spoil(line, command)
     command.set(value)
@@ -237,6 +231,6 @@ def lose(self:Commands,
         for line in [l for l in self._lines.values() if target in (None,l.key[1:])]:
             if line.on_wire: self._spoil(line, line.on_wire)
             if line.fence: self._drop_fence(line)
-            lost,line.queue = line.queue,deque()
+            lost,line.queue,line.on_wire = line.queue,deque(),None
             for command in lost: command.set(error)
             self._advance(line)

@@ -10,7 +10,7 @@ from fastcore.basics import GetAttr, patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import LogLevels, get_logger
 from ..utils.general import Worker, timers
-from ..wire.dialect import LinkError, timesync
+from ..wire.dialect import LinkError, address, timesync
 from .protocol import Command, Expectations, Lost
 from .handlers import Served, Tables
 from .asking import Commands
@@ -182,7 +182,7 @@ _ack = mavlink.MAVLINK_MSG_ID_COMMAND_ACK
 @patch
 def deliver(self:BaseComponent, msg):
     "Take a message that arrived for us; called by the link's reader"
-    msg_id = msg.get_msgId()
+    msg_id = msg.id
     is_command = msg_id in _commands
     if self._closed or (is_command or msg_id==_ack) and self.served.doubled(msg): return
     self.count_message(msg)
@@ -195,8 +195,8 @@ def deliver(self:BaseComponent, msg):
 @patch
 def count_message(self:BaseComponent, msg):
     "Count `msg` in `message_cnts[system][MESSAGE_NAME]`"
-    counts,name = self.counts,msg.get_type()
-    of = counts.message_cnts.setdefault(msg.get_srcSystem(), {})
+    counts,name = self.counts,msg.msgname
+    of = counts.message_cnts.setdefault(address(msg)[0], {})
     of[name] = of.get(name, 0)+1
     counts.num_msgs_rcvd += 1
 

@@ -136,6 +136,14 @@ def is_cancelled(self:BaseComponent,
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #d0ba8958
 @patch
+def _check_command(self:BaseComponent, params):
+    "Raise `LinkError` when we can send no command, `ValueError` when this is none"
+    com = self._joined()
+    if self._closed: raise LinkError(f'component {self.source_system}/{self.source_component} is closed')
+    if com._closed: raise LinkError(f'{com!r} is closed')
+    if len(params)>7: raise ValueError(f'a command has seven parameters, not {len(params)}')
+
+@patch
 async def send_command(self:BaseComponent,
     target_system:int, # 0: all systems
     target_component:int, # 0: all components
@@ -147,36 +155,38 @@ async def send_command(self:BaseComponent,
     until=None, # An `Expected` message that makes the ack unnecessary
 )->Ack:
     "Send a command and wait for its `Ack`, which is true when accepted; raises `LinkError` when we are on no link"
-    com = self._joined()
-    if self._closed: raise LinkError(f'component {self.source_system}/{self.source_component} is closed')
-    if com._closed: raise LinkError(f'{com!r} is closed')
-    if len(params)>7: raise ValueError(f'a command has seven parameters, not {len(params)}')
+    self._check_command(params)
     if frame is not None and retries is None: retries = 0       # no `confirmation`: a copy would be a new command
     target,timeout = (target_system or 0,target_component or 0),timeout or self.command_timeout
     command = Command(target, command_id, params, frame, timeout, retries)
     if until is not None: until.then = lambda: self.asking.drop(command)
-    return await self._ack_of(command)
+    try:
+        self.asking.start(command)
+        if self._closed: self.asking.lose(None, LinkError(f'{self!r} was closed'))      # just now
+        ack = await command.wait()
+    except Lost: ack = None
+    finally:
+        if not command.there: self.asking.drop(command)
+        self.counts.num_cmds_sent += command.copies>0
+    return self._no_ack(command) if ack is None else self._read_ack(ack)
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #0fc5e215
 BaseComponent.command_timeout = None # s until each next copy, unless `send_command` is told; `None`: as measured
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #f823fd35
 @patch
-async def _ack_of(self:BaseComponent, command:Command)->Ack:
-    "Start `command`, and wait for its end"
+def _read_ack(self:BaseComponent, msg)->Ack:
+    "The `Ack` in a COMMAND_ACK"
+    self.counts.num_acks_rcvd += 1
+    return Ack(msg.result, address(msg), msg.command, param=msg.result_param2)
+
+@patch
+def _no_ack(self:BaseComponent, command:Command)->Ack:
+    "The `Ack` of a command that was not answered"
+    if not command.dropped: self.counts.num_acks_drop += 1
     command_id,*target = command.key
-    try:
-        self.asking.start(command)
-        if self._closed: self.asking.lose(None, LinkError(f'{self!r} was closed'))      # just now
-        ack,lost = await command.wait(),''
-    except Lost as e: ack,lost = None,str(e)
-    finally:
-        if not command.there: self.asking.drop(command)
-        self.counts.num_cmds_sent += command.copies>0
-    if ack is not None: self.counts.num_acks_rcvd += 1
-    elif not command.dropped: self.counts.num_acks_drop += 1
-    if ack is None: return Ack(None, None, command_id, lost or self.mav_com.lost(tuple(target)), target=tuple(target))
-    return Ack(ack.result, address(ack), command_id, param=ack.result_param2)
+    lost = str(command.value or self.mav_com.lost(tuple(target)))       # the value may be the error `Lost`
+    return Ack(None, None, command_id, lost, target=tuple(target))
 
 # %% ../../nbs/api/27_mavlink.commands.ipynb #4d246eb7
 @patch

@@ -229,7 +229,7 @@ def _unsigned(frame:bytes)->bytes:
 @patch
 def doubled(self:Served, msg)->bool:
     "Did this very frame come a moment ago?"
-    frame,came = _unsigned(bytes(msg.get_msgbuf())),(getattr(msg, 'came_by', None),self.clock())
+    frame,came = _unsigned(bytes(msg._msgbuf)),(getattr(msg, 'came_by', None),self.clock())
     first = self._frames.setdefault(frame, came)
     if first is came: return False
     (way,now),(first_way,when) = came,first

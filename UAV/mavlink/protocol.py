@@ -66,9 +66,9 @@ shot_tries = 3 # how often a client asks for a shot under its number, each time 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #73ad66e9
 class Answer:
     "What a coroutine waits for, and any thread may bring"
-    __slots__ = 'value','there','_waiting','_lock'
-    def __init__(self):
-        self.value,self.there,self._waiting,self._lock = None,False,[],threading.Lock()
+    __slots__ = 'value','there','_waiting'
+    _lock = threading.Lock()    # one for all: it is held for a moment only
+    def __init__(self): self.value,self.there,self._waiting = None,False,[]
 
     def set(self, value)->bool:
         "Bring `value`; false when one was there before. An exception is raised where we wait"
@@ -215,7 +215,7 @@ def remove(self:Expectations, expected:Expected):
 @patch
 def offer(self:Expectations, msg):
     "Give `msg` to those who expect it; who brought a test that fails gets its error"
-    if not (found := self._expected.get(msg.get_msgId())): return
+    if not (found := self._expected.get(msg.id)): return
     with self._lock: found = list(found)
     for expected in found:
         if expected.there: continue

@@ -27,13 +27,8 @@ class RoundTrip:
         self.srtt = None     # smoothed
         self.rttvar = None   # its variation
         self.least = self.largest = None     # lately
+        self.rto = first_rto # the retransmission time-out
         self.asked,self.answers = 0,False   # how many TIMESYNC and PING we sent; was ever one answered?
-
-    @property
-    def rto(self)->float:
-        "The retransmission time-out"
-        if self.srtt is None: return first_rto
-        return min(max(self.srtt+4*self.rttvar, least_rto), longest_rto)
 
     @property
     def deaf(self)->bool: return self.asked>=3 and not self.answers
@@ -47,11 +42,12 @@ def sample(self:RoundTrip,
     if self.srtt is None:
         self.srtt = self.least = self.largest = seconds
         self.rttvar = seconds/2
-        return
-    self.rttvar += (abs(self.srtt-seconds)-self.rttvar)/4
-    self.srtt += (seconds-self.srtt)/8
-    self.least = min(seconds, self.least+(seconds-self.least)/16)
-    self.largest = max(seconds, self.largest-(self.largest-self.srtt)/64)
+    else:
+        self.rttvar += (abs(self.srtt-seconds)-self.rttvar)/4
+        self.srtt += (seconds-self.srtt)/8
+        self.least = min(seconds, self.least+(seconds-self.least)/16)
+        self.largest = max(seconds, self.largest-(self.largest-self.srtt)/64)
+    self.rto = min(max(self.srtt+4*self.rttvar, least_rto), longest_rto)
 
 # %% ../../nbs/api/22_mavlink.remotes.ipynb #b769882a
 @patch

@@ -40,13 +40,13 @@ def send_now(self:Sender,
         frame = self._pack(msg)
         self.mav.seq = (self.mav.seq+1)%256
         com.write(frame, to)
-    if to is None or to in com._here: com.share(frame, msg.get_msgId(), self.component)
+    if to is None or to in com._here: com.share(frame, msg.id, self.component)
 
 # %% ../../nbs/api/25_mavlink.sender.ipynb #f7f89059
 @patch
 def _pack(self:Sender, msg)->bytes:
     "`msg` as a frame; raises `ValueError` when a field does not fit"
-    if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_SETUP_SIGNING and 0 in (msg.target_system,msg.target_component):
+    if msg.id==mavlink.MAVLINK_MSG_ID_SETUP_SIGNING and 0 in (msg.target_system,msg.target_component):
         raise ValueError('a key is not for all: SETUP_SIGNING needs a target')
     try: return pack(msg, self.mav)
     except (struct.error, TypeError, OverflowError) as e:
@@ -57,7 +57,7 @@ class Hold:
     "Messages that are held back while commands are handled; a `with` for each"
     def __init__(self, sender:Sender, key): self.sender,self.key,self.depth,self.messages = sender,key,0,[]
     def __enter__(self): return self
-    def __exit__(self, *args): self.sender.release(self)
+    def __exit__(self, *args): self.release()
 
 # %% ../../nbs/api/25_mavlink.sender.ipynb #ecb9ea5c
 @patch
@@ -86,16 +86,17 @@ def send(self:Sender,
 
 # %% ../../nbs/api/25_mavlink.sender.ipynb #f05e803f
 @patch
-def release(self:Sender, hold:Hold):
+def release(self:Hold):
     "A command is done: send what was held, unless another command holds it still"
-    with self._lock: hold.depth -= 1
+    sender,done = self.sender,1
     while True:
-        with self._lock:
-            if hold.depth: return
-            messages,hold.messages = hold.messages,[]
-            if not messages and self._held.get(hold.key) is hold: del self._held[hold.key]
+        with sender._lock:
+            self.depth,done = self.depth-done,0
+            if self.depth: return
+            messages,self.messages = self.messages,[]
+            if not messages and sender._held.get(self.key) is self: del sender._held[self.key]
         if not messages: return
-        for msg,to in messages: self._send_late(msg, to)
+        for msg,to in messages: sender._send_late(msg, to)
 
 @patch
 def _send_late(self:Sender, msg, to):
@@ -106,8 +107,7 @@ def _send_late(self:Sender, msg, to):
 def encode_command(command:Command):
     "`command` as a COMMAND_LONG, or as a COMMAND_INT when it has a `frame`; raises `ValueError` when it cannot be one"
     command_id,*target = command.key
-    p = [float(v) for v in command.params]
-    p += [0.]*(7-len(p))
+    p = *map(float, command.params),*[0.]*(7-len(command.params))
     if command.frame is None:
         return mavlink.MAVLink_command_long_message(*target, command_id, min(command.copies-1, 255), *p)
     if any(map(math.isinf, p[4:6])): raise ValueError(f'parameters 5 and 6 of a COMMAND_INT are integers, not {p[4:6]}')

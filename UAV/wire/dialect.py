@@ -20,7 +20,8 @@ def __repr__(self:mavlink.MAVLink_message): "Name and fields"; return str(self)
 # %% ../../nbs/api/10_wire.dialect.ipynb #8c525249
 def address(msg)->tuple:
     "`(system, component)` that sent `msg`"
-    return msg.get_srcSystem(),msg.get_srcComponent()
+    header = msg._header
+    return header.srcSystem,header.srcComponent
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #77fcddc4
 def enum_name(enum:str, value:int, prefix:str='')->str:
