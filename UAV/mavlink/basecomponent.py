@@ -182,7 +182,7 @@ _ack = mavlink.MAVLINK_MSG_ID_COMMAND_ACK
 @patch
 def deliver(self:BaseComponent, msg):
     "Take a message that arrived for us; called by the link's reader"
-    msg_id = msg.id
+    msg_id = msg.get_msgId()
     is_command = msg_id in _commands
     if self._closed or (is_command or msg_id==_ack) and self.served.doubled(msg): return
     self.count_message(msg)
@@ -195,7 +195,7 @@ def deliver(self:BaseComponent, msg):
 @patch
 def count_message(self:BaseComponent, msg):
     "Count `msg` in `message_cnts[system][MESSAGE_NAME]`"
-    counts,name = self.counts,msg.msgname
+    counts,name = self.counts,msg.get_type()
     of = counts.message_cnts.setdefault(address(msg)[0], {})
     of[name] = of.get(name, 0)+1
     counts.num_msgs_rcvd += 1

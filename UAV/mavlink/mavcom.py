@@ -220,7 +220,7 @@ def route(self:MAVCom,
     "Give `msg` to all components that it is for, except the one that sent it"
     source = address(msg)
     if origin is None and source in self._here: return self.heart.check_echo(msg, source)
-    if msg.id==mavlink.MAVLINK_MSG_ID_HEARTBEAT: self._note_beat(msg, source, origin)
+    if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_HEARTBEAT: self._note_beat(msg, source, origin)
     for c in list(self.component.values()):
         if c is origin or not accepts(msg, self.source_system, c.source_component): continue
         try: c.deliver(msg)

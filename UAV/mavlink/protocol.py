@@ -215,7 +215,7 @@ def remove(self:Expectations, expected:Expected):
 @patch
 def offer(self:Expectations, msg):
     "Give `msg` to those who expect it; who brought a test that fails gets its error"
-    if not (found := self._expected.get(msg.id)): return
+    if not (found := self._expected.get(msg.get_msgId())): return
     with self._lock: found = list(found)
     for expected in found:
         if expected.there: continue
