@@ -113,7 +113,7 @@ class Codec:
 
     def __repr__(self): return f'{self.format} by {self.name}'
 
-# %% ../../nbs/api/31_video.codecs.ipynb #0070805a
+# %% ../../nbs/api/31_video.codecs.ipynb #6ed1e64b
 @patch
 def _picture(self:Codec, image, key:bool):
     "The image as PyAV takes it"
