@@ -4,6 +4,7 @@ from UAV.cameras.values import (CameraBusy, CameraError, CameraInformation, Came
 from UAV.cameras.storage import Storage
 from UAV.cameras.lens import Focus, Lens, Travel, View
 from UAV.cameras.camera import Camera
+from UAV.cameras import video
 from UAV.cameras.contract import check_camera
 from UAV.cameras.sim_world import SimWorld, sim_world
 from UAV.cameras.sim import SimCamera, locate
