@@ -19,7 +19,7 @@ from UAV.mavlink.camera_server import (CAMERA_CAPTURE_STATUS, VIDEO_STREAM_INFOR
     CameraServer)
 
 # %% auto #0
-__all__ = ['stream_types', 'stream_encodings', 'own_host', 'ends', 'unique_names']
+__all__ = ['stream_types', 'pushed', 'stream_encodings', 'own_host', 'ends', 'unique_names']
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #69f71005
 def own_host(
@@ -37,6 +37,7 @@ def _is_router(channel, peer)->bool:
     reader = channel.readers.get(peer)
     return reader is not None and len({system for system,_ in list(reader.seen)})>1
 
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #983ed5eb
 def ends(
     channel, # A link of a `MAVCom`
     peer, # As the link names it
@@ -90,6 +91,7 @@ def _hfov(self:CameraServer)->int:
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #34391358
 stream_types = dict(rtsp=mavlink.VIDEO_STREAM_TYPE_RTSP, rtp=mavlink.VIDEO_STREAM_TYPE_RTPUDP,
                     tcp=mavlink.VIDEO_STREAM_TYPE_TCP_MPEG, mpegts=mavlink.VIDEO_STREAM_TYPE_MPEG_TS)
+pushed = 'rtp','mpegts'      # over UDP, to whom they are sent; a player fetches the others
 stream_encodings = dict(h264=mavlink.VIDEO_STREAM_ENCODING_H264, h265=mavlink.VIDEO_STREAM_ENCODING_H265)
 _running,_thermal = mavlink.VIDEO_STREAM_STATUS_FLAGS_RUNNING,mavlink.VIDEO_STREAM_STATUS_FLAGS_THERMAL
 
@@ -108,6 +110,7 @@ def _uri(self:CameraServer, stream, host:str)->bytes:
     self.log.warning('the URI of stream %s has more than 159 bytes: %s', stream.stream_id, uri)
     return b''
 
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #45f1b732
 @patch
 def _encode_stream(self:CameraServer, stream, host:str):
     "VIDEO_STREAM_INFORMATION of one stream"
@@ -129,6 +132,7 @@ def video_streams(self:CameraServer,
     if not found: raise Denied(f'no stream {stream_id}')
     return found
 
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #00236721
 @patch
 @message(VIDEO_STREAM_INFORMATION)
 def _video_stream_information(self:CameraServer, stream_id:int=0, *, msg=None):
@@ -142,6 +146,7 @@ def _encode_stream_status(self:CameraServer, stream):
     "VIDEO_STREAM_STATUS of one stream"
     return self.mav.video_stream_status_encode(stream.stream_id, *self._state(stream))
 
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #48908357
 @patch
 @message(VIDEO_STREAM_STATUS)
 def _video_stream_status(self:CameraServer, stream_id:int=0):
@@ -149,38 +154,34 @@ def _video_stream_status(self:CameraServer, stream_id:int=0):
     return [self._encode_stream_status(s) for s in self.video_streams(stream_id)]
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #812311a5
-_pushed = 'rtp','mpegts'
-
-def _is_group(host)->bool:
+def _is_group(host:str)->bool:
     "Is this a multicast address?"
     try: return ipaddress.ip_address(host).is_multicast
     except ValueError: return False
 
-@patch
-def _point(self:CameraServer, stream, msg):
-    "Push a stream to the sender of `msg`, if it is one that is pushed, and we know where to"
+def _viewer(stream, msg)->str|None:
+    "Where to push a stream that the sender of `msg` wants; `None`: where it goes already"
+    if stream.kind not in pushed or _is_group(stream.host): return
     way = getattr(msg, 'came_by', None)
-    host = ends(*way)[1] if way else '127.0.0.1'            # a component of this process
-    if stream.kind not in _pushed or host in (None,stream.host) or _is_group(stream.host): return
-    if stream.running: stream.stop()
-    stream.host = host
+    return ends(*way)[1] if way else '127.0.0.1'            # a component of this process
 
-# %% ../../nbs/api/61_mavlink.camera_video.ipynb #75c1362c
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #0f2e3982
 @patch
 @command(mavlink.MAV_CMD_VIDEO_START_STREAMING, slow=True)
 def _video_start_streaming(self:CameraServer, stream_id:int=0, camera_id:int=0, *, msg):
     "MAV_CMD_VIDEO_START_STREAMING of one stream, or of all (0)"
     self.for_us(camera_id)
-    for stream in self.video_streams(stream_id): self._point(stream, msg)
-    self.need('video_start_streaming')(stream_id)
+    start = self.need('video_start_streaming')
+    for stream in self.video_streams(stream_id): start(stream.stream_id, _viewer(stream, msg))
 
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #e7f0757b
 @patch
 @command(mavlink.MAV_CMD_VIDEO_STOP_STREAMING, slow=True)
 def _video_stop_streaming(self:CameraServer, stream_id:int=0, camera_id:int=0):
     "MAV_CMD_VIDEO_STOP_STREAMING of one stream, or of all (0)"
     self.for_us(camera_id)
-    self.video_streams(stream_id)           # is there such a stream?
-    self.need('video_stop_streaming')(stream_id)
+    stop = self.need('video_stop_streaming')
+    for stream in self.video_streams(stream_id): stop(stream.stream_id)
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #fd934bd0
 @patch
@@ -192,6 +193,7 @@ def _tell_stream(self:CameraServer, stream):
         way = ways[0] if ways else None
         if way or to in com._here: self.send_message(self._encode_stream(stream, self.host_for(way)), to)
 
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #fc0a81c2
 @patch
 def _video_news(self:CameraServer, event:VideoStatus)->list:
     "VIDEO_STREAM_STATUS for all; before it, when the format is news, VIDEO_STREAM_INFORMATION"
@@ -216,6 +218,7 @@ def _report_recording(self:CameraServer, rate:float, asker:tuple):
 @patch
 def _end_reports(self:CameraServer): self.sending.stop_for_all(CAMERA_CAPTURE_STATUS, _recording)
 
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #9389b368
 @patch
 def _capture_news(self:CameraServer, event:CaptureStatus)->list:
     "CAMERA_CAPTURE_STATUS for all"
@@ -235,6 +238,7 @@ def _video_start_capture(self:CameraServer, stream_id:int=0, rate:float=0., came
     start(stream_id)
     if rate: self._report_recording(rate, address(msg))
 
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #1ff6132e
 @patch
 @command(mavlink.MAV_CMD_VIDEO_STOP_CAPTURE, slow=True)
 def _video_stop_capture(self:CameraServer, stream_id:int=0, camera_id:int=0):
