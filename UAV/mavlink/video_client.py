@@ -19,7 +19,7 @@ import UAV.mavlink.camera_verbs
 # %% auto #0
 __all__ = ['Stream', 'stream_of']
 
-# %% ../../nbs/api/64_mavlink.video_client.ipynb #b4de372c
+# %% ../../nbs/api/64_mavlink.video_client.ipynb #20c94544
 @dataclass(frozen=True, repr=False)
 class Stream:
     "A video stream of a camera, as VIDEO_STREAM_INFORMATION tells it"
@@ -37,12 +37,10 @@ class Stream:
     thermal:bool=False # Does it show heat?
 
     def __repr__(self):
-        size = f'{self.codec.upper()} {self.width}×{self.height}'.strip()
-        told = [size, f'{self.rate:g} fps', f'{self.bitrate/1e6:g} Mbit/s']
-        if self.hfov: told.append(f'{self.hfov}° wide')
-        if self.thermal: told.append('thermal')
-        if not self.running: told.append('stopped')
-        return f'{self.id} {self.name}: {", ".join(told)}, {self.kind} {self.uri}'
+        told = {f'{self.codec.upper()} {self.width}×{self.height}'.strip(): self.width, f'{self.rate:g} fps': self.rate,
+                f'{self.bitrate/1e6:g} Mbit/s': self.bitrate, f'{self.hfov}° wide': self.hfov, 'thermal': self.thermal,
+                'stopped': not self.running, self.kind: not self.uri.startswith(self.kind), self.uri: self.uri}
+        return f'{self.id} {self.name}: {", ".join(word for word,there in told.items() if there)}'
 
 # %% ../../nbs/api/64_mavlink.video_client.ipynb #d19be5b0
 def _word(words:dict, number:int, default:str)->str: return next((w for w,n in words.items() if n==number), default)
@@ -88,7 +86,7 @@ def _none(ack)->list:
     if ack or ack.result is None: raise NoAnswer(f'no VIDEO_STREAM_INFORMATION: {ack}')
     return []
 
-# %% ../../nbs/api/64_mavlink.video_client.ipynb #7248b8f0
+# %% ../../nbs/api/64_mavlink.video_client.ipynb #524ac7be
 def _port(stream:Stream)->int:
     "The port in its URI, which may be all there is; raises `ValueError`"
     found = re.search(r'(\d+)/?$', stream.uri)
@@ -97,16 +95,23 @@ def _port(stream:Stream)->int:
 
 def _sdp(stream:Stream)->str:
     "What an RTP player must know (RFC 4566)"
-    lines = ('v=0', 'o=- 0 0 IN IP4 0.0.0.0', f's={stream.name}', 'c=IN IP4 0.0.0.0', 't=0 0',
+    lines = ('v=0', 'o=- 0 0 IN IP4 0.0.0.0', 's=-', 'c=IN IP4 0.0.0.0', 't=0 0',
              f'm=video {_port(stream)} RTP/AVP 96', f'a=rtpmap:96 {(stream.codec or "h264").upper()}/90000')
     return ''.join(f'{line}\r\n' for line in lines)
 
-# %% ../../nbs/api/64_mavlink.video_client.ipynb #864b7d62
+# %% ../../nbs/api/64_mavlink.video_client.ipynb #58e2a78a
+def _checked(stream:Stream)->str:
+    "Its URI; raises `ValueError` for one that leads elsewhere"
+    schemes = dict(rtsp=('rtsp','rtsps'), tcp=('tcp',)).get(stream.kind, ())
+    if stream.uri.partition('://')[0].lower() in schemes and '://' in stream.uri: return stream.uri
+    raise ValueError(f'{stream.uri!r} is no URI of a stream over {stream.kind}')
+
+# %% ../../nbs/api/64_mavlink.video_client.ipynb #7a0013ca
 def _open(stream:Stream, options:dict):
     "A `Player` of a stream"
     from UAV.video.player import Player
     if stream.kind=='mpegts': return Player(f'udp://0.0.0.0:{_port(stream)}', **options)
-    if stream.kind!='rtp': return Player(stream.uri, **options)
+    if stream.kind!='rtp': return Player(_checked(stream), **options)
     file = Path(tempfile.mkdtemp(prefix='uav_'))/'stream.sdp'
     file.write_bytes(_sdp(stream).encode())
     player = Player(str(file), **options)
