@@ -102,6 +102,7 @@ def _read_one(self:Frames)->float:
     self._since = time.monotonic()
     try: frame = self._read()
     except (Exception, SystemExit) as e:
+        if self.closed: return 0.
         self.camera.set_fault(str(e) or type(e).__name__, None if isinstance(e, CameraError) else e)
         return .1
     finally: self._since = None
