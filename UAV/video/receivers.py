@@ -173,12 +173,12 @@ class Media:
     control:str='' # Its URL for RTSP, often relative
     session_control:str='' # The URL of all of it
 
-# %% ../../nbs/api/36_video.receivers.ipynb #ff718f83
+# %% ../../nbs/api/36_video.receivers.ipynb #4b7a06d5
 def _parameter_sets(fmtp)->bytes:
     "The `sprop-…` of RFC 6184 and RFC 7798, as a byte stream"
     said = dict(re.findall(r'sprop-(parameter-sets|vps|sps|pps)=([^;\s]+)', fmtp))
     texts = ','.join(said[name] for name in ('parameter-sets','vps','sps','pps') if name in said)
-    try: return b''.join(b'\0\0\0\1'+b64decode(text) for text in texts.split(',') if text)
+    try: return b''.join(b'\0\0\0\1'+b64decode(text, validate=True) for text in texts.split(',') if text)
     except ValueError: return b''
 
 def _find(pattern, text, default=''):
