@@ -226,7 +226,7 @@ def _play(self:RTSPReceiver, url):
             ping_at = time.monotonic()+self._alive
         self._listen_until(min(silent_at, ping_at), silent_at)
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #a7494e41
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #929d9c5a
 @patch
 def _arrived(self:RTSPReceiver):
     "The packets that have come, over TCP"
@@ -242,7 +242,7 @@ def _listen_until(self:RTSPReceiver, until, silent_at):
     except TimeoutError:
         if time.monotonic()>=silent_at: raise
         return
-    if self._sock in ready: self._take_tcp()
+    if ready==[self._sock]: self._take_tcp()            # datagrams first: the connection may be at its end
     for sock in self._udp or ():
         if sock in ready: self._packets.append((self._channel if sock is self._udp[0] else None, sock.recv(1<<16)))
 
