@@ -31,21 +31,24 @@ def in_words(
     package = missing and package_of(missing[1])
     return f'{message}: it comes with {package}' if package else message
 
-# %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #2cf05fde
+# %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #f6c9537f
 _kinds = {'video/x-h264': 'h264', 'video/x-h265': 'h265', 'image/jpeg': 'jpeg'}
+_appears_later = 'what comes out of {!r} appears later: end it with h264parse, h265parse, jpegparse or videoconvert'
 
 def gives(
     line:str, # A pipeline without an end
 )->str:
     "What comes out: 'h264', 'h265', 'jpeg' or 'raw', also when it is not certain; raises `CameraError`"
     Gst = gst()
-    try: built = Gst.parse_bin_from_description(f'{line} ! identity', True)
+    try: built = Gst.parse_bin_from_description(f'{line} ! identity name=uav_end', True)
     except Exception as e: raise CameraError(in_words(getattr(e, 'message', str(e)))) from None
-    caps = [pad.query_caps(None) for pad in built.pads if pad.direction == Gst.PadDirection.SRC]
-    names = {c.get_structure(n).get_name() for c in caps for n in range(c.get_size())}
+    end = built.get_by_name('uav_end')
+    if end.get_static_pad('sink').get_peer().get_parent_element() is None: raise CameraError(_appears_later.format(line))
+    caps = end.get_static_pad('src').query_caps(None)
+    names = {caps.get_structure(n).get_name() for n in range(caps.get_size())}
     return _kinds.get(names.pop(), 'raw') if len(names) == 1 else 'raw'
 
-# %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #863589f5
+# %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #51d1fd06
 def whole_line(
     recipe:Recipe,
 )->tuple: # The line, and the codec of its access units: 'h264', 'h265' or ''
@@ -54,20 +57,23 @@ def whole_line(
     source = gives(recipe.source)
     encodes = source if source in ('h264','h265') else gives(f'identity ! {recipe.encoder}') if recipe.encoder else ''
     if encodes not in ('', 'h264', 'h265'): raise CameraError(f'[encoder] gives {encodes}, not H.264 or H.265')
-    decoder = next((d for d in (f'avdec_{source}', 'openh264dec') if source in d and find(d)), 'decodebin')
+    known = {f'avdec_{source}': f'avdec_{source} max-threads=1 output-corrupt=false', 'openh264dec': 'openh264dec'}
+    decoder = next((line for name,line in known.items() if source in name and find(name)), 'decodebin')
     return recipe.line(source, encodes, decoder, parser=bool(encodes and find(f'{encodes}parse'))),encodes
 
-# %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #37ab1eaa
+# %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #9d5ae2c3
 class GSTPipeline:
     "A GStreamer pipeline; raises `CameraError` when its line makes no sense"
     def __init__(self,
         line:str, # For `gst_parse_launch`
         name:str='pipeline', # For people
     ):
-        self.Gst,self.name,self.arrived = gst(),name,None         # when the source gave something last, monotonic s
+        self.Gst,self.name = gst(),name
         try: self.pipeline = self.Gst.parse_launch(line)
         except Exception as e: raise CameraError(in_words(getattr(e, 'message', str(e)))) from None
         self.bus,self.live = self.pipeline.get_bus(),True
+        self.arrived,self.ended = None,False        # when the source gave something last, monotonic s; is it at its end?
+        self.film = False                           # has it ended because it has a length, as a file does?
 
     def __repr__(self): return f'GSTPipeline {self.name}'
     def element(self, name:str): return self.pipeline.get_by_name(name)
@@ -83,7 +89,7 @@ def start(self:GSTPipeline):
     if begun != Gst.StateChangeReturn.FAILURE: begun = self.pipeline.set_state(Gst.State.PLAYING)
     if begun == Gst.StateChangeReturn.FAILURE: raise CameraError(self.problem(timeout=.1) or 'it does not start')
 
-# %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #c35c2afa
+# %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #27801600
 @patch
 def problem(self:GSTPipeline,
     timeout:float, # s
@@ -91,15 +97,40 @@ def problem(self:GSTPipeline,
     "Wait for a message that says that it is over, and tell it; `None` on timeout, and after `wake`"
     kind = self.Gst.MessageType
     message = self.bus.timed_pop_filtered(int(timeout*1e9), kind.ERROR|kind.EOS|kind.APPLICATION)
-    if message is None or message.type == kind.APPLICATION: return None
-    if message.type == kind.EOS: return 'the stream has ended'
-    return in_words(message.parse_error()[0].message)
+    if message and message.type == kind.ERROR: return in_words(message.parse_error()[0].message)
+    if message and message.type == kind.EOS: self.ended = True
+    if not self.ended: return None
+    self.film = not self.live and self.pipeline.query_duration(self.Gst.Format.TIME)[1] > 0
+    return 'the stream has ended'
 
 @patch
 def wake(self:GSTPipeline):
     "End the waiting of `problem`"
     Gst = self.Gst
     self.bus.post(Gst.Message.new_application(self.pipeline, Gst.Structure.new_empty('wake')))
+
+# %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #8465b82b
+@patch
+def watch(self:GSTPipeline,
+    f=None, # Called with each buffer of the source
+):
+    "Note in `arrived` when the source gives something, and in `ended` when it is at its end"
+    kinds,end = self.Gst.PadProbeType,self.Gst.EventType.EOS
+    def came(pad, info):
+        self.arrived = time.monotonic()
+        if f: f()
+        return self.Gst.PadProbeReturn.OK
+    def event(pad, info):
+        if info.get_event().type == end: self._end()
+        return self.Gst.PadProbeReturn.OK
+    pad = self.element('uav_clock').get_static_pad('src')
+    pad.add_probe(kinds.BUFFER|kinds.BUFFER_LIST, came)
+    pad.add_probe(kinds.EVENT_DOWNSTREAM, event)
+
+@patch
+def _end(self:GSTPipeline):
+    self.ended = True
+    self.wake()
 
 # %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #2de72280
 _given_up = []              # pipelines that did not stop
@@ -216,16 +247,3 @@ def bitrate(self:GSTPipeline, bitrate:int):
     element,unit = self.encoder()
     if element is None: raise ValueError(f'{self!r} has no encoder whose bitrate we could change')
     element.set_property('bitrate', max(1, round(bitrate/unit)))
-
-# %% ../../nbs/api/48_cameras.gst_pipeline.ipynb #38ce1d9f
-@patch
-def watch(self:GSTPipeline,
-    f=None, # Called with each buffer of the source
-):
-    "Note in `arrived` when the source gives something"
-    def came(pad, info):
-        self.arrived = time.monotonic()
-        if f: f()
-        return self.Gst.PadProbeReturn.OK
-    kinds = self.Gst.PadProbeType
-    self.element('uav_clock').get_static_pad('src').add_probe(kinds.BUFFER|kinds.BUFFER_LIST, came)
