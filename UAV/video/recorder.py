@@ -32,7 +32,7 @@ class SafeFile:
         "What is there now makes sense without what comes"
         self._whole = self.size
 
-# %% ../../nbs/api/36_video.recorder.ipynb #09663e04
+# %% ../../nbs/api/36_video.recorder.ipynb #78be04aa
 @patch
 def write(self:SafeFile, data)->int:
     "Raises `OSError` once; after that nothing is written, and nothing is raised"
@@ -52,6 +52,7 @@ def _append(self:SafeFile, data):
         raise
     self.size += len(data)
 
+# %% ../../nbs/api/36_video.recorder.ipynb #73a81e31
 @patch
 def _cut(self:SafeFile, fault):
     "Back to the end of what makes sense"
@@ -59,21 +60,22 @@ def _cut(self:SafeFile, fault):
     try: self._file and self._file.truncate(self.size)
     except OSError: pass        # the device has gone
 
-# %% ../../nbs/api/36_video.recorder.ipynb #b31c7500
+# %% ../../nbs/api/36_video.recorder.ipynb #a9b608db
 @patch
 def sync(self:SafeFile):
     "Wait until it is on the disk"
     if self._file: os.fsync(self._file.fileno())
 
 @patch
-def is_there(self:SafeFile)->bool:
-    "Is our file still found under its name?"
-    try: return self._file is None or os.path.samestat(os.stat(self.path), os.fstat(self._file.fileno()))
-    except OSError: return False
+def _correct(self:SafeFile):
+    for at,data in self._corrections:
+        self._file.seek(at)
+        self._file.write(data)
+    self.sync()
 
 @patch
 def close(self:SafeFile):
-    "Write the corrections, unless something went wrong before"
+    "Write the corrections, unless something went wrong before; raises `OSError`"
     if self._file is None: return
     with self._file:
         try:
@@ -82,12 +84,12 @@ def close(self:SafeFile):
         except OSError:
             if self.fault is None: raise
 
+# %% ../../nbs/api/36_video.recorder.ipynb #add00637
 @patch
-def _correct(self:SafeFile):
-    for at,data in self._corrections:
-        self._file.seek(at)
-        self._file.write(data)
-    if self._corrections: self.sync()
+def is_there(self:SafeFile)->bool:
+    "Is our file still found under its name?"
+    try: return self._file is None or os.path.samestat(os.stat(self.path), os.fstat(self._file.fileno()))
+    except OSError: return False
 
 # %% ../../nbs/api/36_video.recorder.ipynb #8404dfbe
 class MP4File:
@@ -111,12 +113,13 @@ class MP4File:
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-# %% ../../nbs/api/36_video.recorder.ipynb #d8346059
+# %% ../../nbs/api/36_video.recorder.ipynb #e70185c8
 @patch(as_prop=True)
 def bytes(self:MP4File)->int:
     "How large the file is"
     return self.file.size
 
+# %% ../../nbs/api/36_video.recorder.ipynb #49e59be1
 @patch
 def write(self:MP4File, unit:AccessUnit):
     "Add a picture; raises `OSError`"
@@ -134,9 +137,8 @@ def close(self:MP4File):
     try: container.close()
     finally: self.file.close()
 
-# %% ../../nbs/api/36_video.recorder.ipynb #6dbbe6f4
-class DiskFull(OSError):
-    "There is no room for more of a recording"
+# %% ../../nbs/api/36_video.recorder.ipynb #a8063a84
+class DiskFull(OSError): "There is no room for more of a recording"
 
 class Recorder(Sink):
     "Writes access units to MP4 files that survive a crash"
@@ -153,6 +155,10 @@ class Recorder(Sink):
         super().__init__('recorder')
         store_attr('segment,quota,reserve,on_end,interval')
         self.videos,self._path_of,self._looked = [],name,0.     # `videos`: an `MP4File` each segment
+
+    def __repr__(self):
+        count = len(self.videos)
+        return f'Recorder, {count} file{"s"*(count!=1)}, {self.seconds:.1f} s, {self.bytes/1e3:.0f} kB'
 
 # %% ../../nbs/api/36_video.recorder.ipynb #cca90714
 @patch(as_prop=True)
@@ -186,7 +192,7 @@ def _begin(self:Recorder, unit:AccessUnit):
     self._check_room(path.parent)
     self.videos.append(MP4File(path, unit))
 
-# %% ../../nbs/api/36_video.recorder.ipynb #27963751
+# %% ../../nbs/api/36_video.recorder.ipynb #ee5f95fa
 def _plainly(error:OSError)->OSError:
     return DiskFull('the disk is full') if error.errno in (errno.ENOSPC,errno.EDQUOT) else error
 
@@ -194,8 +200,10 @@ def _plainly(error:OSError)->OSError:
 def _check_room(self:Recorder, folder:Path):
     free = shutil.disk_usage(folder).free/2**20
     if free<self.reserve: raise DiskFull(f'{free:.0f} MiB of the disk are free, and {self.reserve:g} MiB must stay')
-    if self.quota is not None and self.bytes/2**20>=self.quota: raise DiskFull(f'the recording has filled its {self.quota:g} MiB')
+    if self.quota is None or self.bytes/2**20<self.quota: return
+    raise DiskFull(f'the recording has filled its {self.quota:g} MiB')
 
+# %% ../../nbs/api/36_video.recorder.ipynb #5bab8215
 @patch
 def _check(self:Recorder):
     "Look at the disk, once in a while"
@@ -206,7 +214,7 @@ def _check(self:Recorder):
     file.sync()
     self._looked = time.monotonic()
 
-# %% ../../nbs/api/36_video.recorder.ipynb #79bec85f
+# %% ../../nbs/api/36_video.recorder.ipynb #e722e8a1
 @patch
 def send(self:Recorder, unit:AccessUnit):
     try:
@@ -215,6 +223,7 @@ def send(self:Recorder, unit:AccessUnit):
         self.videos[-1].write(unit)
     except OSError as e: raise _plainly(e)
 
+# %% ../../nbs/api/36_video.recorder.ipynb #cb8f51b7
 @patch
 def end(self:Recorder):
     try:
