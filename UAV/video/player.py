@@ -17,7 +17,7 @@ from .receivers import Stopped
 # %% auto #0
 __all__ = ['Player', 'strip']
 
-# %% ../../nbs/api/37_video.player.ipynb #862bd5c5
+# %% ../../nbs/api/37_video.player.ipynb #8d4c2fde
 class _Pictures:
     "Decoded pictures, between the thread that decodes and those who wait"
     most = 30           # that may lie here when each is wanted
@@ -26,26 +26,31 @@ class _Pictures:
         self.last,self.count,self.given = None,0,-1     # the newest; how many came; the number that `take` gave last
         self.frames,self.waiting,self.changed = deque(),[],threading.Condition()
 
-    def put(self, picture, came, utc):
-        with self.changed:
-            if not self.newest: self.changed.wait_for(lambda: len(self.frames)<self.most or self.over)
-            if self.over: raise Stopped
-            if self.newest: self.frames.clear()
-            self.last = Decoded(picture, self.count, came, utc)
-            self.frames.append(self.last)
-            self.count += 1
-            self.wake()
+# %% ../../nbs/api/37_video.player.ipynb #901aea9b
+@patch
+def put(self:_Pictures, picture, came:float, utc:float):
+    "Another one; raises `Stopped` when all is over"
+    with self.changed:
+        if not self.newest: self.changed.wait_for(lambda: len(self.frames)<self.most or self.over)
+        if self.over: raise Stopped
+        if self.newest: self.frames.clear()
+        self.last = Decoded(picture, self.count, came, utc)
+        self.frames.append(self.last)
+        self.count += 1
+        self.wake()
 
-    def end(self, forget=False):
-        "No more of them come; those that lie here can still be had, unless you `forget` them"
-        with self.changed:
-            self.over = True
-            if forget:
-                self.frames.clear()
-                self.last = None
-            self.wake()
+# %% ../../nbs/api/37_video.player.ipynb #a1cde266
+@patch
+def end(self:_Pictures, forget:bool=False):
+    "No more of them come; those that lie here can still be had, unless you `forget` them"
+    with self.changed:
+        self.over = True
+        if forget:
+            self.frames.clear()
+            self.last = None
+        self.wake()
 
-# %% ../../nbs/api/37_video.player.ipynb #51e95859
+# %% ../../nbs/api/37_video.player.ipynb #50ac674e
 @patch
 def wake(self:_Pictures):
     "Wake all who wait; inside `changed`"
@@ -55,6 +60,7 @@ def wake(self:_Pictures):
         try: loop.call_soon_threadsafe(lambda future=future: future.done() or future.set_result(None))
         except RuntimeError: pass                   # its event loop is closed
 
+# %% ../../nbs/api/37_video.player.ipynb #6fa01d67
 @patch
 def take(self:_Pictures):
     "The next picture, `None` when there is none yet; inside `changed`"
@@ -64,12 +70,13 @@ def take(self:_Pictures):
     self.changed.notify_all()
     return frame
 
+# %% ../../nbs/api/37_video.player.ipynb #1d7a0aa8
 @patch
 def later(self:_Pictures, after):
     "The newest picture, when it is later than `after`; inside `changed`"
     return self.last if self.last and self.last.number>after else None
 
-# %% ../../nbs/api/37_video.player.ipynb #dd7b3dd7
+# %% ../../nbs/api/37_video.player.ipynb #3c1a63f9
 @patch
 def wait(self:_Pictures, find, timeout):
     "What `find` finds; `None` when that takes too long, or all is over"
@@ -82,6 +89,7 @@ def wait(self:_Pictures, find, timeout):
             frame = find()
         return frame
 
+# %% ../../nbs/api/37_video.player.ipynb #1931a8ca
 @patch
 async def wait_async(self:_Pictures, find):
     "As `wait`, for an event loop; one call into the loop for each picture"
@@ -92,7 +100,7 @@ async def wait_async(self:_Pictures, find):
             self.waiting.append((future.get_loop(),future))
         await future
 
-# %% ../../nbs/api/37_video.player.ipynb #1f35bf63
+# %% ../../nbs/api/37_video.player.ipynb #b6158c85
 class Player:
     "Watch a live stream, or a file"
     first_retry,last_retry = .25,5.                 # s between attempts to come back, doubled each time
@@ -110,18 +118,23 @@ class Player:
         atexit.register(self.close)
         self._thread.start()
 
-    def close(self):
-        "Stop, within a second; may be called twice"
-        atexit.unregister(self.close)
-        self._closing.set()
-        self._source.stop()
-        self._pictures.end(forget=True)
-        if self._thread is not threading.current_thread(): self._thread.join(1)
-
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-    def __repr__(self): return f'Player {url_name(self.url)}: {self.fault or ("playing" if self.connected else "no picture yet")}'
+# %% ../../nbs/api/37_video.player.ipynb #c3c7771e
+@patch
+def __repr__(self:Player):
+    state = 'playing' if self.connected else 'no picture yet'
+    return f'Player {url_name(self.url)}: {self.fault or state}'
+
+@patch
+def close(self:Player):
+    "Stop, within a second; may be called twice"
+    atexit.unregister(self.close)
+    self._closing.set()
+    self._source.stop()
+    self._pictures.end(forget=True)
+    if self._thread is not threading.current_thread(): self._thread.join(1)
 
 # %% ../../nbs/api/37_video.player.ipynb #03ee16cb
 @patch
@@ -140,7 +153,7 @@ def _run(self:Player):
         retry = min(2*retry, self.last_retry)
     self._source.close()
 
-# %% ../../nbs/api/37_video.player.ipynb #444abeda
+# %% ../../nbs/api/37_video.player.ipynb #aec379e9
 @patch
 def _play(self:Player):
     "Until the end, of the file or of our luck"
@@ -150,6 +163,7 @@ def _play(self:Player):
             if self.fault: self.log.info('%s is back', url_name(self.url))
             self.connected,self.fault = True,None
 
+# %% ../../nbs/api/37_video.player.ipynb #d29c3aa5
 @patch
 def _lose(self:Player, error)->bool:
     "There is no stream: why. True when all we can do is to listen on"
@@ -159,7 +173,7 @@ def _lose(self:Player, error)->bool:
     self.connected,self.fault = False,said
     return isinstance(error, TimeoutError) and not self._source.connects
 
-# %% ../../nbs/api/37_video.player.ipynb #5f5f158d
+# %% ../../nbs/api/37_video.player.ipynb #6f1a0323
 @patch
 def read(self:Player,
     timeout:float|None=None, # s to wait for it; `None` waits until there is one
@@ -167,6 +181,7 @@ def read(self:Player,
     "The next picture; `None` when none comes in time, the file is at its end, or the player is closed"
     return self._pictures.wait(self._pictures.take, timeout)
 
+# %% ../../nbs/api/37_video.player.ipynb #c1f4b713
 @patch
 def next(self:Player,
     after:int=-1, # The number of the last picture seen
@@ -178,11 +193,12 @@ def next(self:Player,
 @patch
 def watching(self:Player): return nullcontext(self)
 
-# %% ../../nbs/api/37_video.player.ipynb #d817c520
+# %% ../../nbs/api/37_video.player.ipynb #509d0e5b
 @patch
 def __iter__(self:Player):
     while (frame := self.read()) is not None: yield frame
 
+# %% ../../nbs/api/37_video.player.ipynb #2c9bb91d
 @patch
 def __aiter__(self:Player): return self
 
@@ -192,7 +208,7 @@ async def __anext__(self:Player):
     if frame is None: raise StopAsyncIteration
     return frame
 
-# %% ../../nbs/api/37_video.player.ipynb #110b3a24
+# %% ../../nbs/api/37_video.player.ipynb #30d3cd39
 @patch(as_prop=True)
 def newest(self:Player)->bool: return self._pictures.newest
 
@@ -201,12 +217,14 @@ def ended(self:Player)->bool:
     "Will no picture come any more?"
     return self._pictures.over
 
+# %% ../../nbs/api/37_video.player.ipynb #707c931b
 @patch(as_prop=True)
 def size(self:Player)->tuple|None:
     "(width, height) of the newest picture, pixels"
     frame = self._pictures.later(-1)
     return frame and frame.size
 
+# %% ../../nbs/api/37_video.player.ipynb #bdfe63e0
 @patch(as_prop=True)
 def port(self:Player)->int|None:
     "The UDP port on which it listens"
