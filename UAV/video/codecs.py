@@ -91,7 +91,7 @@ def _opened(name, format):
     import av
     context = av.CodecContext.create(name, 'w')
     context.width,context.height = format.width,format.height
-    context.framerate = Fraction(format.rate).limit_denominator(1001)
+    context.framerate = max(Fraction(format.rate).limit_denominator(1001), Fraction(1,1001))
     context.time_base = 1/context.framerate
     context.bit_rate,context.options = format.bitrate,_options(name, format)
     context.gop_size,context.max_b_frames,context.thread_count = 100_000,0,1
