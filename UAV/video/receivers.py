@@ -55,7 +55,7 @@ def lost(self:Receiver)->int:
     "How many pictures came in part only"
     return self._reader.lost if self._reader else 0
 
-# %% ../../nbs/api/36_video.receivers.ipynb #1d0733ce
+# %% ../../nbs/api/36_video.receivers.ipynb #3378d452
 @patch
 def _wait(self:Receiver,
     socks:dict, # `selectors.EVENT_…` of each socket
@@ -70,13 +70,14 @@ def _wait(self:Receiver,
     if not ready: raise TimeoutError(f'silent for {self.timeout:g} s')
     return [key.fileobj for key,_ in ready]
 
+# %% ../../nbs/api/36_video.receivers.ipynb #d0c593de
 @patch
 def _receive(self:Receiver, sock)->bytes:
     "What comes next; empty at the end of a TCP connection"
     self._wait({sock:selectors.EVENT_READ}, time.monotonic()+self.timeout)
     return sock.recv(1<<16)
 
-# %% ../../nbs/api/36_video.receivers.ipynb #b073c1b9
+# %% ../../nbs/api/36_video.receivers.ipynb #aa8bffbb
 @patch
 def _try(self:Receiver, family, kind, protocol, _, address)->tuple:
     "Connect to one address: `(socket, error number)`"
@@ -92,6 +93,7 @@ def _try(self:Receiver, family, kind, protocol, _, address)->tuple:
         raise
     return sock,error
 
+# %% ../../nbs/api/36_video.receivers.ipynb #cc3454ab
 @patch
 def _connect(self:Receiver, host:str, port:int):
     "A TCP connection; raises `OSError` that says why not"
@@ -118,18 +120,22 @@ def listen(
         raise
     return sock
 
-# %% ../../nbs/api/36_video.receivers.ipynb #f2491443
+# %% ../../nbs/api/36_video.receivers.ipynb #3dbb7510
 def _is_group(family, host:str)->bool:
     "Is it a multicast group?"
     first = socket.inet_pton(family, host.partition('%')[0])[0]
     return first==255 if family==socket.AF_INET6 else 224<=first<240
 
+# %% ../../nbs/api/36_video.receivers.ipynb #296052e1
 def _join(sock, family, host:str):
+    "Become a member of a multicast group"
     group = socket.inet_pton(family, host.partition('%')[0])
     if family==socket.AF_INET6: sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_JOIN_GROUP, group+bytes(4))
     else: sock.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, group+bytes(4))
 
-def _bind(sock, family, address):
+# %% ../../nbs/api/36_video.receivers.ipynb #78db5ab8
+def _bind(sock, family, address:tuple):
+    "To the address, or to all of ours when it is not one of them"
     host,port = address[:2]
     if _is_group(family, host):
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -160,13 +166,14 @@ class TSReceiver(Receiver):
         super().close()
         if self._sock: self._sock.close()
 
-# %% ../../nbs/api/36_video.receivers.ipynb #82ee28d2
+# %% ../../nbs/api/36_video.receivers.ipynb #9af4ff6b
 @patch
 def units(self:TSReceiver):
     "Access units, until the stream ends; raises `OSError`"
     if not self._tcp: return (yield from self._units(self._sock))
     with closing(self._connect(self._host, self.port)) as sock: yield from self._units(sock)
 
+# %% ../../nbs/api/36_video.receivers.ipynb #862cbfc5
 @patch
 def _units(self:TSReceiver, sock):
     self._reader = TSReader()
@@ -185,7 +192,7 @@ class Media:
     control:str='' # Its URL for RTSP, often relative
     session_control:str='' # The URL of all of it
 
-# %% ../../nbs/api/36_video.receivers.ipynb #4b7a06d5
+# %% ../../nbs/api/36_video.receivers.ipynb #b72d834a
 def _parameter_sets(fmtp)->bytes:
     "The `sprop-…` of RFC 6184 and RFC 7798, as a byte stream"
     said = dict(re.findall(r'sprop-(parameter-sets|vps|sps|pps)=([^;\s]+)', fmtp))
@@ -193,7 +200,9 @@ def _parameter_sets(fmtp)->bytes:
     try: return b''.join(b'\0\0\0\1'+b64decode(text, validate=True) for text in texts.split(',') if text)
     except ValueError: return b''
 
-def _find(pattern, text, default=''):
+# %% ../../nbs/api/36_video.receivers.ipynb #378912fa
+def _find(pattern:str, text:str, default='')->str:
+    "What the group of the pattern finds"
     found = re.search(pattern, text, re.M|re.I)
     return found[1].strip() if found else default
 
