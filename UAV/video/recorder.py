@@ -120,7 +120,7 @@ def bytes(self:MP4File)->int:
     "How large the file is"
     return self.file.size
 
-# %% ../../nbs/api/36_video.recorder.ipynb #9e92391c
+# %% ../../nbs/api/36_video.recorder.ipynb #2778d2e5
 @patch
 def write(self:MP4File, unit:AccessUnit):
     "Add a picture; raises `OSError`"
@@ -128,7 +128,7 @@ def write(self:MP4File, unit:AccessUnit):
     if self._ticks>=0: self._step = ticks-self._ticks
     self._container.mux(as_packet(unit, self._stream, ticks, self._step))
     self.file.mark()
-    self._ticks,self.seconds = ticks,(ticks+self._step)/clock_rate      # the last one is shown as long as the one before
+    self._ticks,self.seconds = ticks,(ticks+self._step)/clock_rate      # shown as long as the one before
 
 @patch
 def close(self:MP4File):
