@@ -198,28 +198,35 @@ def _open_firewall(self:RTSPReceiver, port):
         try: sock.sendto(b'\x80\xc9\0\1\0\0\0\0', (host, port+n))         # an empty RTCP receiver report
         except OSError: pass
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #cb011e52
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #f7992027
 @patch
-def units(self:RTSPReceiver):
-    "Access units, until the stream ends; raises `OSError`"
-    self._forget()
-    with closing(self._connect(*self._place)) as self._sock:
-        try:
-            media,url,session_url = self._describe()
-            self._setup(url)
-            self._reader = RTPReader(media.codec, media.headers, media.payload_type)
-            self._ask('PLAY', session_url, Range='npt=0.000-')
-            for packet in self._play(session_url): yield from self._reader(packet)
-        finally: self._tear_down(session_url if self._session else None)
+def _take_tcp(self:RTSPReceiver):
+    data = self._sock.recv(1<<16)
+    if not data: raise ConnectionError('the server has closed the connection')
+    self._data += data
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #b6647528
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #91d852c2
 @patch
-def _tear_down(self:RTSPReceiver, url):
-    "Say goodbye, without waiting for the answer"
-    for sock in self._udp or (): sock.close()
-    if url is None: return
-    try: self._send('TEARDOWN', url, {})
-    except OSError: pass                    # the server has gone
+def _listen_until(self:RTSPReceiver, until, silent_at):
+    "Take what comes next; raises `TimeoutError` when it is `silent_at`"
+    try: ready = self._wait({sock:selectors.EVENT_READ for sock in (self._sock,*(self._udp or ()))}, until)
+    except TimeoutError:
+        if time.monotonic()>=silent_at: raise
+        return
+    if ready==[self._sock]: self._take_tcp()            # datagrams first: the connection may be at its end
+    for sock in self._udp or ():
+        if sock in ready: self._packets.append((self._channel+self._udp.index(sock), sock.recv(1<<16)))
+
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #8def4bf9
+@patch
+def _arrived(self:RTSPReceiver):
+    "The packets of the video that have come"
+    while (message := _cut(self._data)) is not None:
+        if len(message)==2: self._packets.append(message)
+    packets,self._packets = self._packets,[]
+    for channel,packet in packets:
+        if channel==self._channel+1: self._reader.clock.report(packet)
+    return [packet for channel,packet in packets if channel==self._channel]
 
 # %% ../../nbs/api/36_video.rtsp_receiver.ipynb #01ef658f
 @patch
@@ -236,32 +243,25 @@ def _play(self:RTSPReceiver, url):
             ping_at = time.monotonic()+self._alive
         self._listen_until(min(silent_at, ping_at), silent_at)
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #8def4bf9
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #b6647528
 @patch
-def _arrived(self:RTSPReceiver):
-    "The packets of the video that have come"
-    while (message := _cut(self._data)) is not None:
-        if len(message)==2: self._packets.append(message)
-    packets,self._packets = self._packets,[]
-    for channel,packet in packets:
-        if channel==self._channel+1: self._reader.clock.report(packet)
-    return [packet for channel,packet in packets if channel==self._channel]
+def _tear_down(self:RTSPReceiver, url):
+    "Say goodbye, without waiting for the answer"
+    for sock in self._udp or (): sock.close()
+    if url is None: return
+    try: self._send('TEARDOWN', url, {})
+    except OSError: pass                    # the server has gone
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #91d852c2
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #cb011e52
 @patch
-def _listen_until(self:RTSPReceiver, until, silent_at):
-    "Take what comes next; raises `TimeoutError` when it is `silent_at`"
-    try: ready = self._wait({sock:selectors.EVENT_READ for sock in (self._sock,*(self._udp or ()))}, until)
-    except TimeoutError:
-        if time.monotonic()>=silent_at: raise
-        return
-    if ready==[self._sock]: self._take_tcp()            # datagrams first: the connection may be at its end
-    for sock in self._udp or ():
-        if sock in ready: self._packets.append((self._channel+self._udp.index(sock), sock.recv(1<<16)))
-
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #f7992027
-@patch
-def _take_tcp(self:RTSPReceiver):
-    data = self._sock.recv(1<<16)
-    if not data: raise ConnectionError('the server has closed the connection')
-    self._data += data
+def units(self:RTSPReceiver):
+    "Access units, until the stream ends; raises `OSError`"
+    self._forget()
+    with closing(self._connect(*self._place)) as self._sock:
+        try:
+            media,url,session_url = self._describe()
+            self._setup(url)
+            self._reader = RTPReader(media.codec, media.headers, media.payload_type)
+            self._ask('PLAY', session_url, Range='npt=0.000-')
+            for packet in self._play(session_url): yield from self._reader(packet)
+        finally: self._tear_down(session_url if self._session else None)
