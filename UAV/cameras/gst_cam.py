@@ -38,7 +38,7 @@ class Newest:
             self.number += 1
             self.changed.notify_all()
 
-# %% ../../nbs/api/49_cameras.gst.ipynb #bd5a0780
+# %% ../../nbs/api/49_cameras.gst.ipynb #cac94b4d
 @patch
 def end(self:Newest, why:str):
     "No frame will come any more: why"
@@ -46,6 +46,7 @@ def end(self:Newest, why:str):
         self.ended = why
         self.changed.notify_all()
 
+# %% ../../nbs/api/49_cameras.gst.ipynb #8b138fd8
 @patch
 def wait(self:Newest, after:int, timeout:float, problem)->Frame|None:
     "A frame later than `after`; `None` when none comes, also because there is a `problem()`"
@@ -180,7 +181,7 @@ def on_problem(self:GSTCamera, problem:str|None):
     with self.newest.changed: self.newest.changed.notify_all()
     if self.newest.frame is not None: self.set_fault(problem and f'{self.information.model}: {problem}')
 
-# %% ../../nbs/api/49_cameras.gst.ipynb #453aff96
+# %% ../../nbs/api/49_cameras.gst.ipynb #2c6cfe91
 @patch
 def read_still(self:GSTCamera)->Frame:
     "The newest frame, with its pose"
@@ -189,17 +190,18 @@ def read_still(self:GSTCamera)->Frame:
     except Exception: self.log.exception('no pose for a picture')
     return frame
 
+# %% ../../nbs/api/49_cameras.gst.ipynb #ce545467
 @patch
 def _read_watched(self:GSTCamera)->Frame:
     "The frame of a picture; the keeper knows better whether the source works"
     return self.read_still()
 
-# %% ../../nbs/api/49_cameras.gst.ipynb #da555659
+# %% ../../nbs/api/49_cameras.gst.ipynb #9d7d017f
 class PipelineEncoder(PassThrough):
     "The access units of a camera's pipeline"
     def __init__(self, camera, codec:str):
         super().__init__(codec, camera.information.model)
-        self.camera,self.wish,self.made = camera,None,0         # the bitrate that was asked for, and that of the pipeline
+        self.camera,self.wish,self.made = camera,None,0     # the bitrate as asked for, and as it is
 
     def run(self, on):
         if pipeline := self.camera.keeper.pipeline: pipeline.open_valve('uav_units_valve', on)
@@ -210,7 +212,7 @@ class PipelineEncoder(PassThrough):
     def set_bitrate(self, bitrate):
         self.camera.keeper.pipeline.bitrate = self.wish = self.made = bitrate
 
-# %% ../../nbs/api/49_cameras.gst.ipynb #bafe35e0
+# %% ../../nbs/api/49_cameras.gst.ipynb #f1cabb14
 @patch
 def prepare(self:PipelineEncoder, pipeline):
     "Take what a new pipeline gives"
@@ -219,6 +221,7 @@ def prepare(self:PipelineEncoder, pipeline):
     pipeline.on_sample('uav_units', self._on_unit)
     pipeline.open_valve('uav_units_valve', bool(self.sinks))
 
+# %% ../../nbs/api/49_cameras.gst.ipynb #36cc82d2
 @patch
 def _on_unit(self:PipelineEncoder, data, width, height, rate, taken):
     "Called on GStreamer's thread"

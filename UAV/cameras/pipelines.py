@@ -27,7 +27,7 @@ def config_file(
     known = ', '.join(sorted(path.name for path in ours.glob('*.toml')))
     raise ValueError(f'there is no file {str(name)!r}; the package has {known}')
 
-# %% ../../nbs/api/46_cameras.pipelines.ipynb #0fc234aa
+# %% ../../nbs/api/46_cameras.pipelines.ipynb #d87bccb5
 def read_sections(
     config=None, # A pipeline: a string, or a list of strings; or the name of a TOML file
     camera_dict:dict|None=None, # Sections as in a TOML file, which count more than the file's
@@ -41,6 +41,7 @@ def read_sections(
         sections[name] = {**sections[name], **section} if together else section
     return sections
 
+# %% ../../nbs/api/46_cameras.pipelines.ipynb #626f4bb4
 def read_toml(path:Path)->dict:
     try: import tomllib
     except ImportError: import tomli as tomllib         # Python 3.10

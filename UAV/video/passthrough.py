@@ -26,7 +26,7 @@ def with_sets(
     nals = [nal for nal in nal_units(data) if nal_type(nal, codec) != _delimiter[codec]]
     return b''.join(b'\0\0\0\1'+nal for nal in (*sets, *nals))
 
-# %% ../../nbs/api/32_video.passthrough.ipynb #7dc19c2a
+# %% ../../nbs/api/32_video.passthrough.ipynb #fa06508e
 class _Decided:
     "An attribute that the source decides on: what the format says of it"
     def __init__(self, of): self.of = of
@@ -35,7 +35,7 @@ class _Decided:
         if encoder is None: return self
         return self.of(encoder.format) if encoder.format else None
     def __set__(self, encoder, value):
-        if encoder.complete: raise ValueError(f'{encoder.name} is encoded by its source, which decides on the {self.name}')
+        if encoder.complete: raise ValueError(f'{encoder.name} is encoded by its source, which sets the {self.name}')
 
 # %% ../../nbs/api/32_video.passthrough.ipynb #68fdd755
 class _Bitrate(_Decided):
@@ -70,7 +70,7 @@ class PassThrough(Encoder):
         super().add(sink)
         self.ask_key()
 
-# %% ../../nbs/api/32_video.passthrough.ipynb #816bbf2f
+# %% ../../nbs/api/32_video.passthrough.ipynb #781240b8
 @patch
 def _watch(self:PassThrough):
     "Have the source run until no sink is left"
@@ -82,6 +82,7 @@ def _watch(self:PassThrough):
             if self._sinks: self._heard(max(began, self._came))
     finally: self.run(False)
 
+# %% ../../nbs/api/32_video.passthrough.ipynb #2829bf10
 @patch
 def _heard(self:PassThrough, last:float):
     "The last unit came at `last`: is that a fault?"
