@@ -48,14 +48,15 @@ def read_toml(path:Path)->dict:
     try: return tomllib.loads(path.read_text(encoding='utf-8'))
     except ValueError as e: raise ValueError(f'{path}: {e}') from None
 
-# %% ../../nbs/api/46_cameras.pipelines.ipynb #0504ca41
+# %% ../../nbs/api/46_cameras.pipelines.ipynb #cea23523
 def as_text(
     pipeline, # A string, or a list of strings
 )->str:
     "The pipeline as one line"
     parts = [pipeline] if isinstance(pipeline, str) else list(pipeline)
     parts = [p.strip().strip('!').strip() for p in parts]
-    return ' ! '.join(p for p in parts if p and not re.match(r'interpipe(src|sink)\b', p))
+    line = ' ! '.join(p for p in parts if p and not re.match(r'interpipe(src|sink)\b', p))
+    return re.sub(r' ! (\w+\.)(?= |$)', r' \1', line)           # `name.` begins a new branch at a tee
 
 # %% ../../nbs/api/46_cameras.pipelines.ipynb #d0ae041d
 def fill_in(
