@@ -52,7 +52,7 @@ def host_port(
         raise ValueError(f'{text!r} is not a HOST:PORT, such as 192.168.1.10:5600')
     return host.strip('[]'),int(port)
 
-# %% ../nbs/api/81_serve.ipynb #b9f09601
+# %% ../nbs/api/81_serve.ipynb #834c1ebb
 def video_format(
     codec:str='h264', # One of `codecs`
     size:str|None=None, # As for `picture_size`
@@ -61,7 +61,8 @@ def video_format(
 )->dict:
     "The same as arguments of `Camera.add_stream`"
     bits = None if bitrate is None else int(inside('--bitrate', bitrate, .01, 1000)*1e6)
-    return dict(codec=one_of('--codec', codec, codecs), size=picture_size(size), rate=inside('--rate', rate, .1, 240), bitrate=bits)
+    one_of('--codec', codec, codecs)
+    return dict(codec=codec, size=picture_size(size), rate=inside('--rate', rate, .1, 240), bitrate=bits)
 
 # %% ../nbs/api/81_serve.ipynb #899da975
 def make_camera(
@@ -96,20 +97,21 @@ def add_streams(
         camera.add_stream(kind=kind, host=host, port=port, **how)
     if tcp is not None: camera.add_stream(kind='tcp', port=int(inside('--tcp', tcp, 0, 65535)), **how)
 
-# %% ../nbs/api/81_serve.ipynb #f5d5b72d
+# %% ../nbs/api/81_serve.ipynb #e308caa4
 @contextmanager
 def serving(
     camera, # A Camera
     connections:list, # Connection strings
     system:int=1, # The vehicle's system id
     component:int=100, # 100 … 105
+    host:str|None=None, # Our address for viewers; `None`: where each of them reaches us
     **how, # `signing` and `forward`, as for `MAVCom`
 ):
     "For a `with`: `camera` on these links; gives their `MAVCom`"
     first,*others = connections
     with MAVCom(first, source_system=system, **how) as com:
         for connection in others: com.add_link(connection)
-        com.add_component(CameraServer(component, camera=camera))
+        com.add_component(CameraServer(component, camera=camera, video_host=host))
         yield com
 
 # %% ../nbs/api/81_serve.ipynb #d6250a5f
@@ -223,19 +225,19 @@ def _or_exit():
     except (CameraError, MAVError, OSError, ImportError) as e: _end(1, e)
     except ValueError as e: _end(2, e)
 
-# %% ../nbs/api/81_serve.ipynb #f83482d4
+# %% ../nbs/api/81_serve.ipynb #3fa5d9e4
 def _watch(camera, com, teller:Teller):
     "Tell what there is to see, until Ctrl-C"
-    information,(component,) = camera.information,com.component
-    teller.say(f'{information.vendor} {information.model} is {com.source_system}/{component}')
+    information,(server,) = camera.information,com.component.values()
+    teller.say(f'{information.vendor} {information.model} is {com.source_system}/{server.source_component}')
     for channel in com.channels: teller.say(f'  on {channel.name}')
-    for stream in camera.streams: teller.say(f'  {stream!r}')
+    for stream in camera.streams: teller.say(f'  {stream.kind}: {stream.uri(server.host_for())}, {stream.format}')
     for status in statuses(camera, com): teller.tell(status)
 
-# %% ../nbs/api/81_serve.ipynb #d18ef2ba
+# %% ../nbs/api/81_serve.ipynb #8515b3a7
 @call_parse
 def uav_camera_server(
-    connection:str='udpout:127.0.0.1:14550', # MAVLink links: udpout:HOST:PORT, udpin:0.0.0.0:PORT, tcp:HOST:PORT, /dev/serial0,921600
+    connection:str='udpout:127.0.0.1:14550', # MAVLink links, with commas between them
     camera:str='sim', # sim, a device (0, /dev/video0), a video FILE, a URL, PIPELINE.toml, or 'source ! …'
     system:int=1, # System id, which is the vehicle's
     component:int=100, # Component id, 100 … 105
@@ -245,6 +247,7 @@ def uav_camera_server(
     rtp:str=None, # HOST:PORT of a ground station that gets RTP
     mpegts:str=None, # HOST:PORT of a viewer that gets MPEG-TS
     tcp:int=None, # Port where MPEG-TS is to be had
+    host:str=None, # Address where viewers find us; without it: that of the interface which reaches them
     codec:str='h264', # h264 or h265
     size:str=None, # Of the video, such as 1280x720; without it: the camera's
     rate:float=15., # Pictures in a second, at most
@@ -252,7 +255,10 @@ def uav_camera_server(
     sign:str=None, # File with the key of a signed link
     forward:bool=False, # Pass MAVLink on from link to link
 ):
-    "Serve a camera to ground stations until Ctrl-C. Examples: `uav-camera-server` is a simulated camera for QGroundControl on this machine; `uav-camera-server --camera 0 --connection /dev/serial0,921600 --size 1280x720` is a USB camera behind an autopilot; `uav-camera-server --camera flight.mp4 --rtp 192.168.1.10:5600` plays a file"
+    """Serve a camera to ground stations until Ctrl-C, with stills, video and storage. Examples:
+    `uav-camera-server` is a simulated camera for QGroundControl on this machine;
+    `uav-camera-server --camera 0 --connection /dev/serial0,921600` is a USB camera behind an autopilot;
+    `uav-camera-server --camera flight.mp4 --rtp 192.168.1.10:5600 --rtsp -1` plays a file, and sends RTP"""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     teller = Teller()
     _log_to(teller)
@@ -263,7 +269,8 @@ def uav_camera_server(
                 video = video_format(codec, size, rate, bitrate)
                 device = opened.enter_context(make_camera(camera, video['size'], folder=folder, quota=quota))
                 add_streams(device, rtsp, rtp, mpegts, tcp, **video)
-                com = opened.enter_context(serving(device, connections, system, component, signing=key, forward=forward))
+                on_links = serving(device, connections, system, component, host, signing=key, forward=forward)
+                com = opened.enter_context(on_links)
             _watch(device, com, teller)
     except KeyboardInterrupt: pass
     teller.say(f'stopped; the pictures are in {folder}')

@@ -32,6 +32,7 @@ class Camera:
     jpeg_quality = 95          # 0..100
     modes = ('image',)         # what `set_camera_mode` takes, if the camera has it
     image_in_video_mode = True # may pictures be taken in video mode?
+    video_in_image_mode = True # may videos be recorded in image mode?
     max_waiting = 2            # single shots that may wait for the one being taken
     patience = 10.             # s that `read` may take; longer is a fault
     frame_rate = 30.           # frames a second that are read at most, while one looks at them

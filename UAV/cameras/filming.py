@@ -108,7 +108,7 @@ def _ended(self:Filming, recorder):
 
 @patch
 def _tell_recording(self:Filming):
-    self._tell_recording()
+    self.camera.announce(self.camera.capture_status())
     for storage in self.camera.storage_information(): self.camera.announce(storage)
 
 # %% ../../nbs/api/44_cameras.filming.ipynb #9b0a9408

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from fastcore.basics import patch
 from .camera import Camera
+from .values import WrongMode
 
 # %% auto #0
 __all__ = []
@@ -60,7 +61,8 @@ def video_stop_streaming(self:Camera,
 def video_start_capture(self:Camera,
     stream_id:int=0, # Whose pictures; 0: those of the first stream, or the camera's own
 ):
-    "Begin to record; raises `CameraBusy`, `StorageError`, or `ValueError` for a stream that is not there"
+    "Begin to record; raises `CameraBusy`, `WrongMode`, `StorageError`, or `ValueError` for a stream that is not there"
+    if self.mode!='video' and not self.video_in_image_mode: raise WrongMode(f'no recording in {self.mode} mode')
     self.filming.start_recording(stream_id)
 
 @patch
