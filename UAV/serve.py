@@ -64,14 +64,14 @@ def video_format(
     one_of('--codec', codec, codecs)
     return dict(codec=codec, size=picture_size(size), rate=inside('--rate', rate, .1, 240), bitrate=bits)
 
-# %% ../nbs/api/81_serve.ipynb #899da975
+# %% ../nbs/api/81_serve.ipynb #834fa745
 def make_camera(
     text:str, # 'sim', 0, /dev/video0, FILE, URL, PIPELINE.toml or 'source ! …'
     size:tuple|None=None, # (width, height) in px, of the simulated camera and of a device
     **storage, # `folder` and `quota`, as for `Camera`
 )->Camera:
     "The camera that `text` means; raises `CameraError` when it cannot be opened"
-    if text.endswith('.toml') or '!' in text:
+    if text.endswith('.toml') or ' ! ' in text:
         from UAV.cameras.gst_cam import GSTCamera
         return GSTCamera(text, **storage)
     width,height = size or (None,None)
