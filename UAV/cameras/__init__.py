@@ -9,3 +9,4 @@ from UAV.cameras.contract import check_camera
 from UAV.cameras.sim_world import SimWorld, sim_world
 from UAV.cameras.sim import SimCamera, locate
 from UAV.cameras.cv2_camera import CV2Camera
+from UAV.cameras.gst_cam import GSTCamera

@@ -94,7 +94,7 @@ def _new_recorder(self:Filming):
     from UAV.video.recorder import Recorder
     storage = self.camera.storage
     most = None if storage.quota is None else storage.information().available
-    return Recorder(lambda number: storage.new_recording(), segment=self.segment, most=most, reserve=storage.reserve,
+    return Recorder(lambda number: storage.new_recording(), segment=self.segment, quota=most, reserve=storage.reserve,
                     on_end=self._ended)
 
 @patch

@@ -19,7 +19,7 @@ from UAV.mavlink.camera_server import (CAMERA_CAPTURE_STATUS, VIDEO_STREAM_INFOR
     CameraServer)
 
 # %% auto #0
-__all__ = ['stream_types', 'pushed', 'stream_encodings', 'own_host', 'ends', 'unique_names']
+__all__ = ['stream_types', 'pushed', 'stream_encodings', 'own_host', 'ends', 'unique_names', 'is_group']
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #69f71005
 def own_host(
@@ -154,14 +154,16 @@ def _video_stream_status(self:CameraServer, stream_id:int=0):
     return [self._encode_stream_status(s) for s in self.video_streams(stream_id)]
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #812311a5
-def _is_group(host:str)->bool:
+def is_group(
+    host:str, # An address, or a name
+)->bool:
     "Is this a multicast address?"
     try: return ipaddress.ip_address(host).is_multicast
     except ValueError: return False
 
 def _viewer(stream, msg)->str|None:
     "Where to push a stream that the sender of `msg` wants; `None`: where it goes already"
-    if stream.kind not in pushed or _is_group(stream.host): return
+    if stream.kind not in pushed or is_group(stream.host): return
     way = getattr(msg, 'came_by', None)
     return ends(*way)[1] if way else '127.0.0.1'            # a component of this process
 

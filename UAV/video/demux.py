@@ -12,7 +12,7 @@ from .units import AccessUnit, VideoFormat, is_key, parameter_sets
 # %% auto #0
 __all__ = ['ts_size', 'UnitMaker', 'rtp_parts', 'Reorder', 'rtp_payload', 'RTPReader', 'TSReader']
 
-# %% ../../nbs/api/36_video.demux.ipynb #91ca1ce6
+# %% ../../nbs/api/36_video.demux.ipynb #b23c2aae
 class UnitMaker:
     "Makes access units of the bytes of pictures, from the first key picture on"
     def __init__(self,
@@ -29,7 +29,8 @@ class UnitMaker:
         if not self.begun: return []
         if key and self.headers and not parameter_sets(data, self.codec): data = self.headers+data
         self.number += 1
-        return [AccessUnit(data, key, time.monotonic(), time.time(), self.number-1, VideoFormat(self.codec, 0, 0, 0, 0))]
+        form = VideoFormat(self.codec, 0, 0, 0, 0)              # what the decoder will find out
+        return [AccessUnit(data, key, time.monotonic(), time.time(), self.number-1, form)]
 
 # %% ../../nbs/api/36_video.demux.ipynb #988cb569
 def rtp_parts(
@@ -59,7 +60,7 @@ class Reorder:
         self._early[sequence] = packet
         return [*self._in_turn()]
 
-# %% ../../nbs/api/36_video.demux.ipynb #4a4bcdae
+# %% ../../nbs/api/36_video.demux.ipynb #46794c3b
 @patch
 def _in_turn(self:Reorder):
     if self.expected not in self._early and self._tired():
@@ -68,23 +69,26 @@ def _in_turn(self:Reorder):
         yield self.expected,self._early.pop(self.expected)
         self.expected,self._since = (self.expected+1)&0xffff,time.monotonic()
 
+# %% ../../nbs/api/36_video.demux.ipynb #ad73d13c
 @patch
 def _tired(self:Reorder)->bool:
     "Has it waited long enough for the missing packet?"
     return len(self._early)>self.most or time.monotonic()-self._since>self.patience
 
-# %% ../../nbs/api/36_video.demux.ipynb #501813a7
+# %% ../../nbs/api/36_video.demux.ipynb #12d2c7ea
 _start = b'\0\0\0\1'
 _layouts = dict(h264=(1,24,28), h265=(2,48,49))         # bytes of the header; types of several units, and of a piece
 
-def _several(payload):
+# %% ../../nbs/api/36_video.demux.ipynb #963962ef
+def _several(payload:bytes):
     "The NAL units of an aggregation packet"
     while len(payload)>2:
         size = int.from_bytes(payload[:2], 'big')
         yield _start+payload[2:2+size]
         payload = payload[2+size:]
 
-def _first_piece(payload, codec):
+# %% ../../nbs/api/36_video.demux.ipynb #377aca0a
+def _first_piece(payload:bytes, codec:str)->bytes:
     "The header of a NAL unit that comes in pieces"
     if codec=='h264': return bytes([payload[0]&0xe0 | payload[1]&31])
     return bytes([payload[0]&0x81 | (payload[2]&63)<<1, payload[1]])
@@ -127,7 +131,7 @@ class RTPReader:
         in_turn = self._reorder(parts[2], parts)
         return [unit for sequence,parts in in_turn for unit in self._add(sequence, *parts[1:2], *parts[3:])]
 
-# %% ../../nbs/api/36_video.demux.ipynb #55cb5c19
+# %% ../../nbs/api/36_video.demux.ipynb #9d3b5e35
 @patch
 def _add(self:RTPReader, sequence, marker, timestamp, payload)->list:
     "The next packet in turn: what it completes"
@@ -138,6 +142,7 @@ def _add(self:RTPReader, sequence, marker, timestamp, payload)->list:
     except ValueError: self._whole = False
     return units+self._complete() if marker else units
 
+# %% ../../nbs/api/36_video.demux.ipynb #b30bc26e
 @patch
 def _complete(self:RTPReader)->list:
     "The picture is at its end: an access unit, when all of it came"
@@ -147,30 +152,33 @@ def _complete(self:RTPReader)->list:
     self._make.lost += 1
     return []
 
-# %% ../../nbs/api/36_video.demux.ipynb #299703cc
+# %% ../../nbs/api/36_video.demux.ipynb #2c6ade4e
 ts_size = 188
-_stream_types = {0x1b:'h264', 0x24:'h265'}
 
-def _section(payload):
+def _section(payload:bytes)->bytes:
     "The body of a table that begins in this payload, without its CRC"
     start = 1+payload[0]
     size = int.from_bytes(payload[start+1:start+3], 'big')&0xfff
     return payload[start+3:start+3+size-4]
 
-def _program_map(body)->int|None:
+# %% ../../nbs/api/36_video.demux.ipynb #625d50b9
+def _program_map(body:bytes)->int|None:
     "The PID of the first program map of a program association"
     pids = [int.from_bytes(body[n+2:n+4], 'big')&0x1fff for n in range(5, len(body)-3, 4) if body[n:n+2]!=b'\0\0']
     return pids[0] if pids else None
 
-def _video_stream(body)->tuple|None:
+# %% ../../nbs/api/36_video.demux.ipynb #1f2eed9a
+_stream_types = {0x1b:'h264', 0x24:'h265'}
+
+def _video_stream(body:bytes)->tuple|None:
     "`(PID, codec)` of the first video in a program map"
     n = 9+(int.from_bytes(body[7:9], 'big')&0xfff)
     while n+5<=len(body):
         if body[n] in _stream_types: return int.from_bytes(body[n+1:n+3], 'big')&0x1fff,_stream_types[body[n]]
         n += 5+(int.from_bytes(body[n+3:n+5], 'big')&0xfff)
 
-# %% ../../nbs/api/36_video.demux.ipynb #8ae33764
-def _ts_parts(packet)->tuple:
+# %% ../../nbs/api/36_video.demux.ipynb #874d61d7
+def _ts_parts(packet:bytes)->tuple:
     "`(PID, begins, filled, payload, counter)` of a TS packet"
     pid,begins = int.from_bytes(packet[1:3], 'big')&0x1fff,bool(packet[1]&64)
     start,filled = 4,False
@@ -180,17 +188,23 @@ def _ts_parts(packet)->tuple:
         filled = size==0 or size>1+6*bool(flags&16)+6*bool(flags&8)+bool(flags&4) and not flags&3
     return pid,begins,filled,packet[start:] if packet[3]&16 else b'',packet[3]&15
 
-def _pes_size(payload)->int|None:
+# %% ../../nbs/api/36_video.demux.ipynb #ade4fa96
+def _pes_size(payload:bytes)->int|None:
     "All bytes of a PES packet that begins here, as it says; `None` when it does not"
     said = int.from_bytes(payload[4:6], 'big')
     return said+6 if said else None
 
-# %% ../../nbs/api/36_video.demux.ipynb #b321c7b4
-def _is_packet(data, n)->bool:
+# %% ../../nbs/api/36_video.demux.ipynb #91a1d8e4
+def _is_packet(data:bytes, n:int)->bool:
     "Is there a packet at `n`, and another one behind it, or nothing yet?"
     return data[n]==0x47 and (n+ts_size==len(data) or data[n+ts_size]==0x47)
 
-# %% ../../nbs/api/36_video.demux.ipynb #64f86edc
+def _next_sync(data:bytes, n:int)->int:
+    "Where the next packet may begin"
+    found = data.find(b'\x47', n)
+    return len(data) if found<0 else found
+
+# %% ../../nbs/api/36_video.demux.ipynb #5935ff89
 class TSReader:
     "The bytes of an MPEG transport stream in, access units out"
     def __init__(self):
@@ -209,11 +223,11 @@ class TSReader:
             if _is_packet(data, n):
                 units += self._packet(data[n:n+ts_size])
                 n += ts_size
-            else: n = data.find(b'\x47', n+1)%(len(data)+1)            # not found: the end
+            else: n = _next_sync(data, n+1)
         self._rest = data[n:]
         return units
 
-# %% ../../nbs/api/36_video.demux.ipynb #e402f3fc
+# %% ../../nbs/api/36_video.demux.ipynb #d6bf2394
 @patch
 def _packet(self:TSReader, packet)->list:
     pid,begins,filled,payload,counter = _ts_parts(packet)
@@ -221,15 +235,17 @@ def _packet(self:TSReader, packet)->list:
     if begins and payload: self._table(pid, payload)
     return []
 
+# %% ../../nbs/api/36_video.demux.ipynb #daf98bb2
 @patch
 def _table(self:TSReader, pid, payload):
     "Learn from a table where the video is"
     if pid==0: self.programs = _program_map(_section(payload))
     elif pid==self.programs:
         found = _video_stream(_section(payload))
-        if found and found!=(self.pid,self._make and self._make.codec): self.pid,self._make = found[0],UnitMaker(found[1])
+        if not found or found==(self.pid,self._make and self._make.codec): return
+        self.pid,self._make = found[0],UnitMaker(found[1])
 
-# %% ../../nbs/api/36_video.demux.ipynb #98913a13
+# %% ../../nbs/api/36_video.demux.ipynb #61584ec8
 @patch
 def _video(self:TSReader, begins, filled, payload, counter)->list:
     "The next packet of the video: what it completes"
@@ -243,6 +259,7 @@ def _video(self:TSReader, begins, filled, payload, counter)->list:
     if self._pes is not None: self._pes.append(payload)
     return units+self._complete() if self._at_end() else units
 
+# %% ../../nbs/api/36_video.demux.ipynb #cd145a70
 @patch
 def _at_end(self:TSReader)->bool:
     "Is the picture complete?"
@@ -250,13 +267,14 @@ def _at_end(self:TSReader)->bool:
     if self._size: return sum(map(len, self._pes))>=self._size
     return self.trust and self._filled
 
-# %% ../../nbs/api/36_video.demux.ipynb #d6d141c7
+# %% ../../nbs/api/36_video.demux.ipynb #21dd3bc0
 @patch
 def _give_up(self:TSReader):
     "A packet was lost, and its picture with it"
     self._pes = None
     self._make.lost += 1
 
+# %% ../../nbs/api/36_video.demux.ipynb #dc2e2f17
 @patch
 def _complete(self:TSReader)->list:
     "The picture is at its end: an access unit"

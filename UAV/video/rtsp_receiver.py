@@ -17,23 +17,27 @@ from .receivers import Receiver, listen, read_sdp
 # %% auto #0
 __all__ = ['transports', 'authorization', 'RTSPReceiver']
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #f8b2d8cc
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #1ad8673d
 def _fields(header:str)->dict:
     "The fields of a WWW-Authenticate header"
     return {name.lower():quoted or plain for name,quoted,plain in re.findall(r'(\w+)=(?:"([^"]*)"|([^\s,]+))', header)}
 
-def _digest(fields, method, url, user, password)->str:
-    "The answer to a challenge `Digest`"
-    algorithm = fields.get('algorithm', 'MD5')
-    def h(*parts): return (sha256 if 'SHA-256' in algorithm.upper() else md5)(':'.join(parts).encode()).hexdigest()
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #ff3a5a6e
+def _response(fields:dict, method, url, user, password)->dict:
+    "The hash that proves that we know the password, and what it is made with"
+    kind = sha256 if 'SHA-256' in fields.get('algorithm', '').upper() else md5
+    def h(*parts): return kind(':'.join(parts).encode()).hexdigest()
     secret,asked,nonce = h(user, fields['realm'], password),h(method, url),fields['nonce']
-    said = dict(username=user, realm=fields['realm'], nonce=nonce, uri=url)
-    if 'auth' in fields.get('qop', ''):
-        said |= dict(nc='00000001', cnonce=secrets.token_hex(8), qop='auth')
-        said['response'] = h(secret, nonce, said['nc'], said['cnonce'], 'auth', asked)
-    else: said['response'] = h(secret, nonce, asked)
-    if 'opaque' in fields: said['opaque'] = fields['opaque']
-    if 'algorithm' in fields: said['algorithm'] = algorithm
+    if 'auth' not in fields.get('qop', ''): return dict(response=h(secret, nonce, asked))
+    ours = secrets.token_hex(8)
+    return dict(nc='00000001', cnonce=ours, qop='auth', response=h(secret, nonce, '00000001', ours, 'auth', asked))
+
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #5b7a1744
+def _digest(fields:dict, method, url, user, password)->str:
+    "The answer to a challenge `Digest`"
+    said = dict(username=user, realm=fields['realm'], nonce=fields['nonce'], uri=url)
+    said |= _response(fields, method, url, user, password)
+    said |= {name:fields[name] for name in ('opaque','algorithm') if name in fields}
     return 'Digest '+', '.join(f'{k}={v}' if k in ('nc','qop','algorithm') else f'{k}="{v}"' for k,v in said.items())
 
 # %% ../../nbs/api/36_video.rtsp_receiver.ipynb #76ab0593
@@ -47,27 +51,38 @@ def authorization(
     if challenge.lower().startswith('basic'): return 'Basic '+b64encode(f'{user}:{password}'.encode()).decode()
     return _digest(dict(realm='', nonce='')|_fields(challenge), method, url, user, password)
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #7dc6b48d
-def _cut(data:bytearray):
-    "The first of what arrived: bytes of a packet, or `(status, headers, body)`; `None` when it is not complete"
-    if data[:1]==b'$':
-        end = 4+int.from_bytes(data[2:4], 'big')
-        if len(data)<4 or len(data)<end: return None
-        packet = data[1],bytes(data[4:end])
-        del data[:end]
-        return packet
-    head,found,_ = bytes(data[:1<<16]).partition(b'\r\n\r\n')
-    if not found: return _check_length(data)
-    lines = head.decode('utf-8', 'replace').split('\r\n')
-    headers = {name.strip().lower():value.strip() for name,_,value in (line.partition(':') for line in lines[1:])}
-    end = len(head)+4+int(headers.get('content-length') or 0)
-    if len(data)<end: return None
-    body = bytes(data[len(head)+4:end]).decode('utf-8', 'replace')
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #473100ff
+def _cut_packet(data:bytearray)->tuple|None:
+    "`(channel, packet)`"
+    end = 4+int.from_bytes(data[2:4], 'big')
+    if len(data)<4 or len(data)<end: return None
+    packet = data[1],bytes(data[4:end])
     del data[:end]
-    return lines[0],headers,body
+    return packet
 
-def _check_length(data):
-    if len(data)>1<<16: raise ConnectionError('the server does not speak RTSP')
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #3b2099b3
+_most_text = 1<<16          # bytes of a message
+
+def _head(data:bytearray)->tuple|None:
+    "`(bytes of it, first line, headers)`; raises `ConnectionError` when that is no RTSP"
+    head,found,_ = bytes(data[:_most_text]).partition(b'\r\n\r\n')
+    if not found and len(data)>=_most_text: raise ConnectionError('the server does not speak RTSP')
+    if not found: return None
+    first,*lines = head.decode('utf-8', 'replace').split('\r\n')
+    headers = {name.strip().lower():value.strip() for name,_,value in (line.partition(':') for line in lines)}
+    return len(head)+4,first,headers
+
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #8d8e2bbb
+def _cut(data:bytearray)->tuple|None:
+    "The first of what arrived: `(channel, packet)` or `(first line, headers, body)`; `None` when it is not complete"
+    if data[:1]==b'$': return _cut_packet(data)
+    if (head := _head(data)) is None: return None
+    size,first,headers = head
+    end = size+int(headers.get('content-length') or 0)
+    if len(data)<end: return None
+    body = bytes(data[size:end]).decode('utf-8', 'replace')
+    del data[:end]
+    return first,headers,body
 
 # %% ../../nbs/api/36_video.rtsp_receiver.ipynb #bf84633d
 transports = 'tcp','udp'
@@ -91,7 +106,7 @@ class RTSPReceiver(Receiver):
         self._sock,self._udp,self._data,self._packets = None,None,bytearray(),[]
         self._cseq,self._session,self._methods,self._alive = 0,None,'',30.
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #288346f1
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #1d27abac
 @patch
 def _send(self:RTSPReceiver, method, url, headers):
     self._cseq += 1
@@ -101,6 +116,7 @@ def _send(self:RTSPReceiver, method, url, headers):
     lines = [f'{method} {url} RTSP/1.0', *(f'{name}: {value}' for name,value in headers.items())]
     self._sock.sendall(('\r\n'.join(lines)+'\r\n\r\n').encode())
 
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #fded9160
 @patch
 def _answer(self:RTSPReceiver)->tuple:
     "The answer to the last request: `(status, headers, body)`"
@@ -112,10 +128,15 @@ def _answer(self:RTSPReceiver)->tuple:
         if not data: raise ConnectionError('the server has closed the connection')
         self._data += data
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #45ae4641
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #e5e493ad
+def _status(line:str)->int:
+    found = re.match(r'RTSP/\d\.\d (\d+)', line)
+    return int(found[1]) if found else 0
+
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #e69b0eb8
 @patch
 def _ask(self:RTSPReceiver, method, url, also=(), **headers)->tuple:
-    "`(headers, body)` of the answer; raises `ConnectionError` for a refusal, unless its status is in `also`"
+    "`(status, headers, body)` of the answer; raises `ConnectionError` for a refusal, unless its status is in `also`"
     for attempt in range(2):
         self._send(method, url, headers)
         status,said,body = self._answer()
@@ -125,16 +146,13 @@ def _ask(self:RTSPReceiver, method, url, also=(), **headers)->tuple:
     if code!=200 and code not in also: raise ConnectionError(f'{method}: {status.partition(" ")[2] or status}')
     return code,said,body
 
-def _status(line:str)->int:
-    found = re.match(r'RTSP/\d\.\d (\d+)', line)
-    return int(found[1]) if found else 0
-
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #8205b21b
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #0876b11a
 def _resolve(base:str, control:str)->str:
     "The URL of a stream, RFC 2326 section C.1.1"
     if '://' in control: return control
     return base if control in ('','*') else base.rstrip('/')+'/'+control
 
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #da5dc1a9
 @patch
 def _describe(self:RTSPReceiver):
     "What the server has: `(Media, URL of the video, URL of all)`"
@@ -146,7 +164,7 @@ def _describe(self:RTSPReceiver):
     base = said.get('content-base') or said.get('content-location') or self.url
     return media,_resolve(base, media.control),_resolve(base, media.session_control)
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #423b7620
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #ab5bfbb4
 def _pair(host:str)->tuple:
     "Two UDP sockets on neighbouring ports, the first of them even"
     for _ in range(50):
@@ -158,6 +176,7 @@ def _pair(host:str)->tuple:
         first.close()
     raise OSError('no two neighbouring UDP ports are free')
 
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #ae38142c
 @patch
 def _setup(self:RTSPReceiver, url):
     "Agree with the server on the way of the packets"
@@ -169,7 +188,7 @@ def _setup(self:RTSPReceiver, url):
     port = self._udp[0].getsockname()[1]
     self._set_up(self._ask('SETUP', url, Transport=f'RTP/AVP;unicast;client_port={port}-{port+1}')[1])
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #ee70d611
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #2ac59dd4
 @patch
 def _set_up(self:RTSPReceiver, said):
     "Remember what the server said to SETUP"
@@ -182,6 +201,7 @@ def _set_up(self:RTSPReceiver, said):
     found = re.search(r'server_port=(\d+)', way)
     if self._udp and found: self._open_firewall(int(found[1]))
 
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #16bb7310
 @patch
 def _open_firewall(self:RTSPReceiver, port):
     "A datagram to the server, so that a firewall lets those of the server in"
@@ -190,7 +210,7 @@ def _open_firewall(self:RTSPReceiver, port):
         try: sock.sendto(b'\x80\xc9\0\1\0\0\0\0', (host, port+n))         # an empty RTCP receiver report
         except OSError: pass
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #ddc3da03
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #cb011e52
 @patch
 def units(self:RTSPReceiver):
     "Access units, until the stream ends; raises `OSError`"
@@ -204,8 +224,10 @@ def units(self:RTSPReceiver):
             for packet in self._play(session_url): yield from self._reader(packet)
         finally: self._tear_down(session_url if self._session else None)
 
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #b6647528
 @patch
 def _tear_down(self:RTSPReceiver, url):
+    "Say goodbye, without waiting for the answer"
     for sock in self._udp or (): sock.close()
     if url is None: return
     try: self._send('TEARDOWN', url, {})
@@ -226,15 +248,16 @@ def _play(self:RTSPReceiver, url):
             ping_at = time.monotonic()+self._alive
         self._listen_until(min(silent_at, ping_at), silent_at)
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #929d9c5a
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #99f3dc44
 @patch
 def _arrived(self:RTSPReceiver):
-    "The packets that have come, over TCP"
+    "The packets of the video that have come"
     while (message := _cut(self._data)) is not None:
         if len(message)==2: self._packets.append(message)
     packets,self._packets = self._packets,[]
     return [packet for channel,packet in packets if channel==self._channel]
 
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #d2e1ec68
 @patch
 def _listen_until(self:RTSPReceiver, until, silent_at):
     "Take what comes next; raises `TimeoutError` when it is `silent_at`"
@@ -246,6 +269,7 @@ def _listen_until(self:RTSPReceiver, until, silent_at):
     for sock in self._udp or ():
         if sock in ready: self._packets.append((self._channel if sock is self._udp[0] else None, sock.recv(1<<16)))
 
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #f7992027
 @patch
 def _take_tcp(self:RTSPReceiver):
     data = self._sock.recv(1<<16)
