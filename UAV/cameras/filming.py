@@ -4,10 +4,10 @@
 
 # %% ../../nbs/api/44_cameras.filming.ipynb #c6ccb9ac
 from __future__ import annotations
-import math, threading, time
+import threading
 
 from fastcore.basics import patch
-from .values import CameraBusy, CameraError, StorageFull, VideoStatus
+from .values import CameraBusy, VideoStatus
 
 # %% auto #0
 __all__ = ['Filming']
@@ -47,16 +47,19 @@ def add(self:Filming,
     uri:str='', # As for `VideoStream`
     **how, # As for `encoder`
 ):
-    "Add a stream, which runs at once; raises `ValueError` when there is one of that name, `OSError` when its port is taken"
+    "Add a stream, which runs at once; raises `ValueError` for a name that is there, `OSError` for a port that is taken"
     from UAV.video.stream import VideoStream
     with self._lock:
         number = len(self.streams)+1
-        name = name or f'{self.camera.information.model} {number}'
+        information = self.camera.information
+        name = name or f'{information.model} {number}'
+        size = information.resolution_h or 640,information.resolution_v or 480
         if any(name==s.name for s in self.streams): raise ValueError(f'there is a stream {name!r} already')
-        same = [s.server for s in self.streams if s.kind==kind=='rtsp' and s.port==port]      # port 0: one server for all
-        stream = VideoStream(self.encoder(**how), kind, name, number, host, port, *same[:1], uri=uri, on_change=self._tell)
+        same = [s.server for s in self.streams if s.kind==kind=='rtsp' and s.port==port]    # port 0: one for all
+        stream = VideoStream(self.encoder(**how), kind, name, number, host, port, *same[:1], uri=uri, size=size,
+                             on_change=self._tell)
+        stream.start()
         self.streams.append(stream)
-    stream.start()
     return stream
 
 @patch

@@ -82,10 +82,10 @@ def unique_names(
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #ae90e023
 @patch
-def _hfov(self:CameraServer)->int:
+def _hfov(self:CameraServer, stream)->int:
     "Horizontal field of view, whole degrees; 0 when it is not known"
-    lens,i = getattr(self.camera, 'lens', None),self.camera.information
-    angle = 2*math.degrees(math.atan2(i.sensor_size_h/2, lens.focal_length if lens else i.focal_length))
+    lens,i,angle = getattr(self.camera, 'lens', None),self.camera.information,getattr(stream, 'hfov', math.nan)
+    if math.isnan(angle): angle = 2*math.degrees(math.atan2(i.sensor_size_h/2, (lens or i).focal_length))
     return 0 if math.isnan(angle) else round(angle)
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #34391358
@@ -99,7 +99,7 @@ _running,_thermal = mavlink.VIDEO_STREAM_STATUS_FLAGS_RUNNING,mavlink.VIDEO_STRE
 def _state(self:CameraServer, stream)->tuple:
     "The fields of both messages: flags, rate, width, height, bitrate, rotation and field of view"
     f,flags = stream.format,_running*bool(stream.running)|_thermal*bool(getattr(stream, 'thermal', False))
-    return flags,f.rate,f.width,f.height,int(f.bitrate),0,self._hfov()
+    return flags,f.rate,f.width,f.height,int(f.bitrate),0,self._hfov(stream)
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #04230b50
 @patch

@@ -62,7 +62,7 @@ async def _ask_for_stream(self:CameraClient, target:tuple, stream_id:int=0)->tup
     def fits(msg): return stream_id in (0, msg.stream_id)
     return await self._ask_for(target, VIDEO_STREAM_INFORMATION, stream_id, legacy, [stream_id], fits)
 
-# %% ../../nbs/api/64_mavlink.video_client.ipynb #f27600d1
+# %% ../../nbs/api/64_mavlink.video_client.ipynb #178927a6
 @patch
 async def streams(self:CameraClient, target_system:int|None=None, target_component:int|None=None)->list:
     "The camera's video streams, by number; empty when it says that it has none. Raises `NoAnswer` when it is silent"
@@ -76,7 +76,9 @@ async def streams(self:CameraClient, target_system:int|None=None, target_compone
         if msg is None: return _none(ack)
         await all_there.wait(self._soon(target))
         for i in range(1, msg.count+1):
-            if i not in found: await self._ask_for_stream(target, i)
+            if i in found: continue
+            last,ack = await self._ask_for_stream(target, i)
+            if last is None and (ack or ack.result is None): break      # it is not refused, and does not come
     return [stream_of(found[i]) for i in sorted(found)]
 
 # %% ../../nbs/api/64_mavlink.video_client.ipynb #8215cccd

@@ -26,6 +26,16 @@ class _Pictures:
         self.last,self.count,self.given = None,0,-1     # the newest; how many came; the number that `take` gave last
         self.frames,self.waiting,self.changed = deque(),[],threading.Condition()
 
+# %% ../../nbs/api/37_video.player.ipynb #50ac674e
+@patch
+def wake(self:_Pictures):
+    "Wake all who wait; inside `changed`"
+    self.changed.notify_all()
+    waiting,self.waiting = self.waiting,[]
+    for loop,future in waiting:
+        try: loop.call_soon_threadsafe(lambda future=future: future.done() or future.set_result(None))
+        except RuntimeError: pass                   # its event loop is closed
+
 # %% ../../nbs/api/37_video.player.ipynb #901aea9b
 @patch
 def put(self:_Pictures, picture, came:float, utc:float):
@@ -49,16 +59,6 @@ def end(self:_Pictures, forget:bool=False):
             self.frames.clear()
             self.last = None
         self.wake()
-
-# %% ../../nbs/api/37_video.player.ipynb #50ac674e
-@patch
-def wake(self:_Pictures):
-    "Wake all who wait; inside `changed`"
-    self.changed.notify_all()
-    waiting,self.waiting = self.waiting,[]
-    for loop,future in waiting:
-        try: loop.call_soon_threadsafe(lambda future=future: future.done() or future.set_result(None))
-        except RuntimeError: pass                   # its event loop is closed
 
 # %% ../../nbs/api/37_video.player.ipynb #6fa01d67
 @patch
@@ -136,23 +136,6 @@ def close(self:Player):
     self._pictures.end(forget=True)
     if self._thread is not threading.current_thread(): self._thread.join(1)
 
-# %% ../../nbs/api/37_video.player.ipynb #03ee16cb
-@patch
-def _run(self:Player):
-    retry = self.first_retry
-    while not self._closing.is_set():
-        before = self._pictures.count
-        try:
-            self._play()
-            self._pictures.end()                            # only a file comes here
-            break
-        except Stopped: break
-        except Exception as e: listens = self._lose(e)
-        if self._pictures.count>before: retry = self.first_retry
-        if not listens and self._closing.wait(retry): break
-        retry = min(2*retry, self.last_retry)
-    self._source.close()
-
 # %% ../../nbs/api/37_video.player.ipynb #aec379e9
 @patch
 def _play(self:Player):
@@ -172,6 +155,23 @@ def _lose(self:Player, error)->bool:
     if said!=self.fault: self.log.warning('%s: %s', url_name(self.url), said, exc_info=surprise)
     self.connected,self.fault = False,said
     return isinstance(error, TimeoutError) and not self._source.connects
+
+# %% ../../nbs/api/37_video.player.ipynb #03ee16cb
+@patch
+def _run(self:Player):
+    retry = self.first_retry
+    while not self._closing.is_set():
+        before = self._pictures.count
+        try:
+            self._play()
+            self._pictures.end()                            # only a file comes here
+            break
+        except Stopped: break
+        except Exception as e: listens = self._lose(e)
+        if self._pictures.count>before: retry = self.first_retry
+        if not listens and self._closing.wait(retry): break
+        retry = min(2*retry, self.last_retry)
+    self._source.close()
 
 # %% ../../nbs/api/37_video.player.ipynb #6f1a0323
 @patch

@@ -32,7 +32,7 @@ class SafeFile:
         "What is there now makes sense without what comes"
         self._whole = self.size
 
-# %% ../../nbs/api/36_video.recorder.ipynb #78be04aa
+# %% ../../nbs/api/36_video.recorder.ipynb #b9e686fd
 @patch
 def write(self:SafeFile, data)->int:
     "Raises `OSError` once; after that nothing is written, and nothing is raised"
@@ -41,6 +41,14 @@ def write(self:SafeFile, data)->int:
     self._at += len(data)
     return len(data)
 
+@patch
+def _cut(self:SafeFile, fault:OSError):
+    "Back to the end of what makes sense"
+    self.fault,self.size = fault,self._whole
+    try: self._file and self._file.truncate(self.size)
+    except OSError: pass        # the device has gone
+
+# %% ../../nbs/api/36_video.recorder.ipynb #fd2fa000
 @patch
 def _append(self:SafeFile, data):
     try:
@@ -52,15 +60,7 @@ def _append(self:SafeFile, data):
         raise
     self.size += len(data)
 
-# %% ../../nbs/api/36_video.recorder.ipynb #73a81e31
-@patch
-def _cut(self:SafeFile, fault):
-    "Back to the end of what makes sense"
-    self.fault,self.size = fault,self._whole
-    try: self._file and self._file.truncate(self.size)
-    except OSError: pass        # the device has gone
-
-# %% ../../nbs/api/36_video.recorder.ipynb #a9b608db
+# %% ../../nbs/api/36_video.recorder.ipynb #0bd6140d
 @patch
 def sync(self:SafeFile):
     "Wait until it is on the disk"
@@ -73,6 +73,7 @@ def _correct(self:SafeFile):
         self._file.write(data)
     self.sync()
 
+# %% ../../nbs/api/36_video.recorder.ipynb #d643cb26
 @patch
 def close(self:SafeFile):
     "Write the corrections, unless something went wrong before; raises `OSError`"
@@ -119,7 +120,7 @@ def bytes(self:MP4File)->int:
     "How large the file is"
     return self.file.size
 
-# %% ../../nbs/api/36_video.recorder.ipynb #49e59be1
+# %% ../../nbs/api/36_video.recorder.ipynb #2778d2e5
 @patch
 def write(self:MP4File, unit:AccessUnit):
     "Add a picture; raises `OSError`"
@@ -127,14 +128,16 @@ def write(self:MP4File, unit:AccessUnit):
     if self._ticks>=0: self._step = ticks-self._ticks
     self._container.mux(as_packet(unit, self._stream, ticks, self._step))
     self.file.mark()
-    self._ticks,self.seconds = ticks,(ticks+self._step)/clock_rate      # the last one is shown as long as the one before
+    self._ticks,self.seconds = ticks,(ticks+self._step)/clock_rate      # shown as long as the one before
 
 @patch
 def close(self:MP4File):
     "Make a plain MP4 of it; raises `OSError` when that cannot be, and then it stays as it was"
     if self._container is None: return
-    container,self._container = self._container,None
+    container,self._container,is_broken = self._container,None,self.file.fault
     try: container.close()
+    except Exception:
+        if not is_broken: raise     # else it was told
     finally: self.file.close()
 
 # %% ../../nbs/api/36_video.recorder.ipynb #a8063a84
@@ -176,7 +179,15 @@ def bytes(self:Recorder)->int:
     "What it takes on the disk"
     return sum(video.bytes for video in self.videos)
 
-# %% ../../nbs/api/36_video.recorder.ipynb #4e1e2b09
+# %% ../../nbs/api/36_video.recorder.ipynb #5e61ba23
+@patch
+def _check_room(self:Recorder, folder:Path):
+    free = shutil.disk_usage(folder).free/2**20
+    if free<self.reserve: raise DiskFull(f'{free:.0f} MiB of the disk are free, and {self.reserve:g} MiB must stay')
+    if self.quota is None or self.bytes/2**20<self.quota: return
+    raise DiskFull(f'the recording has filled its {self.quota:g} MiB')
+
+# %% ../../nbs/api/36_video.recorder.ipynb #466859f7
 def _shape(format:VideoFormat): return format.codec,format.width,format.height,format.headers
 
 @patch
@@ -185,23 +196,13 @@ def _needs_file(self:Recorder, unit:AccessUnit)->bool:
     video = self.videos[-1]
     return unit.time-video.began>=self.segment or _shape(unit.format)!=_shape(video.format)
 
+# %% ../../nbs/api/36_video.recorder.ipynb #10a85217
 @patch
 def _begin(self:Recorder, unit:AccessUnit):
     if self.videos: self.videos[-1].close()
     path = Path(self._path_of(len(self.videos)))
     self._check_room(path.parent)
     self.videos.append(MP4File(path, unit))
-
-# %% ../../nbs/api/36_video.recorder.ipynb #ee5f95fa
-def _plainly(error:OSError)->OSError:
-    return DiskFull('the disk is full') if error.errno in (errno.ENOSPC,errno.EDQUOT) else error
-
-@patch
-def _check_room(self:Recorder, folder:Path):
-    free = shutil.disk_usage(folder).free/2**20
-    if free<self.reserve: raise DiskFull(f'{free:.0f} MiB of the disk are free, and {self.reserve:g} MiB must stay')
-    if self.quota is None or self.bytes/2**20<self.quota: return
-    raise DiskFull(f'the recording has filled its {self.quota:g} MiB')
 
 # %% ../../nbs/api/36_video.recorder.ipynb #5bab8215
 @patch
@@ -214,7 +215,10 @@ def _check(self:Recorder):
     file.sync()
     self._looked = time.monotonic()
 
-# %% ../../nbs/api/36_video.recorder.ipynb #e722e8a1
+# %% ../../nbs/api/36_video.recorder.ipynb #46793bb2
+def _plainly(error:OSError)->OSError:
+    return DiskFull('the disk is full') if error.errno in (errno.ENOSPC,errno.EDQUOT) else error
+
 @patch
 def send(self:Recorder, unit:AccessUnit):
     try:
