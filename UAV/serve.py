@@ -21,8 +21,8 @@ from .wire.dialect import MAVError
 from .wire.signing import secret_key
 
 # %% auto #0
-__all__ = ['links', 'picture_size', 'host_port', 'video_format', 'make_camera', 'add_streams', 'serving', 'Status', 'status_of',
-           'statuses', 'Teller', 'uav_camera_server']
+__all__ = ['links', 'picture_size', 'host_port', 'video_format', 'make_camera', 'wanted_streams', 'add_streams', 'serving',
+           'Status', 'status_of', 'statuses', 'Teller', 'uav_camera_server']
 
 # %% ../nbs/api/81_serve.ipynb #8560e248
 def links(
@@ -80,23 +80,31 @@ def make_camera(
     own_size = dict(width=width, height=height) if text.isdigit() or text.startswith('/dev/') else {}
     return CV2Camera(text, **own_size, **storage)
 
-# %% ../nbs/api/81_serve.ipynb #1f72b23d
-def add_streams(
-    camera, # A Camera
+# %% ../nbs/api/81_serve.ipynb #3c572bf0
+def wanted_streams(
     rtsp:int=8554, # Port of an RTSP server; 0 a free one, -1 none
     rtp:str|None=None, # HOST:PORT that gets RTP
     mpegts:str|None=None, # HOST:PORT that gets MPEG-TS
     tcp:int|None=None, # Port where MPEG-TS is to be had; 0 a free one
+)->list:
+    "(kind, host, port) of each stream"
+    found = [('rtsp', '', int(inside('--rtsp', rtsp, -1, 65535)))]
+    found += [(kind, *host_port(to)) for kind,to in (('rtp',rtp), ('mpegts',mpegts)) if to is not None]
+    if tcp is not None: found.append(('tcp', '', int(inside('--tcp', tcp, 0, 65535))))
+    return [stream for stream in found if stream[2]>=0]
+
+# %% ../nbs/api/81_serve.ipynb #f1bec6c7
+def add_streams(
+    camera, # A Camera
+    wanted:list, # As from `wanted_streams`
     **how, # `codec`, `size`, `rate` and `bitrate`, as for `Camera.add_stream`
 ):
-    "Give the camera a stream for each of these that is there"
-    inside('--rtsp', rtsp, -1, 65535)
-    if rtsp>=0: camera.add_stream(kind='rtsp', port=int(rtsp), **how)
-    for kind,viewer in (('rtp',rtp), ('mpegts',mpegts)):
-        if viewer is None: continue
-        host,port = host_port(viewer)
-        camera.add_stream(kind=kind, host=host, port=port, **how)
-    if tcp is not None: camera.add_stream(kind='tcp', port=int(inside('--tcp', tcp, 0, 65535)), **how)
+    "Give the camera these streams; raises `CameraError` for one that cannot be had"
+    for kind,host,port in wanted:
+        try: camera.add_stream(kind=kind, host=host, port=port, **how)
+        except OSError as e:
+            reason = (e.strerror or str(e)).partition(' (')[0]
+            raise CameraError(f'no {kind} stream at {host}:{port}: {reason}') from e
 
 # %% ../nbs/api/81_serve.ipynb #e308caa4
 @contextmanager
@@ -214,9 +222,9 @@ def _log_to(teller:Teller):
     form = f'{teller.over if teller.live else ""}%(levelname)s %(name)s: %(message)s'
     logging.basicConfig(stream=teller.out, level=logging.INFO, format=form)
 
-# %% ../nbs/api/81_serve.ipynb #7bb6706e
+# %% ../nbs/api/81_serve.ipynb #0d38922c
 def _end(code:int, error:Exception):
-    text = ' '.join(str(error).split()) or type(error).__name__
+    text = f'{error.filename}: {error.strerror}' if getattr(error, 'filename', None) else ' '.join(str(error).split())
     print(f'uav-camera-server: {text}', file=sys.stderr)
     sys.exit(code)
 
@@ -236,7 +244,7 @@ def _watch(camera, com, teller:Teller):
     for stream in camera.streams: teller.say(f'  {stream.kind}: {stream.uri(server.host_for())}, {stream.format}')
     for status in statuses(camera, com): teller.tell(status)
 
-# %% ../nbs/api/81_serve.ipynb #8515b3a7
+# %% ../nbs/api/81_serve.ipynb #3a508f04
 @call_parse
 def uav_camera_server(
     connection:str='udpout:127.0.0.1:14550', # MAVLink links, with commas between them
@@ -268,9 +276,9 @@ def uav_camera_server(
         with ExitStack() as opened:
             with _or_exit():
                 connections,key = links(connection),sign and secret_key(Path(sign))
-                video = video_format(codec, size, rate, bitrate)
+                video,streams = video_format(codec, size, rate, bitrate),wanted_streams(rtsp, rtp, mpegts, tcp)
                 device = opened.enter_context(make_camera(camera, video['size'], folder=folder, quota=quota))
-                add_streams(device, rtsp, rtp, mpegts, tcp, **video)
+                add_streams(device, streams, **video)
                 on_links = serving(device, connections, system, component, host, signing=key, forward=forward)
                 com = opened.enter_context(on_links)
             _watch(device, com, teller)
