@@ -85,7 +85,7 @@ class InsideViewer(Viewer):
         self.outbox.write(b''.join(data))
         if self.outbox.wait_empty(): self.alive(time.monotonic())
 
-# %% ../../nbs/api/34_video.rtsp_player.ipynb #c9d00ea4
+# %% ../../nbs/api/34_video.rtsp_player.ipynb #9141c5f2
 class Connection:
     "One player of an RTSP server"
     def __init__(self, server, sock, address:tuple):
@@ -96,7 +96,9 @@ class Connection:
         self.reader,self.asked,self.busy = RequestReader(),deque(),False        # busy: what was `asked` must wait
         self.viewer,self.refused,self.ended = None,0,False                      # ended: it is not listened to any more
 
-    def __repr__(self): return f'rtsp {self.session.path or "-"} to {self.address[0]}:{self.address[1]}'
+    def __repr__(self):
+        host = self.address[0].removeprefix('::ffff:')                          # IPv4 by a socket of IPv6
+        return f'rtsp {self.session.path or "-"} to {host}:{self.address[1]}'
 
 # %% ../../nbs/api/34_video.rtsp_player.ipynb #66da7bce
 @patch(as_prop=True)

@@ -154,14 +154,14 @@ def add(self:RTSPServer,
     self.videos[path] = encoder
     return self.url(path)
 
-# %% ../../nbs/api/35_video.rtsp_server.ipynb #f2ca13f0
+# %% ../../nbs/api/35_video.rtsp_server.ipynb #382289a7
 @patch
 def url(self:RTSPServer,
     path:str, # Of a video
     host:str|None=None, # Our address, as the player can reach it; `None`: where we listen, or this computer
 )->str:
     "What a player must open"
-    host = host or self.host or '127.0.0.1'
+    if not host: host = '127.0.0.1' if self.host in ('','0.0.0.0','::') else self.host
     return f'rtsp://{f"[{host}]" if ":" in host else host}:{self.port}/{quote(path.strip("/"))}'
 
 # %% ../../nbs/api/35_video.rtsp_server.ipynb #d8ddd4c2
