@@ -149,6 +149,11 @@ def stop(self:Streams, asker:tuple|None, msg_id:int, *values):
         if key[:1+len(values)]==(msg_id,*values): self._end(asker, key)
     if (answer := self._answers.get(asker)) and answer.msg_id==msg_id: self._end_answer(asker)
 
+@patch
+def stop_for_all(self:Streams, msg_id:int, *values):
+    "Stop what anyone gets of a message"
+    for asker in {asker for asker,_ in list(self._streams)}: self.stop(asker, msg_id, *values)
+
 # %% ../../nbs/api/27_mavlink.streams.ipynb #69f4f250
 @patch
 def close(self:Streams):
@@ -213,6 +218,11 @@ def _start_pacing(self:Streams, sent:list):
 
 # %% ../../nbs/api/27_mavlink.streams.ipynb #21a4afa7
 @patch
+def is_busy(self:Streams, asker:tuple)->bool:
+    "Is a long answer to `asker` under way?"
+    return asker in self._answers
+
+@patch
 def answer(self:Streams,
     asker:tuple, # `(system, component)` that asked
     msg_id:int, # For which message
@@ -224,7 +234,7 @@ def answer(self:Streams,
     first = list(islice(msgs, 5))
     is_long = len(first)>4
     if is_long:
-        if asker in self._answers: raise Busy('a long answer is being sent')
+        if self.is_busy(asker): raise Busy('a long answer is being sent')
         self._admit(asker)
         self._answers[asker] = LongAnswer(msg_id, chain(first[4:], msgs), to)
     for msg in first[:4]: self.component.send_message(msg, to)
