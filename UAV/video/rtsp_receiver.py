@@ -205,7 +205,14 @@ def _take_tcp(self:RTSPReceiver):
     if not data: raise ConnectionError('the server has closed the connection')
     self._data += data
 
-# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #91d852c2
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #566c8bdd
+@patch
+def _take_udp(self:RTSPReceiver, sock):
+    "A datagram; one that is not from the server is ignored"
+    packet,(host,*_) = sock.recvfrom(1<<16)
+    if host==self._sock.getpeername()[0]: self._packets.append((self._channel+self._udp.index(sock), packet))
+
+# %% ../../nbs/api/36_video.rtsp_receiver.ipynb #1656c868
 @patch
 def _listen_until(self:RTSPReceiver, until, silent_at):
     "Take what comes next; raises `TimeoutError` when it is `silent_at`"
@@ -215,7 +222,7 @@ def _listen_until(self:RTSPReceiver, until, silent_at):
         return
     if ready==[self._sock]: self._take_tcp()            # datagrams first: the connection may be at its end
     for sock in self._udp or ():
-        if sock in ready: self._packets.append((self._channel+self._udp.index(sock), sock.recv(1<<16)))
+        if sock in ready: self._take_udp(sock)
 
 # %% ../../nbs/api/36_video.rtsp_receiver.ipynb #8def4bf9
 @patch
