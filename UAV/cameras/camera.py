@@ -11,6 +11,8 @@ from dataclasses import replace
 
 from fastcore.basics import patch
 from .capture import CaptureQueue, DeviceWatch, check_sequence
+from .filming import Filming
+from .frames import Frames
 from .storage import Storage
 from .values import *
 from ..logging import LogLevels, get_logger
@@ -30,10 +32,11 @@ class Camera:
     jpeg_quality = 95          # 0..100
     modes = ('image',)         # what `set_camera_mode` takes, if the camera has it
     image_in_video_mode = True # may pictures be taken in video mode?
+    video_in_image_mode = True # may videos be recorded in image mode?
     max_waiting = 2            # single shots that may wait for the one being taken
     patience = 10.             # s that `read` may take; longer is a fault
+    frame_rate = 30.           # frames a second that are read at most, while one looks at them
     lens,focus,mode = None,None,'image'
-    recording,recording_time = False,0.
 
     def __init__(self,
         folder:str|None=None, # Where pictures go; `None` is a temporary folder that `close` removes
@@ -45,6 +48,7 @@ class Camera:
         self.storage = Storage(folder, quota) if storage is None else storage
         self.log = get_logger(f'camera.{self.information.model}')
         self.captures,self.device = CaptureQueue(self),DeviceWatch(self)
+        self.frames,self.filming = Frames(self),Filming(self)
         self._callbacks,self._lock = [],threading.Lock()
         self._closing,self._storage_status = threading.Event(),'ready'
         _cameras.add(self)
@@ -54,6 +58,8 @@ class Camera:
         raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
 
     fault = property(lambda self: self.device.fault, doc="What is wrong with the device; `None`: it works")
+    recording = property(lambda self: self.filming.recorder is not None, doc="Is a video being recorded?")
+    recording_time = property(lambda self: self.filming.seconds, doc="Length of that video, s")
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
     def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
@@ -61,6 +67,8 @@ class Camera:
         "Stop, wait for the picture being taken (`patience` at most), and let go of the storage; may be called twice"
         done = self.captures.close(self.patience)
         if not done: self.log.error('%r does not come back from read(); closed without it', self)
+        self.filming.close()
+        if not self.frames.close(1.) and done: self.log.error('%r does not come back from read()', self)
         self._closing.set()
         self.storage.close()
         self.device.close()
@@ -142,8 +150,12 @@ def wait_idle(self:Camera,
 # %% ../../nbs/api/45_cameras.camera.ipynb #945f3116
 @patch
 def read_still(self:Camera)->Frame:
-    "The frame a picture is made of; override it when the camera has something better than `read()` for stills"
-    return self.read()
+    "The frame a picture is made of; override it when the camera has something better than a frame for stills"
+    if not self.frames.watchers: return self.read()
+    newest = self.frames.newest
+    frame = self.frames.next(newest.number if newest else -1, self.patience)
+    if frame is None: raise CameraError(self.fault or f'no frame for {self.patience:g} s')
+    return frame
 
 # %% ../../nbs/api/45_cameras.camera.ipynb #5c0a5319
 @patch
@@ -249,6 +261,8 @@ def after_fork(self:Camera):
     "In a forked process: this camera is the parent's. Its locks are made anew: a thread may have held them"
     self.device.closed = True       # an alarm of the parent may still ring here
     self.captures,self.device = CaptureQueue(self),DeviceWatch(self)
+    self.frames,self.filming = Frames(self),Filming(self)
+    self.frames.closed = True
     self._lock,self._closing = threading.Lock(),threading.Event()
     self.captures.refusal = CameraError,f'{self!r} is closed: it belongs to process {os.getppid()}'
     self.device.close()

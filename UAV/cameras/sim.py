@@ -90,7 +90,7 @@ def read(self:SimCamera)->Frame:
 def read_still(self:SimCamera)->Frame:
     "The frame of a still picture, after `capture_time`"
     if self.capture_time: self._closing.wait(self.capture_time)
-    return self.read()
+    return Camera.read_still(self)
 
 # %% ../../nbs/api/48_cameras.sim.ipynb #06eecbd6
 @patch

@@ -113,6 +113,34 @@ def _recover(self:Storage):
     sizes = [self._size(p) for p in self.pictures]
     self._used,self._largest = sum(sizes),max(sizes, default=0)
 
+# %% ../../nbs/api/42_cameras.storage.ipynb #e7473002
+_our_video = re.compile(r'VID_\d{6,}\.mp4')
+
+@patch(as_prop=True)
+def video_log(self:Storage)->Path:
+    "The names of our recordings, one a line"
+    return self.folder/'recordings.txt'
+
+@patch(as_prop=True)
+def recordings(self:Storage)->list:
+    "The files of our recordings, oldest first"
+    names = self.video_log.read_text(errors='replace').splitlines() if self.video_log.exists() else []
+    files = [self.folder/name for name in names if _our_video.fullmatch(name)]
+    return [file for file in dict.fromkeys(files) if file.is_file()]
+
+# %% ../../nbs/api/42_cameras.storage.ipynb #e869fa8e
+@patch
+def new_recording(self:Storage)->Path:
+    "The path of the next file of a recording, which is ours from now on; raises `StorageError`"
+    with self._lock:
+        number = 1
+        while (self.folder/f'VID_{number:06}.mp4').exists(): number += 1
+        try:
+            if not self._release.alive: raise OSError(0, 'closed')
+            with self.video_log.open('a') as log: log.write(f'VID_{number:06}.mp4\n')
+        except OSError as e: raise self._error(e) from e
+        return self.folder/f'VID_{number:06}.mp4'
+
 # %% ../../nbs/api/42_cameras.storage.ipynb #99b8ab8b
 @patch
 def _lost(self:Storage, index:int):
@@ -161,7 +189,8 @@ def information(self:Storage)->StorageInformation:
     try: disk = shutil.disk_usage(self.folder)
     except OSError: return StorageInformation(self.storage_id, status='empty', name=self.name)
     total,used,free = disk.total,disk.used,disk.free - self.reserve*MiB
-    if self.quota is not None: total,used,free = self.quota*MiB,self._used,min(free, self.quota*MiB - self._used)
+    ours = self._used + sum(file.stat().st_size for file in self.recordings)
+    if self.quota is not None: total,used,free = self.quota*MiB,ours,min(free, self.quota*MiB - ours)
     total,used,available = total/MiB,used/MiB,max(free, 0)/MiB
     return StorageInformation(self.storage_id, total=total, used=used, available=available, name=self.name)
 
@@ -253,12 +282,12 @@ if hasattr(os, 'register_at_fork'): os.register_at_fork(after_in_child=_after_fo
 # %% ../../nbs/api/42_cameras.storage.ipynb #d95251d2
 @patch
 def format(self:Storage):
-    "Delete our pictures and the log; indexes start again at 0. Raises `StorageError`"
+    "Delete our pictures, our recordings and the log; indexes start again at 0. Raises `StorageError`"
     with self._lock:
         if not self._release.alive: raise StorageError(f'storage {self.name!r} is closed')
         try:
             if self.log_file.exists(): os.replace(self.log_file, self.folder/'formatting.jsonl')
-            files = [self.folder/p.file for p in self.pictures if p.file]
+            files = [self.folder/p.file for p in self.pictures if p.file] + self.recordings + [self.video_log]
             self.pictures,self._used,self._largest = [],0,0
             for file in files: file.unlink(missing_ok=True)
             self._finish_format()

@@ -5,7 +5,7 @@
 # %% auto #0
 __all__ = ['NAN', 'known', 'Value', 'CameraInformation', 'CameraError', 'CameraBusy', 'WrongMode', 'StorageError', 'StorageFull',
            'StorageInUse', 'inside', 'one_of', 'Pose', 'Frame', 'Picture', 'as_line', 'check_picture', 'from_line',
-           'CameraSettings', 'CaptureStatus', 'StorageInformation', 'DeviceStatus']
+           'CameraSettings', 'CaptureStatus', 'StorageInformation', 'DeviceStatus', 'VideoStatus']
 
 # %% ../../nbs/api/40_cameras.values.ipynb #c572e020
 import json, math, re
@@ -179,3 +179,11 @@ class StorageInformation(Value):
 class DeviceStatus(Value):
     "Whether a camera's device works"
     fault:str|None=None # What is wrong with it; `None`: it works
+
+# %% ../../nbs/api/40_cameras.values.ipynb #3b4696a8
+@dataclass(frozen=True, repr=False, eq=False)
+class VideoStatus(Value):
+    "Whether a video stream runs; comes when it starts, stops, or changes its format"
+    stream_id:int # From 1
+    running:bool=False # Can it be watched?
+    viewers:int=0 # How many watch it now

@@ -9,7 +9,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..wire.dialect import enum_name
 from .protocol import Denied, Unsupported
-from .handlers import Outcome, command, message
+from .handlers import Outcome, command
 from .camera_server import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
     CAMERA_SETTINGS,
     STORAGE_INFORMATION, VIDEO_STREAM_INFORMATION, VIDEO_STREAM_STATUS, CameraServer)
@@ -149,15 +149,3 @@ def _request_storage_information(self:CameraServer, storage_id:int=0, request:in
     if request not in (0, 1): raise Denied(f'request is {request}')
     if request: self.send_requested(STORAGE_INFORMATION, (storage_id,), msg)
     else: self._storage_information(storage_id)     # is there such a storage?
-
-# %% ../../nbs/api/61_mavlink.camera_commands.ipynb #9d9d5c93
-@patch
-@command(mavlink.MAV_CMD_VIDEO_STOP_STREAMING)
-@command(mavlink.MAV_CMD_VIDEO_START_STREAMING)
-@command(mavlink.MAV_CMD_VIDEO_STOP_CAPTURE)
-@command(mavlink.MAV_CMD_VIDEO_START_CAPTURE)
-@message(VIDEO_STREAM_STATUS)
-@message(VIDEO_STREAM_INFORMATION)
-def _no_video(self:CameraServer):
-    "All commands and messages about video"
-    raise Unsupported('there is no video')

@@ -51,6 +51,7 @@ class CameraServer(Component):
         camera=None, # A Camera, or any object with `information` and some of its verbs
         loglevel:int=LogLevels.INFO,
         guard=None, # Who may destroy: `None`: all; `'signed'`; systems or addresses; a function of the command
+        video_host:str|None=None, # Where viewers find our streams; `None`: where each of them reaches us
     ):
         if 1<=source_component<=6: raise ValueError(f'a camera cannot be component {source_component}, an autopilot\'s')
         super().__init__(source_component, mav_type, loglevel)
@@ -58,9 +59,10 @@ class CameraServer(Component):
         elif isinstance(camera, type): raise TypeError(f'{camera.__name__} is a class; a camera is {camera.__name__}()')
         elif not hasattr(camera,'information'): raise TypeError(f'{camera!r} is no camera: it has no `information`')
         if isinstance(guard, str) and guard!='signed': raise ValueError(f'guard is {guard!r}, not \'signed\'')
-        self.camera,self.guard = FakeCamera() if camera is None else camera,guard
+        self.camera,self.guard,self.video_host = FakeCamera() if camera is None else camera,guard,video_host
         self._greeted,self._triggers = Seen(self.greet_again, self.most_peers),Seen(self.pair)
         self._fault,self._fault_lock,self._text_id = None,threading.Lock(),0
+        self._formats = {}              # of the streams, as they were told: `{stream id: VideoFormat}`
         if self.can('subscribe'): self.camera.subscribe(self._on_camera)
 
     def close(self):
@@ -101,7 +103,8 @@ CameraServer.results = {**Component.results, CameraBusy:mavlink.MAV_RESULT_TEMPO
     CameraError:mavlink.MAV_RESULT_FAILED, ValueError:mavlink.MAV_RESULT_DENIED, IndexError:mavlink.MAV_RESULT_DENIED}
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #36cd6e47
-_triggers = mavlink.MAV_CMD_IMAGE_START_CAPTURE,mavlink.MAV_CMD_DO_DIGICAM_CONTROL
+_triggers = (mavlink.MAV_CMD_IMAGE_START_CAPTURE,mavlink.MAV_CMD_DO_DIGICAM_CONTROL,
+             mavlink.MAV_CMD_VIDEO_START_CAPTURE)
 
 @patch
 def _for_ground_stations(self:CameraServer, msg, outcome:Outcome)->Outcome:
@@ -124,16 +127,19 @@ def check_guard(self:CameraServer, msg):
     if not allowed: raise Denied(f'{source[0]}/{source[1]} may not destroy')
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #13566b0e
-_flag_verbs = {'CAPTURE_IMAGE':'image_start_capture', 'HAS_MODES':'set_camera_mode', 'HAS_BASIC_ZOOM':'set_camera_zoom',
-               'HAS_BASIC_FOCUS':'set_camera_focus'}
+_flag_verbs = {'CAPTURE_IMAGE':'image_start_capture', 'CAPTURE_VIDEO':'video_start_capture',
+               'HAS_MODES':'set_camera_mode', 'HAS_BASIC_ZOOM':'set_camera_zoom', 'HAS_BASIC_FOCUS':'set_camera_focus'}
+_across = {'CAN_CAPTURE_IMAGE_IN_VIDEO_MODE':('CAPTURE_IMAGE','image_in_video_mode'),
+           'CAN_CAPTURE_VIDEO_IN_IMAGE_MODE':('CAPTURE_VIDEO','video_in_image_mode')}
 
 @patch(as_prop=True)
 def flags(self:CameraServer)->int:
     "CAMERA_CAP_FLAGS of what the camera object can do"
     names = {flag for flag,verb in _flag_verbs.items() if self.can(verb)}
-    both = {'HAS_MODES','CAPTURE_IMAGE'} <= names
     if 'image_survey' in getattr(self.camera,'modes',()): names.add('HAS_IMAGE_SURVEY_MODE')
-    if both and getattr(self.camera,'image_in_video_mode',False): names.add('CAN_CAPTURE_IMAGE_IN_VIDEO_MODE')
+    if getattr(self.camera,'streams',()): names.add('HAS_VIDEO_STREAM')
+    for flag,(captures,allowed) in _across.items():
+        if {'HAS_MODES',captures}<=names and getattr(self.camera, allowed, False): names.add(flag)
     return sum(enum_value('CAMERA_CAP_FLAGS', n, 'CAMERA_CAP_FLAGS_') for n in names)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #deaa0060
@@ -141,14 +147,13 @@ def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))   
 
 @patch
 @message(CAMERA_INFORMATION)
-def _camera_information(self:CameraServer, *, msg=None):
-    "CAMERA_INFORMATION, and for a new asker settings, storage and status"
+def _camera_information(self:CameraServer):
+    "CAMERA_INFORMATION: what it is, and what it can do"
     i = self.camera.information
     version = sum(v<<8*n for n,v in enumerate(i.firmware_version))
-    info = self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version,
+    return self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version,
         i.focal_length, i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id,
         self.flags, 0, b'', getattr(self.camera,'gimbal_device_id',0))
-    return [info, *(self._greeting(address(msg)) if msg else [])]
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #25daf4da
 @patch
@@ -185,20 +190,27 @@ def _encode_storage(self:CameraServer, s:StorageInformation):
     "STORAGE_INFORMATION of one storage"
     status = enum_value('STORAGE_STATUS', s.status, 'STORAGE_STATUS_')
     usage = mavlink.STORAGE_USAGE_FLAG_SET|mavlink.STORAGE_USAGE_FLAG_PHOTO
+    if self.can('video_start_capture'): usage |= mavlink.STORAGE_USAGE_FLAG_VIDEO
     return self.mav.storage_information_encode(time_since_boot_ms(), s.storage_id, s.storage_count, status, s.total,
         s.used, s.available, _speed(s.read_speed), _speed(s.write_speed), mavlink.STORAGE_TYPE_OTHER,
         s.name.encode()[:31], usage)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #8b2434ad
 @patch
-def _greeting(self:CameraServer, peer:tuple)->list:
-    "What a ground station wants to know next, so that it need not ask; again only when `peer` has been away"
-    found = []
-    if self._greeted.again(peer): return found
-    for i in (CAMERA_SETTINGS, STORAGE_INFORMATION, CAMERA_CAPTURE_STATUS):
-        try: found += self.encode_requested(i)
+def _greet(self:CameraServer, msg):
+    "Tell the sender of `msg` what it wants to know next, so that it need not ask"
+    wanted,to = [CAMERA_SETTINGS, STORAGE_INFORMATION, CAMERA_CAPTURE_STATUS],address(msg)
+    if getattr(self.camera,'streams',()): wanted.append(VIDEO_STREAM_INFORMATION)
+    for i in wanted:
+        try:
+            for m in self.encode_requested(i, (), msg): self.send_message(m, None if 0 in to else to)
         except Exception as e: self.log.info('%s: %s', i, e)       # what it is can be told all the same
-    return found
+
+@patch
+def send_requested(self:CameraServer, msg_id:int, values, msg, to_all:bool=False):
+    "As every component does; who asks what we are, and has been away, is greeted"
+    Component.send_requested(self, msg_id, values, msg, to_all)
+    if msg_id==CAMERA_INFORMATION and not self._greeted.again(address(msg)): self._greet(msg)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #b8ac392d
 def _scaled(pose, name:str, scale:float)->int:
@@ -230,17 +242,17 @@ def _camera_image_captured(self:CameraServer, index:int=None, last:int=0):
     return (self._encode_picture(self.camera.picture(i)) for i in range(first, end+1))
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #f9e7fa1c
-_events = {Picture:'_encode_picture', CaptureStatus:'_camera_capture_status', CameraSettings:'_camera_settings',
-           StorageInformation:'_storage_information'}
+CameraServer.events = {Picture: lambda self, event: [self._encode_picture(event)],
+                       CaptureStatus: lambda self, event: [self._camera_capture_status()],
+                       CameraSettings: lambda self, event: [self._camera_settings()],
+                       StorageInformation: lambda self, event: self._storage_information(),
+                       DeviceStatus: lambda self, event: self.beat() or []}
 
 @patch
 def _on_camera(self:CameraServer, event):
     "Broadcast what the camera announces"
     if self.mav_com is None or self._closed: return
-    if isinstance(event, DeviceStatus): return self.beat()
-    encode = getattr(self, _events[type(event)])
-    msgs = encode(event) if isinstance(event, Picture) else encode()
-    for msg in msgs if isinstance(msgs, list) else [msgs]: self.send_message(msg)
+    for msg in self.events[type(event)](self, event): self.send_message(msg)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #2142914c
 @patch

@@ -42,17 +42,17 @@ class Component(BaseComponent):
         loglevel:int=LogLevels.INFO,
     ):
         super().__init__(source_component, mav_type, loglevel)
-        self.streams,self.target_system,self.target_component = Streams(self),None,None
+        self.sending,self.target_system,self.target_component = Streams(self),None,None
 
     def beat(self):
         "Send our heartbeat, and see which of those we stream to are still there"
         super().beat()
-        self.streams.look()
+        self.sending.look()
 
     def close(self):
         "Stop all streams and leave the link"
         self._closed = True         # what arrives from now on starts nothing
-        self.streams.close()
+        self.sending.close()
         super().close()
 
 # %% ../../nbs/api/28_mavlink.component.ipynb #45eb33fc
@@ -78,7 +78,7 @@ everyone = 2        # in `response_target`, parameter 7 of a request; 0 (our cho
 @patch
 def send_requested(self:Component, msg_id:int, values, msg, to_all:bool=False):
     "Answer the request `msg` with message `msg_id`; raises `Busy` when its sender has a long answer under way"
-    self.streams.answer(address(msg), msg_id, self.encode_requested(msg_id, values, msg), to_all)
+    self.sending.answer(address(msg), msg_id, self.encode_requested(msg_id, values, msg), to_all)
 
 # %% ../../nbs/api/28_mavlink.component.ipynb #9cb0fad2
 @patch
@@ -162,13 +162,13 @@ def start_stream(self:Component,
     to_all:bool=False, # Everyone hears what `asker` asked for
 ):
     "Send a message again and again; raises `Unsupported`, `Denied` for a long one, `Busy` for too many"
-    self.streams.start(asker, msg_id, max(interval, self.min_interval), values, to_all)
+    self.sending.start(asker, msg_id, max(interval, self.min_interval), values, to_all)
 
 # %% ../../nbs/api/28_mavlink.component.ipynb #37f18329
 @patch
 def stop_stream(self:Component, msg_id:int, *values, asker:tuple|None=None):
     "Stop what `asker` gets of `msg_id`, if anything; a long answer, too"
-    self.streams.stop(asker, msg_id, *values)
+    self.sending.stop(asker, msg_id, *values)
 
 # %% ../../nbs/api/28_mavlink.component.ipynb #39c08d58
 @patch
@@ -188,7 +188,7 @@ def _set_message_interval(self:Component, msg_id:int, interval:float, index:floa
 def _message_interval(self:Component, msg_id:int, *, msg=None):
     "MESSAGE_INTERVAL of `msg_id` for the sender of `msg`: µs, -1 when it is off, 0 when there is no such message"
     if not 0<=msg_id<=0xffff: raise Unsupported(f'no message {msg_id}')
-    period = self.streams.interval(address(msg) if msg else None, msg_id)
+    period = self.sending.interval(address(msg) if msg else None, msg_id)
     return self.mav.message_interval_encode(msg_id, min(int(period), 0x7fffffff) if msg_id in self.messages else 0)
 
 # %% ../../nbs/api/28_mavlink.component.ipynb #748f7dca

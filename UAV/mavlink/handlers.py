@@ -222,14 +222,11 @@ def note_number(self:Served, msg, number:int, outcome:Outcome):
     self._numbers.note(source, numbers)
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #295cffb2
-def _unsigned(frame:bytes)->bytes:
-    "A frame without its signature, which differs from link to link"
-    return frame[:-13] if frame[0]==0xfd and frame[2]&1 else frame
-
 @patch
 def doubled(self:Served, msg)->bool:
     "Did this very frame come a moment ago?"
-    frame,came = _unsigned(bytes(msg._msgbuf)),(getattr(msg, 'came_by', None),self.clock())
+    frame,came = bytes(msg.get_msgbuf()),(getattr(msg, 'came_by', None),self.clock())
+    if frame[0]==0xfd and frame[2]&1: frame = frame[:-13]       # the signature differs from link to link
     first = self._frames.setdefault(frame, came)
     if first is came: return False
     (way,now),(first_way,when) = came,first

@@ -41,13 +41,6 @@ def write(self:Channel, frame:bytes, peer=None):
     try: self.link.write(frame) if peer is None else self.link.write(frame, peer)
     except Exception: self.com.log.exception('%s cannot be written to', self)
 
-# %% ../../nbs/api/25_mavlink.routing.ipynb #26726d07
-@patch
-def _ways(self:MAVCom, to:tuple)->list:
-    "`(channel, peer)` by which a frame for `to` leaves; no peer: all of the link"
-    single = len(self.channels)==1 and len(self.channels[0].readers)<2
-    return self._everywhere if single or not to[0] else self.where(*to) or self._everywhere
-
 # %% ../../nbs/api/25_mavlink.routing.ipynb #f914a4d9
 @patch
 def write(self:MAVCom,
@@ -60,7 +53,9 @@ def write(self:MAVCom,
     if self.message_log is not None: self.keep(frame, True)
     to = to or target(frame)
     if to in self._here: return
-    for channel,peer in self._ways(to):
+    one_way = len(self.channels)==1 and len(self.channels[0].readers)<2
+    known = self.where(*to) if to[0] and not one_way else ()
+    for channel,peer in known or self._everywhere:
         channel.write(frame if self.signing is None else self.signing.sign(frame, channel.number), peer)
 
 # %% ../../nbs/api/25_mavlink.routing.ipynb #9c6fe928

@@ -36,21 +36,15 @@ def send_now(self:Sender,
     "Send `msg`, also while others are held back"
     com = self.component.mav_com
     if self.mav is None: raise LinkError(f'{self.component!r}: add it to a MAVCom first')
+    if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_SETUP_SIGNING and 0 in (msg.target_system,msg.target_component):
+        raise ValueError('a key is not for all: SETUP_SIGNING needs a target')
     with self._lock:
-        frame = self._pack(msg)
+        try: frame = pack(msg, self.mav)
+        except (struct.error, TypeError, OverflowError) as e:
+            raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
         self.mav.seq = (self.mav.seq+1)%256
         com.write(frame, to)
     if to is None or to in com._here: com.share(frame, msg.get_msgId(), self.component)
-
-# %% ../../nbs/api/25_mavlink.sender.ipynb #f7f89059
-@patch
-def _pack(self:Sender, msg)->bytes:
-    "`msg` as a frame; raises `ValueError` when a field does not fit"
-    if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_SETUP_SIGNING and 0 in (msg.target_system,msg.target_component):
-        raise ValueError('a key is not for all: SETUP_SIGNING needs a target')
-    try: return pack(msg, self.mav)
-    except (struct.error, TypeError, OverflowError) as e:
-        raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
 
 # %% ../../nbs/api/25_mavlink.sender.ipynb #22c46d15
 class Hold:

@@ -149,6 +149,11 @@ def stop(self:Streams, asker:tuple|None, msg_id:int, *values):
         if key[:1+len(values)]==(msg_id,*values): self._end(asker, key)
     if (answer := self._answers.get(asker)) and answer.msg_id==msg_id: self._end_answer(asker)
 
+@patch
+def stop_for_all(self:Streams, msg_id:int, *values):
+    "Stop what anyone gets of a message"
+    for asker in {asker for asker,_ in list(self._streams)}: self.stop(asker, msg_id, *values)
+
 # %% ../../nbs/api/27_mavlink.streams.ipynb #69f4f250
 @patch
 def close(self:Streams):

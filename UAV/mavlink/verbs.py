@@ -42,7 +42,7 @@ def verbs(
     cls, # A class, or an object of it
 )->dict:
     "`{name: MAV_CMD}` of all marked verbs, by name"
-    found = ((name, getattr(getattr(cls, name, None), 'verb', None)) for name in dir(cls))
+    found = ((name, getattr(getattr(cls, name, None), 'verb', None)) for name in dir(cls) if name[0]!='_')
     return {name:cmd for name,cmd in found if cmd is not None}
 
 # %% ../../nbs/api/29_mavlink.verbs.ipynb #719a019d

@@ -43,7 +43,7 @@ def as_packet(
     packet.pts,packet.dts,packet.duration = ticks,ticks,duration
     return packet
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #301221b3
+# %% ../../nbs/api/33_video.mpegts.ipynb #0dde0d3a
 class TSMuxer:
     "Puts access units into an MPEG transport stream"
     def __init__(self,
@@ -53,11 +53,13 @@ class TSMuxer:
         self._bytes,self._container,self._stream = io.BytesIO(),None,None
         self._began,self._ticks = None,-1       # time of the first unit; time stamp of the last one
 
+    def __del__(self): self.close()             # PyAV up to 16 breaks memory when an open container is forgotten
     def close(self):
         "Give back what FFmpeg holds"
         if self._container: self._container.close()
+        self._container = self._stream = self.codec = None
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #43e24920
+# %% ../../nbs/api/33_video.mpegts.ipynb #88baa656
 @patch
 def _open(self:TSMuxer, unit:AccessUnit):
     "Begin a stream for units like this one"
@@ -83,7 +85,7 @@ def mux(self:TSMuxer, unit:AccessUnit)->bytes:
     self._bytes.truncate()
     return packets
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #838ca05d
+# %% ../../nbs/api/33_video.mpegts.ipynb #473a307b
 class TSSender(Sink):
     "Sends MPEG-TS over UDP to one address or multicast group"
     size,burst,pause = 7*188,32,.001    # bytes in a datagram; datagrams in one go, and s after them
@@ -101,10 +103,12 @@ class TSSender(Sink):
         self.sock = socket.socket(family, socket.SOCK_DGRAM)
         self._set_multicast(ttl, interface)
 
+    def end(self):
+        self._muxer.close()
+        self.sock.close()
     def close(self, timeout:float=5.):
         super().close(timeout)
-        self.end()
-    def end(self): self.sock.close()
+        if self._thread is None: self.end()         # it never got a unit
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #a0be0a6b
 @patch
@@ -117,7 +121,7 @@ def _set_multicast(self:TSSender, ttl:int, interface:str):
         sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, ttl)
         if interface: sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #96aeb01a
+# %% ../../nbs/api/33_video.mpegts.ipynb #7d046b83
 @patch
 def send(self:TSSender, unit:AccessUnit):
     packets = self._muxer.mux(unit)
@@ -125,6 +129,7 @@ def send(self:TSSender, unit:AccessUnit):
         self._send(packets[at:at+self.size])
         if n%self.burst==0: time.sleep(self.pause)
 
+# %% ../../nbs/api/33_video.mpegts.ipynb #a7f645e2
 @patch
 def _send(self:TSSender, datagram:bytes):
     try: self.sock.sendto(datagram, self.address)
@@ -147,19 +152,22 @@ class TSClient(Sink):
         super().close(timeout)
         if self._thread is None: self.end()         # it never got a unit
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #110e15c5
+# %% ../../nbs/api/33_video.mpegts.ipynb #6e050460
 @patch
 def send(self:TSClient, unit:AccessUnit):
     try: self.sock.sendall(self._muxer.mux(unit))
     except ConnectionError: self.close()        # it has left
 
+# %% ../../nbs/api/33_video.mpegts.ipynb #5e63ffe7
 @patch
 def end(self:TSClient):
     source = self.source
     if source is not None: source.remove(self, wait=False)
+    self._muxer.close()
     self.sock.close()
     self._left(self)
 
+# %% ../../nbs/api/33_video.mpegts.ipynb #fb8e2073
 @patch
 def has_left(self:TSClient)->bool:
     "Has the other side hung up? What it says is read, and ignored"
@@ -169,7 +177,23 @@ def has_left(self:TSClient)->bool:
     except (OSError, ValueError): return True
     return False
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #ecd104ea
+# %% ../../nbs/api/33_video.mpegts.ipynb #502c3c66
+@patch
+def cut(self:TSClient):
+    "Hang up, also when it does not read"
+    with self._changed: self._queue.clear()
+    try: self.sock.shutdown(socket.SHUT_RDWR)
+    except OSError: pass            # it was faster
+    self.close(1)
+
+# %% ../../nbs/api/33_video.mpegts.ipynb #a8526cd2
+def _listen(host:str, port:int)->socket.socket:
+    if not host and socket.has_dualstack_ipv6():
+        return socket.create_server(('',port), family=socket.AF_INET6, dualstack_ipv6=True)
+    family,*_,address = socket.getaddrinfo(host or '0.0.0.0', port, type=socket.SOCK_STREAM)[0]
+    return socket.create_server(address, family=family)
+
+# %% ../../nbs/api/33_video.mpegts.ipynb #ec77fc01
 class TSServer:
     "Sends MPEG-TS to all who connect over TCP; the encoder works only while there are some"
     def __init__(self,
@@ -183,17 +207,13 @@ class TSServer:
         self._listener = _listen(host, port)
         self.port = self._listener.getsockname()[1]
         self._bell,self._ring = socket.socketpair()
-        self._thread,self._lock = threading.Thread(target=self._run, name=f'mpegts {self.port}', daemon=True),threading.RLock()
+        self._lock = threading.RLock()
+        self._thread = threading.Thread(target=self._run, name=f'mpegts {self.port}', daemon=True)
         self._thread.start()
 
     def __repr__(self): return f'MPEG-TS server with {len(self.clients)} viewers'
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
-
-def _listen(host, port):
-    if not host and socket.has_dualstack_ipv6(): return socket.create_server(('',port), family=socket.AF_INET6, dualstack_ipv6=True)
-    family,*_,address = socket.getaddrinfo(host or '0.0.0.0', port, type=socket.SOCK_STREAM)[0]
-    return socket.create_server(address, family=family)
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #a3b345d9
 @patch
@@ -208,7 +228,7 @@ def _run(self:TSServer):
                 select.select([self._bell], [], [], .1)         # too many open files: that passes
             else: self._welcome(sock, f'mpegts to {address[0].removeprefix("::ffff:")}')
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #2eb514cc
+# %% ../../nbs/api/33_video.mpegts.ipynb #aa523feb
 @patch
 def _welcome(self:TSServer, sock:socket.socket, name:str):
     "A new player; when all places are taken, those who hung up make room"
@@ -220,6 +240,7 @@ def _welcome(self:TSServer, sock:socket.socket, name:str):
     try: self.encoder.add(client)
     except RuntimeError: client.end()       # the encoder is closed
 
+# %% ../../nbs/api/33_video.mpegts.ipynb #cecdd778
 @patch
 def _sweep(self:TSServer):
     for client in [client for client in self.clients if client.has_left()]:
@@ -231,15 +252,7 @@ def _left(self:TSServer, client:TSClient):
     with self._lock:
         if client in self.clients: self.clients.remove(client)
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #92b4186c
-@patch
-def cut(self:TSClient):
-    "Hang up, also when it does not read"
-    with self._changed: self._queue.clear()
-    try: self.sock.shutdown(socket.SHUT_RDWR)
-    except OSError: pass            # it was faster
-    self.close(1)
-
+# %% ../../nbs/api/33_video.mpegts.ipynb #e3211e1a
 @patch
 def close(self:TSServer):
     "Hang up on all, and give the port back; may be called twice"
