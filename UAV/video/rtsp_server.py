@@ -72,20 +72,23 @@ def _open(self:RTSPServer, port:int):
     self.loop.call(lambda: self.loop.watch(self.listener, self._accept))
     self.loop.call(lambda: self.loop.watch(self.udp[1], self._hear))
 
-# %% ../../nbs/api/35_video.rtsp_server.ipynb #5b61bca6
+# %% ../../nbs/api/35_video.rtsp_server.ipynb #8761a502
 @patch
 def _accept(self:RTSPServer, events:int):
-    "Somebody comes"
+    "A newcomer"
     try: sock,address = self.listener.accept()
+    except BlockingIOError: return
     except OSError as e:
-        if not isinstance(e, BlockingIOError): log.warning('rtsp server %d: %s', self.port, e)
-        return
+        log.warning('rtsp server %d: %s', self.port, e)
+        return time.sleep(.05)                                  # too many open files: not again at once
     if len(self.connections)>=self.most: self._make_room()
     if len(self.connections)<self.most: self._welcome(sock, address)
     else: self._turn_away(sock)
 
+# %% ../../nbs/api/35_video.rtsp_server.ipynb #5d57083f
 @patch
 def _make_room(self:RTSPServer):
+    "End the oldest that has agreed on nothing"
     idle = [connection for connection in self.connections.values() if connection.session.state=='init']
     if idle: idle[0].close()
 
@@ -103,7 +106,7 @@ def _turn_away(self:RTSPServer, sock):
         try: sock.send(bytes(Response(503)))
         except OSError as e: log.debug('rtsp server %d: %s', self.port, e)
 
-# %% ../../nbs/api/35_video.rtsp_server.ipynb #353e800d
+# %% ../../nbs/api/35_video.rtsp_server.ipynb #9f14118c
 @patch
 def _drop_lost(self:RTSPServer):
     "End what gives no sign of life, or has no encoder any more"
@@ -111,6 +114,7 @@ def _drop_lost(self:RTSPServer):
         if connection.session.overdue(time.monotonic()): connection.close()
         else: connection._check_viewer()
 
+# %% ../../nbs/api/35_video.rtsp_server.ipynb #e662357e
 @patch
 def _hear(self:RTSPServer, events:int):
     "A report"
@@ -150,14 +154,14 @@ def add(self:RTSPServer,
     self.videos[path] = encoder
     return self.url(path)
 
-# %% ../../nbs/api/35_video.rtsp_server.ipynb #f2ca13f0
+# %% ../../nbs/api/35_video.rtsp_server.ipynb #382289a7
 @patch
 def url(self:RTSPServer,
     path:str, # Of a video
     host:str|None=None, # Our address, as the player can reach it; `None`: where we listen, or this computer
 )->str:
     "What a player must open"
-    host = host or self.host or '127.0.0.1'
+    if not host: host = '127.0.0.1' if self.host in ('','0.0.0.0','::') else self.host
     return f'rtsp://{f"[{host}]" if ":" in host else host}:{self.port}/{quote(path.strip("/"))}'
 
 # %% ../../nbs/api/35_video.rtsp_server.ipynb #d8ddd4c2
