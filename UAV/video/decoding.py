@@ -36,14 +36,14 @@ def _scheme(url)->str:
     if scheme!='rtsp' and urlsplit(url).port is None: raise ValueError(f'{url_name(url)} has no port')
     return scheme
 
-# %% ../../nbs/api/36_video.decoding.ipynb #c213cf78
+# %% ../../nbs/api/36_video.decoding.ipynb #cbbf7d17
 class Decoded:
     "A decoded picture"
     def __init__(self,
         decoded, # `av.VideoFrame`
         number:int, # Counts the pictures of a player
         time:float, # When it arrived, monotonic s; in a file, when it is due
-        time_utc:float, # The same, s since 1970
+        time_utc:float, # When it was taken, if the sender says so (RTCP), else when it came; s since 1970
     ):
         store_attr()
         self.size = decoded.width,decoded.height

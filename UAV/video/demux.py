@@ -10,9 +10,9 @@ from fastcore.basics import patch, store_attr
 from .units import AccessUnit, VideoFormat, is_key, parameter_sets
 
 # %% auto #0
-__all__ = ['ts_size', 'UnitMaker', 'rtp_parts', 'Reorder', 'rtp_payload', 'RTPReader', 'TSReader']
+__all__ = ['ts_size', 'UnitMaker', 'rtp_parts', 'Reorder', 'rtp_payload', 'SenderClock', 'RTPReader', 'TSReader']
 
-# %% ../../nbs/api/36_video.demux.ipynb #b23c2aae
+# %% ../../nbs/api/36_video.demux.ipynb #974a59c6
 class UnitMaker:
     "Makes access units of the bytes of pictures, from the first key picture on"
     def __init__(self,
@@ -22,7 +22,10 @@ class UnitMaker:
         store_attr()
         self.number,self.begun,self.lost = 0,False,0        # `lost`: pictures that came in part only
 
-    def __call__(self, data:bytes)->list:
+    def __call__(self,
+        data:bytes, # A byte stream
+        taken:float|None=None, # s since 1970; `None` is now
+    )->list:
         "A list of one access unit, or of none"
         key = is_key(data, self.codec)
         self.begun = self.begun or key
@@ -30,7 +33,7 @@ class UnitMaker:
         if key and self.headers and not parameter_sets(data, self.codec): data = self.headers+data
         self.number += 1
         form = VideoFormat(self.codec, 0, 0, 0, 0)              # what the decoder will find out
-        return [AccessUnit(data, key, time.monotonic(), time.time(), self.number-1, form)]
+        return [AccessUnit(data, key, time.monotonic(), taken or time.time(), self.number-1, form)]
 
 # %% ../../nbs/api/36_video.demux.ipynb #988cb569
 def rtp_parts(
@@ -109,7 +112,25 @@ def rtp_payload(
     if kind>several: raise ValueError(f'RTP payload of type {kind} in {codec}')
     return _start+payload
 
-# %% ../../nbs/api/36_video.demux.ipynb #2dffd902
+# %% ../../nbs/api/36_video.demux.ipynb #7aadbd06
+class SenderClock:
+    "From the time stamps of RTP to the time of day of the sender"
+    rate,since_1900 = 90_000,2_208_988_800          # 1/s; s from 1900, where NTP begins, to 1970
+    def __init__(self): self._at,self._timestamp = None,0
+
+    def report(self, packet:bytes):
+        "Learn from a sender report; other packets are ignored"
+        if len(packet)<20 or packet[0]>>6!=2 or packet[1]!=200: return
+        self._at = int.from_bytes(packet[8:16], 'big')/2**32-self.since_1900
+        self._timestamp = int.from_bytes(packet[16:20], 'big')
+
+    def utc(self, timestamp:int)->float|None:
+        "s since 1970; `None` before the first report"
+        if self._at is None: return None
+        ticks = (timestamp-self._timestamp+2**31)%2**32-2**31
+        return self._at+ticks/self.rate
+
+# %% ../../nbs/api/36_video.demux.ipynb #ace8cb40
 class RTPReader:
     "RTP packets in, access units out"
     def __init__(self,
@@ -118,6 +139,7 @@ class RTPReader:
         payload_type:int|None=None, # Only these packets; `None` takes all
     ):
         store_attr('codec,payload_type')
+        self.clock = SenderClock()
         self._make,self._reorder = UnitMaker(codec, headers),Reorder()
         self._parts,self._timestamp,self._whole,self._last = [],None,True,None
 
@@ -142,13 +164,13 @@ def _add(self:RTPReader, sequence, marker, timestamp, payload)->list:
     except ValueError: self._whole = False
     return units+self._complete() if marker else units
 
-# %% ../../nbs/api/36_video.demux.ipynb #b30bc26e
+# %% ../../nbs/api/36_video.demux.ipynb #cb742fcf
 @patch
 def _complete(self:RTPReader)->list:
     "The picture is at its end: an access unit, when all of it came"
     data,whole = b''.join(self._parts),self._whole
     self._parts,self._whole = [],True
-    if whole: return self._make(data) if data else []
+    if whole: return self._make(data, self.clock.utc(self._timestamp)) if data else []
     self._make.lost += 1
     return []
 

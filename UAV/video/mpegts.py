@@ -43,7 +43,7 @@ def as_packet(
     packet.pts,packet.dts,packet.duration = ticks,ticks,duration
     return packet
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #d72291c5
+# %% ../../nbs/api/33_video.mpegts.ipynb #0dde0d3a
 class TSMuxer:
     "Puts access units into an MPEG transport stream"
     def __init__(self,
@@ -53,11 +53,11 @@ class TSMuxer:
         self._bytes,self._container,self._stream = io.BytesIO(),None,None
         self._began,self._ticks = None,-1       # time of the first unit; time stamp of the last one
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #14b1d69a
-@patch
-def close(self:TSMuxer):
-    "Give back what FFmpeg holds"
-    if self._container: self._container.close()
+    def __del__(self): self.close()             # PyAV up to 16 breaks memory when an open container is forgotten
+    def close(self):
+        "Give back what FFmpeg holds"
+        if self._container: self._container.close()
+        self._container = self._stream = self.codec = None
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #88baa656
 @patch
@@ -85,7 +85,7 @@ def mux(self:TSMuxer, unit:AccessUnit)->bytes:
     self._bytes.truncate()
     return packets
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #fadbb704
+# %% ../../nbs/api/33_video.mpegts.ipynb #473a307b
 class TSSender(Sink):
     "Sends MPEG-TS over UDP to one address or multicast group"
     size,burst,pause = 7*188,32,.001    # bytes in a datagram; datagrams in one go, and s after them
@@ -103,10 +103,12 @@ class TSSender(Sink):
         self.sock = socket.socket(family, socket.SOCK_DGRAM)
         self._set_multicast(ttl, interface)
 
-    def end(self): self.sock.close()
+    def end(self):
+        self._muxer.close()
+        self.sock.close()
     def close(self, timeout:float=5.):
         super().close(timeout)
-        self.end()
+        if self._thread is None: self.end()         # it never got a unit
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #a0be0a6b
 @patch
@@ -156,11 +158,12 @@ def send(self:TSClient, unit:AccessUnit):
     try: self.sock.sendall(self._muxer.mux(unit))
     except ConnectionError: self.close()        # it has left
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #2d196002
+# %% ../../nbs/api/33_video.mpegts.ipynb #5e63ffe7
 @patch
 def end(self:TSClient):
     source = self.source
     if source is not None: source.remove(self, wait=False)
+    self._muxer.close()
     self.sock.close()
     self._left(self)
 

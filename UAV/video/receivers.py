@@ -16,7 +16,8 @@ from .demux import RTPReader, TSReader
 from .units import codecs
 
 # %% auto #0
-__all__ = ['Stopped', 'Receiver', 'listen', 'own_host', 'TSReceiver', 'Media', 'read_sdp', 'rtp_media', 'RTPReceiver']
+__all__ = ['Stopped', 'Receiver', 'listen', 'listen_pair', 'own_host', 'TSReceiver', 'Media', 'read_sdp', 'rtp_media',
+           'RTPReceiver']
 
 # %% ../../nbs/api/36_video.receivers.ipynb #a3bf5f35
 class Stopped(Exception): "The receiver was told to stop"
@@ -146,6 +147,22 @@ def _bind(sock, family, address:tuple):
         if e.errno!=errno.EADDRNOTAVAIL: raise
         sock.bind(('', port))
 
+# %% ../../nbs/api/36_video.receivers.ipynb #4ed9e295
+def listen_pair(
+    host:str, # As for `listen`
+    port:int=0, # 0 is a free one, and then an even one
+)->list:
+    "Sockets for RTP and, if possible, for RTCP; raises `OSError`"
+    for _ in range(50):
+        sock = listen(host, port)
+        first = sock.getsockname()[1]
+        try:
+            if port or first%2==0: return [sock,listen(host, first+1)]
+        except OSError:
+            if port: return [sock]
+        sock.close()
+    raise OSError('no two neighbouring UDP ports are free')
+
 # %% ../../nbs/api/36_video.receivers.ipynb #a61cce50
 def own_host(place)->str:
     "The address of a split URL; `@` and nothing are all of ours, as VLC writes them"
@@ -227,21 +244,26 @@ def rtp_media(url:str)->Media:
     if codec not in codecs: raise ValueError(f'codec is one of {codecs}, not {codec!r}')
     return Media(codec, None, own_host(place), place.port or 0)
 
-# %% ../../nbs/api/36_video.receivers.ipynb #f2e08b7c
+# %% ../../nbs/api/36_video.receivers.ipynb #73e59758
 class RTPReceiver(Receiver):
     "RTP over UDP, from an SDP file, or from `rtp://HOST:PORT` (ours; `?codec=h265` when it is not H.264)"
     connects = False
     def __init__(self, url:str, timeout:float=5.):
         self.media = rtp_media(str(url)) if str(url).startswith('rtp://') else read_sdp(Path(url).read_text())
-        self._sock = listen(self.media.host, self.media.port)
-        self.port = self._sock.getsockname()[1]
+        self._socks = listen_pair(self.media.host, self.media.port)
+        self.port = self._socks[0].getsockname()[1]
         super().__init__(url, timeout)
 
     def close(self):
         super().close()
-        self._sock.close()
+        for sock in self._socks: sock.close()
 
-    def units(self):
-        "Access units, until the stream is silent; raises `OSError`"
-        self._reader = RTPReader(self.media.codec, self.media.headers, self.media.payload_type)
-        while True: yield from self._reader(self._receive(self._sock))
+# %% ../../nbs/api/36_video.receivers.ipynb #d7551c55
+@patch
+def units(self:RTPReceiver):
+    "Access units, until the stream is silent; raises `OSError`"
+    self._reader = RTPReader(self.media.codec, self.media.headers, self.media.payload_type)
+    while True:
+        for sock in self._wait(dict.fromkeys(self._socks, selectors.EVENT_READ), time.monotonic()+self.timeout):
+            if sock is self._socks[0]: yield from self._reader(sock.recv(1<<16))
+            else: self._reader.clock.report(sock.recv(1<<16))
