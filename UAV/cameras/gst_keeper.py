@@ -48,12 +48,13 @@ def _watch(self:Keeper, pipeline)->str|None:
         elif pipeline.arrived: self._tell(None)
         owner.on_beat()
 
-# %% ../../nbs/api/48_cameras.gst_keeper.ipynb #e178cbd7
+# %% ../../nbs/api/48_cameras.gst_keeper.ipynb #e45faffa
 @patch
 def _came(self:Keeper):
     "The source has given something: the problem is over, if there was one"
     if self.problem: self.pipeline.wake()
 
+# %% ../../nbs/api/48_cameras.gst_keeper.ipynb #6196b10b
 @patch
 def _live(self:Keeper, pipeline)->str|None:
     "One life of a pipeline: why it ended"
@@ -72,7 +73,7 @@ def _after(self:Keeper, problem:str|None, wait:float)->float:
     self._tell(problem)
     return first if pipeline.arrived else min(2*wait, self.owner.last_retry)
 
-# %% ../../nbs/api/48_cameras.gst_keeper.ipynb #1c7d66a7
+# %% ../../nbs/api/48_cameras.gst_keeper.ipynb #5ae5dbf4
 @patch
 def _run(self:Keeper):
     wait = self.owner.first_retry
@@ -81,6 +82,7 @@ def _run(self:Keeper):
         wait = self._after(self._safely(self.pipeline), wait)
         self.closing.wait(wait)
 
+# %% ../../nbs/api/48_cameras.gst_keeper.ipynb #0eb6f80f
 @patch
 def _safely(self:Keeper, pipeline)->str|None:
     "Live, and stop in any case: why it ended"
@@ -93,13 +95,14 @@ def _safely(self:Keeper, pipeline)->str|None:
         stopped = pipeline.stop(self.owner.close_timeout/2)
         if not stopped: self.owner.log.error('%r: it does not stop; it is left alone', self)
 
-# %% ../../nbs/api/48_cameras.gst_keeper.ipynb #851e3227
+# %% ../../nbs/api/48_cameras.gst_keeper.ipynb #32ac0bb4
 @patch
 def start(self:Keeper):
     "Begin; may be called once"
     self.thread = threading.Thread(target=self._run, name=f'gst {self.name}', daemon=True)
     self.thread.start()
 
+# %% ../../nbs/api/48_cameras.gst_keeper.ipynb #7eaf38de
 @patch
 def close(self:Keeper,
     timeout:float, # s

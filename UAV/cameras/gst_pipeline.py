@@ -62,7 +62,7 @@ def whole_line(
     decoder = next((line for name,line in known.items() if source in name and find(name)), 'decodebin')
     return recipe.line(source, encodes, decoder, parser=bool(encodes and find(f'{encodes}parse'))),encodes
 
-# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #dc8c04d3
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #62301187
 class GSTPipeline:
     "A GStreamer pipeline; raises `CameraError` when its line makes no sense"
     def __init__(self,
@@ -73,8 +73,8 @@ class GSTPipeline:
         try: self.pipeline = self.Gst.parse_launch(line)
         except Exception as e: raise CameraError(in_words(getattr(e, 'message', str(e)))) from None
         self.bus,self.live = self.pipeline.get_bus(),True
-        self.arrived,self.ended = None,False        # when the source gave something last, monotonic s; is it at its end?
-        self.film,self._calls = False,[]            # has it ended because it has a length, as a file does? who calls us?
+        self.arrived,self.ended = None,False        # when the source gave something last; is it at its end?
+        self.film,self._calls = False,[]            # has it a length, as a file does? who calls us?
 
     def __repr__(self): return f'GSTPipeline {self.name}'
     def element(self, name:str): return self.pipeline.get_by_name(name)
@@ -90,7 +90,7 @@ def start(self:GSTPipeline):
     if begun != Gst.StateChangeReturn.FAILURE: begun = self.pipeline.set_state(Gst.State.PLAYING)
     if begun == Gst.StateChangeReturn.FAILURE: raise CameraError(self.problem(timeout=.1) or 'it does not start')
 
-# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #27801600
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #b1bacf02
 @patch
 def problem(self:GSTPipeline,
     timeout:float, # s
@@ -104,13 +104,14 @@ def problem(self:GSTPipeline,
     self.film = not self.live and self.pipeline.query_duration(self.Gst.Format.TIME)[1] > 0
     return 'the stream has ended'
 
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #a6bd2b8c
 @patch
 def wake(self:GSTPipeline):
     "End the waiting of `problem`"
     Gst = self.Gst
     self.bus.post(Gst.Message.new_application(self.pipeline, Gst.Structure.new_empty('wake')))
 
-# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #6833485a
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #13946a60
 @patch
 def watch(self:GSTPipeline,
     f=None, # Called with each buffer of the source
@@ -128,6 +129,7 @@ def watch(self:GSTPipeline,
     for kind,call in ((kinds.BUFFER|kinds.BUFFER_LIST, came), (kinds.EVENT_DOWNSTREAM, event)):
         self._calls.append((pad.remove_probe, pad.add_probe(kind, call)))
 
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #a477c5b9
 @patch
 def _end(self:GSTPipeline):
     self.ended = True
@@ -153,7 +155,7 @@ def stop(self:GSTPipeline,
         forget(number)
     return True
 
-# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #b50c6327
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #d93801a2
 @patch
 def on_sample(self:GSTPipeline,
     name:str, # Of an appsink
@@ -163,6 +165,7 @@ def on_sample(self:GSTPipeline,
     sink = self.element(name)
     self._calls.append((sink.disconnect, sink.connect('new-sample', self._sample, f)))
 
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #7e0501b2
 @patch
 def _sample(self:GSTPipeline, sink, f):
     try:
@@ -170,12 +173,13 @@ def _sample(self:GSTPipeline, sink, f):
     except Exception: get_logger('video').exception('%r: a buffer was lost', self)
     return self.Gst.FlowReturn.OK
 
-# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #2a9c8f54
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #ed48e3ef
 @patch
 def _data(self:GSTPipeline, sample)->bytes:
     buffer = sample.get_buffer()
     return buffer.extract_dup(0, buffer.get_size())
 
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #53874e26
 @patch
 def _size(self:GSTPipeline, sample)->tuple:
     "Width, height, and frames in a second, or 0"
@@ -183,6 +187,7 @@ def _size(self:GSTPipeline, sample)->tuple:
     known,over,under = caps.get_fraction('framerate')
     return caps.get_value('width') or 0,caps.get_value('height') or 0,over/under if known and under else 0.
 
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #4bea48fb
 @patch
 def _taken(self:GSTPipeline, sample)->float:
     "When the buffer was captured, monotonic s; now, when that cannot be so"
@@ -204,7 +209,7 @@ def as_image(
     rows = np.frombuffer(data, np.uint8).reshape(height, -1)
     return rows[:,:width*3].reshape(height, width, 3).copy()
 
-# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #8552890d
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #10b3b9b8
 @patch
 def open_valve(self:GSTPipeline,
     name:str, # Of a valve
@@ -217,6 +222,7 @@ def open_valve(self:GSTPipeline,
         valve.get_static_pad('src').add_probe(self.Gst.PadProbeType.BUFFER, self._until_key)
     valve.set_property('drop', not on)
 
+# %% ../../nbs/api/47_cameras.gst_pipeline.ipynb #7d6a4c98
 @patch
 def _until_key(self:GSTPipeline, pad, info):
     delta = info.get_buffer().has_flags(self.Gst.BufferFlags.DELTA_UNIT)

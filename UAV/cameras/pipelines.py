@@ -27,7 +27,7 @@ def config_file(
     known = ', '.join(sorted(path.name for path in ours.glob('*.toml')))
     raise ValueError(f'there is no file {str(name)!r}; the package has {known}')
 
-# %% ../../nbs/api/46_cameras.pipelines.ipynb #0fc234aa
+# %% ../../nbs/api/46_cameras.pipelines.ipynb #d87bccb5
 def read_sections(
     config=None, # A pipeline: a string, or a list of strings; or the name of a TOML file
     camera_dict:dict|None=None, # Sections as in a TOML file, which count more than the file's
@@ -41,20 +41,22 @@ def read_sections(
         sections[name] = {**sections[name], **section} if together else section
     return sections
 
+# %% ../../nbs/api/46_cameras.pipelines.ipynb #626f4bb4
 def read_toml(path:Path)->dict:
     try: import tomllib
     except ImportError: import tomli as tomllib         # Python 3.10
     try: return tomllib.loads(path.read_text(encoding='utf-8'))
     except ValueError as e: raise ValueError(f'{path}: {e}') from None
 
-# %% ../../nbs/api/46_cameras.pipelines.ipynb #0504ca41
+# %% ../../nbs/api/46_cameras.pipelines.ipynb #cea23523
 def as_text(
     pipeline, # A string, or a list of strings
 )->str:
     "The pipeline as one line"
     parts = [pipeline] if isinstance(pipeline, str) else list(pipeline)
     parts = [p.strip().strip('!').strip() for p in parts]
-    return ' ! '.join(p for p in parts if p and not re.match(r'interpipe(src|sink)\b', p))
+    line = ' ! '.join(p for p in parts if p and not re.match(r'interpipe(src|sink)\b', p))
+    return re.sub(r' ! (\w+\.)(?= |$)', r' \1', line)           # `name.` begins a new branch at a tee
 
 # %% ../../nbs/api/46_cameras.pipelines.ipynb #d0ae041d
 def fill_in(

@@ -11,8 +11,7 @@ from ..wire.dialect import enum_name
 from .protocol import Denied, Unsupported
 from .handlers import Outcome, command
 from .camera_server import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
-    CAMERA_SETTINGS,
-    STORAGE_INFORMATION, VIDEO_STREAM_INFORMATION, VIDEO_STREAM_STATUS, CameraServer)
+    CAMERA_SETTINGS, STORAGE_INFORMATION, CameraServer)
 
 # %% auto #0
 __all__ = []
@@ -117,10 +116,7 @@ def _reset_camera_settings(self:CameraServer, reset:int=0, camera_id:int=0):
 # %% ../../nbs/api/61_mavlink.camera_commands.ipynb #4076ff9b
 _legacy = {mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION:CAMERA_INFORMATION,
            mavlink.MAV_CMD_REQUEST_CAMERA_SETTINGS:CAMERA_SETTINGS,
-           mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS:CAMERA_CAPTURE_STATUS,
-           mavlink.MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE:CAMERA_IMAGE_CAPTURED,
-           mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION:VIDEO_STREAM_INFORMATION,
-           mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_STATUS:VIDEO_STREAM_STATUS}
+           mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS:CAMERA_CAPTURE_STATUS}
 
 # %% ../../nbs/api/61_mavlink.camera_commands.ipynb #0e0dd856
 @patch
@@ -134,12 +130,10 @@ def _request_legacy(self:CameraServer, request:int=0, *, msg):
 
 # %% ../../nbs/api/61_mavlink.camera_commands.ipynb #bbeba6e6
 @patch
-@command(mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_STATUS)
-@command(mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION)
 @command(mavlink.MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE)
-def _request_legacy_index(self:CameraServer, index:int=None, *, msg):
-    "The requests whose only parameter is an index"
-    self.send_requested(_legacy[msg.command], (index,), msg)
+def _request_image_capture(self:CameraServer, index:int=None, *, msg):
+    "MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE"
+    self.send_requested(CAMERA_IMAGE_CAPTURED, (index,), msg)
 
 # %% ../../nbs/api/61_mavlink.camera_commands.ipynb #657057b8
 @patch

@@ -147,14 +147,13 @@ def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))   
 
 @patch
 @message(CAMERA_INFORMATION)
-def _camera_information(self:CameraServer, *, msg=None):
-    "CAMERA_INFORMATION, and for a new asker settings, storage, status and streams"
+def _camera_information(self:CameraServer):
+    "CAMERA_INFORMATION: what it is, and what it can do"
     i = self.camera.information
     version = sum(v<<8*n for n,v in enumerate(i.firmware_version))
-    info = self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version,
+    return self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version,
         i.focal_length, i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id,
         self.flags, 0, b'', getattr(self.camera,'gimbal_device_id',0))
-    return [info, *(self._greeting(msg) if msg else [])]
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #25daf4da
 @patch
@@ -198,15 +197,20 @@ def _encode_storage(self:CameraServer, s:StorageInformation):
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #8b2434ad
 @patch
-def _greeting(self:CameraServer, msg)->list:
-    "What a ground station wants to know next, so that it need not ask; again only when it has been away"
-    found,wanted = [],[CAMERA_SETTINGS, STORAGE_INFORMATION, CAMERA_CAPTURE_STATUS]
-    if self._greeted.again(address(msg)) or self.sending.is_busy(address(msg)): return found
+def _greet(self:CameraServer, msg):
+    "Tell the sender of `msg` what it wants to know next, so that it need not ask"
+    wanted,to = [CAMERA_SETTINGS, STORAGE_INFORMATION, CAMERA_CAPTURE_STATUS],address(msg)
     if getattr(self.camera,'streams',()): wanted.append(VIDEO_STREAM_INFORMATION)
     for i in wanted:
-        try: found += self.encode_requested(i, (), msg)
+        try:
+            for m in self.encode_requested(i, (), msg): self.send_message(m, None if 0 in to else to)
         except Exception as e: self.log.info('%s: %s', i, e)       # what it is can be told all the same
-    return found
+
+@patch
+def send_requested(self:CameraServer, msg_id:int, values, msg, to_all:bool=False):
+    "As every component does; who asks what we are, and has been away, is greeted"
+    Component.send_requested(self, msg_id, values, msg, to_all)
+    if msg_id==CAMERA_INFORMATION and not self._greeted.again(address(msg)): self._greet(msg)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #b8ac392d
 def _scaled(pose, name:str, scale:float)->int:

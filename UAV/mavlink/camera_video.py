@@ -153,6 +153,19 @@ def _video_stream_status(self:CameraServer, stream_id:int=0):
     "VIDEO_STREAM_STATUS of one stream, or of all (0)"
     return [self._encode_stream_status(s) for s in self.video_streams(stream_id)]
 
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #fd4e39fe
+@patch
+@command(mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION)
+def _request_video_stream_information(self:CameraServer, stream_id:int=0, *, msg):
+    "MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION of one stream, or of all (0)"
+    self.send_requested(VIDEO_STREAM_INFORMATION, (stream_id,), msg)
+
+@patch
+@command(mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_STATUS)
+def _request_video_stream_status(self:CameraServer, stream_id:int=0, *, msg):
+    "MAV_CMD_REQUEST_VIDEO_STREAM_STATUS of one stream, or of all (0)"
+    self.send_requested(VIDEO_STREAM_STATUS, (stream_id,), msg)
+
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #812311a5
 def is_group(
     host:str, # An address, or a name
@@ -236,7 +249,7 @@ def _video_start_capture(self:CameraServer, stream_id:int=0, rate:float=0., came
     "MAV_CMD_VIDEO_START_CAPTURE of one stream, or of all (0), with CAMERA_CAPTURE_STATUS at `rate` Hz (0: none)"
     self.for_us(camera_id)
     start = self.need('video_start_capture')
-    if rate<0: raise Denied(f'rate is {rate} Hz')
+    if not 0<=rate<=1000: raise Denied(f'rate is {rate} Hz')
     start(stream_id)
     if rate: self._report_recording(rate, address(msg))
 

@@ -218,11 +218,6 @@ def _start_pacing(self:Streams, sent:list):
 
 # %% ../../nbs/api/27_mavlink.streams.ipynb #21a4afa7
 @patch
-def is_busy(self:Streams, asker:tuple)->bool:
-    "Is a long answer to `asker` under way?"
-    return asker in self._answers
-
-@patch
 def answer(self:Streams,
     asker:tuple, # `(system, component)` that asked
     msg_id:int, # For which message
@@ -234,7 +229,7 @@ def answer(self:Streams,
     first = list(islice(msgs, 5))
     is_long = len(first)>4
     if is_long:
-        if self.is_busy(asker): raise Busy('a long answer is being sent')
+        if asker in self._answers: raise Busy('a long answer is being sent')
         self._admit(asker)
         self._answers[asker] = LongAnswer(msg_id, chain(first[4:], msgs), to)
     for msg in first[:4]: self.component.send_message(msg, to)

@@ -15,7 +15,7 @@ from ..utils.pictures import as_bgr
 from .units import AccessUnit, VideoFormat, parameter_sets
 
 # %% auto #0
-__all__ = ['even', 'fitted', 'yuv420', 'sensible_bitrate', 'is_hardware', 'Codec', 'works', 'encoder_names', 'open_codec']
+__all__ = ['even', 'fitted', 'Planes', 'sensible_bitrate', 'is_hardware', 'Codec', 'works', 'encoder_names', 'open_codec']
 
 # %% ../../nbs/api/31_video.codecs.ipynb #b9d1e166
 def even(
@@ -36,20 +36,39 @@ def fitted(
     if (w&~1,h&~1)==(width,height): return image[:height,:width]
     return cv2.resize(image, (width,height), interpolation=cv2.INTER_AREA if w>width else cv2.INTER_LINEAR)
 
-# %% ../../nbs/api/31_video.codecs.ipynb #c11dd523
-def yuv420(
-    image, # BGR picture of an even size
-): # Array of h·3/2 × w: all of Y, then U and V at half the size
-    "The picture as encoders take it (ITU-R BT.601, limited range)"
+# %% ../../nbs/api/31_video.codecs.ipynb #908d7fbe
+class Planes:
+    "A picture as encoders take it (ITU-R BT.601, limited range); painted over and over again"
+    def __init__(self,
+        width:int, # px, even
+        height:int, # px, even
+    ):
+        import av, numpy as np
+        self.picture = av.VideoFrame(width, height, 'yuv420p')
+        self._half = [np.empty((height//2,width//2,3), np.uint8) for _ in range(2)]
+
+    def arrays(self)->list:
+        "Y, U and V, to write in"
+        import numpy as np
+        self.picture.make_writable()            # if an encoder still reads them, we get others
+        return [np.frombuffer(p, np.uint8).reshape(-1, p.line_size)[:p.height,:p.width] for p in self.picture.planes]
+
+# %% ../../nbs/api/31_video.codecs.ipynb #c0e9eddb
+@patch
+def paint(self:Planes,
+    image, # BGR picture of that size
+): # `av.VideoFrame`, the same one each time
+    "Convert `image`"
     import cv2
-    h,w = image.shape[:2]
-    planes = cv2.cvtColor(image, cv2.COLOR_BGR2YUV_I420)
-    half = cv2.cvtColor(cv2.resize(image, (w//2,h//2), interpolation=cv2.INTER_AREA), cv2.COLOR_BGR2YCrCb)
-    half = cv2.convertScaleAbs(half, alpha=224/255, beta=128*31/255)        # from full range to limited range
-    u,v = planes.reshape(-1)[w*h:].reshape(2, h//2, w//2)
+    (y,u,v),(half,other) = self.arrays(),self._half
+    cv2.cvtColor(image, cv2.COLOR_BGR2GRAY, dst=y)
+    cv2.convertScaleAbs(y, dst=y, alpha=219/255, beta=16)                       # from full range to limited range
+    cv2.resize(image, half.shape[1::-1], dst=half, interpolation=cv2.INTER_AREA)
+    cv2.cvtColor(half, cv2.COLOR_BGR2YCrCb, dst=other)
+    cv2.convertScaleAbs(other, dst=half, alpha=224/255, beta=128*31/255)
     cv2.extractChannel(half, 2, u)
     cv2.extractChannel(half, 1, v)
-    return planes
+    return self.picture
 
 # %% ../../nbs/api/31_video.codecs.ipynb #5c7cc381
 def sensible_bitrate(
@@ -109,7 +128,8 @@ class Codec:
         self.name,self.format = name,format
         self.wanted = format # As asked for: to compare with
         self.key_time = None # When the frame of the last key picture came, monotonic s
-        self._context,self._count,self._inside = _opened(name, format),0,deque()
+        self._context,self._planes = _opened(name, format),Planes(format.width, format.height)
+        self._count,self._inside = 0,deque()            # pictures so far; what we know of those still in the encoder
 
     def __repr__(self): return f'{self.format} by {self.name}'
 
@@ -117,10 +137,8 @@ class Codec:
 @patch
 def _picture(self:Codec, image, key:bool):
     "The image as PyAV takes it"
-    import av
     from av.video.frame import PictureType
-    planes = yuv420(fitted(as_bgr(image), self.format.width, self.format.height))
-    picture = av.VideoFrame.from_ndarray(planes, format='yuv420p')
+    picture = self._planes.paint(fitted(as_bgr(image), self.format.width, self.format.height))
     picture.pts,picture.pict_type = self._count,PictureType.I if key else PictureType.NONE
     return picture
 

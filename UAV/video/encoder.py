@@ -21,15 +21,15 @@ __all__ = ['Pace', 'Measured', 'Encoder']
 # %% ../../nbs/api/31_video.encoder.ipynb #1ab769dc
 class Pace:
     "At most so many pictures a second on average, and none of them delayed"
-    def __init__(self, now:float): self.due = now               # when the next picture may come, monotonic s
+    def __init__(self, now:float, rate:float): self.last = now-1/rate       # when the last picture was due, monotonic s
 
     def wait(self, now:float, rate:float)->float:
         "How long a frame that comes now is too early, s; a quarter of the interval is not minded"
-        return max(0., self.due-.25/rate-now)
+        return max(0., self.last+.75/rate-now)
 
     def took(self, now:float, rate:float):
         "A frame that came now was taken"
-        self.due = max(self.due, now-1/rate)+1/rate
+        self.last = max(self.last+1/rate, now-1/rate)
 
 # %% ../../nbs/api/31_video.encoder.ipynb #584e4485
 class Measured:
@@ -69,6 +69,7 @@ def _positive(value):
     if not 0<value<float('inf'): raise ValueError(f'must be above 0, not {value}')
     return value
 
+def _whole(value): return int(_positive(value))
 def _size(size): return even(map(_positive, size))
 def _or_none(check): return lambda value: None if value is None else check(value)
 
@@ -81,7 +82,7 @@ class _Setting:
     def __set__(self, encoder, value):
         try: vars(encoder)[self.name] = self.check(value)
         except ValueError as e: raise ValueError(f'{self.name} {e}') from None
-        if not encoder.sinks: encoder.format = None         # what we knew is no longer true
+        encoder._set(**{} if encoder.sinks else dict(format=None))      # what we knew is no longer true
 
 # %% ../../nbs/api/31_video.encoder.ipynb #655a98de
 class Encoder:
@@ -89,7 +90,7 @@ class Encoder:
     silence = 2.        # s without a frame that are a fault
     pause = .5          # s after an error, before it tries again
     patience = 2.       # s that a source or a sink may keep us waiting
-    size,bitrate = _Setting(_or_none(_size)),_Setting(_or_none(_positive))
+    size,bitrate = _Setting(_or_none(_size)),_Setting(_or_none(_whole))
     rate,key_interval = _Setting(_positive),_Setting(_positive)
 
     def __init__(self,
@@ -107,6 +108,14 @@ class Encoder:
         self._sinks,self._changed,self._delivering = {},threading.Condition(),threading.RLock()
         self._thread,self._codec,self._key_wanted,self._closed,self._number = None,None,False,False,-1
         store_attr()
+
+# %% ../../nbs/api/31_video.encoder.ipynb #244b965d
+@patch
+def _set(self:Encoder, **facts):
+    "Something is new: tell all who wait for it"
+    with self._changed:
+        vars(self).update(facts)
+        self._changed.notify_all()
 
 # %% ../../nbs/api/31_video.encoder.ipynb #6183d77d
 @patch(as_prop=True)
@@ -132,8 +141,7 @@ def _wanted(self:Encoder, image)->VideoFormat:
 @patch
 def _key_is_due(self:Encoder, time:float)->bool:
     "Was the last key picture long enough ago?"
-    last = self._codec.key_time
-    return last is not None and time-last > self.key_interval-.5/self.rate
+    return self._codec.key_time is not None and time-self._codec.key_time > self.key_interval-.5/self.rate
 
 @patch
 def _encode(self:Encoder, frame, time:float)->list:
@@ -163,13 +171,6 @@ def _deliver(self:Encoder, unit:AccessUnit):
     self.measured.add(unit.time, len(unit.data))
     with self._delivering:
         for sink in self.sinks: self._hand(sink, unit)
-
-@patch
-def _set(self:Encoder, **facts):
-    "Something is new: tell all who wait for it"
-    with self._changed:
-        vars(self).update(facts)
-        self._changed.notify_all()
 
 # %% ../../nbs/api/31_video.encoder.ipynb #4e8775e7
 @patch
@@ -201,8 +202,9 @@ def _silent(self:Encoder, seconds:float):
 # %% ../../nbs/api/31_video.encoder.ipynb #8f5822b4
 @patch
 def _rest(self:Encoder, seconds:float):
-    "Wait, but not when the last sink has gone"
-    with self._changed: self._changed.wait_for(lambda: not self._sinks, seconds)
+    "Wait, but not when the last sink has gone, or when the rate has changed"
+    rate = self.rate
+    with self._changed: self._changed.wait_for(lambda: not self._sinks or self.rate!=rate, seconds)
 
 @patch
 def _take(self:Encoder, frame, now:float, pace:Pace):
@@ -218,7 +220,7 @@ def _take(self:Encoder, frame, now:float, pace:Pace):
 def _watch(self:Encoder):
     "Encode what the source shows, until no sink is left"
     heard = time.monotonic()
-    pace = Pace(heard)
+    pace = Pace(heard, self.rate)
     with self.source.watching():
         while self._sinks:
             frame,now = self.source.next(self._number, .5),time.monotonic()

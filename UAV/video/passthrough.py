@@ -26,16 +26,17 @@ def with_sets(
     nals = [nal for nal in nal_units(data) if nal_type(nal, codec) != _delimiter[codec]]
     return b''.join(b'\0\0\0\1'+nal for nal in (*sets, *nals))
 
-# %% ../../nbs/api/32_video.passthrough.ipynb #7dc19c2a
+# %% ../../nbs/api/32_video.passthrough.ipynb #5e335af1
 class _Decided:
     "An attribute that the source decides on: what the format says of it"
-    def __init__(self, of): self.of = of
+    def __init__(self, of, unknown=None): self.of,self.unknown = of,unknown
     def __set_name__(self, owner, name): self.name = name
     def __get__(self, encoder, owner=None):
         if encoder is None: return self
-        return self.of(encoder.format) if encoder.format else None
+        known = encoder.format or encoder.expected
+        return self.of(known) if known else self.unknown
     def __set__(self, encoder, value):
-        if encoder.complete: raise ValueError(f'{encoder.name} is encoded by its source, which decides on the {self.name}')
+        if encoder.complete: raise ValueError(f'{encoder.name} is encoded by its source, which sets the {self.name}')
 
 # %% ../../nbs/api/32_video.passthrough.ipynb #68fdd755
 class _Bitrate(_Decided):
@@ -44,12 +45,12 @@ class _Bitrate(_Decided):
         encoder.set_bitrate(int(value))
         if encoder.format: encoder.format = replace(encoder.format, bitrate=int(value))
 
-# %% ../../nbs/api/32_video.passthrough.ipynb #1ca3a2f7
+# %% ../../nbs/api/32_video.passthrough.ipynb #8262522d
 class PassThrough(Encoder):
     "Hands the access units of a source that encodes by itself to any number of sinks"
     size,bitrate = _Decided(lambda f: (f.width,f.height)),_Bitrate(lambda f: f.bitrate)
-    rate,key_interval = _Decided(lambda f: f.rate),_Decided(lambda f: None)
-    complete = False
+    rate,key_interval = _Decided(lambda f: f.rate, 15.),_Decided(lambda f: None)
+    complete,expected = False,None          # `expected`: the format, as far as it is known before the first key picture
     def __init__(self,
         codec:str='h264', # One of `codecs`
         name:str='video', # For people
@@ -70,7 +71,7 @@ class PassThrough(Encoder):
         super().add(sink)
         self.ask_key()
 
-# %% ../../nbs/api/32_video.passthrough.ipynb #816bbf2f
+# %% ../../nbs/api/32_video.passthrough.ipynb #781240b8
 @patch
 def _watch(self:PassThrough):
     "Have the source run until no sink is left"
@@ -82,6 +83,7 @@ def _watch(self:PassThrough):
             if self._sinks: self._heard(max(began, self._came))
     finally: self.run(False)
 
+# %% ../../nbs/api/32_video.passthrough.ipynb #2829bf10
 @patch
 def _heard(self:PassThrough, last:float):
     "The last unit came at `last`: is that a fault?"
@@ -104,11 +106,11 @@ def push(self:PassThrough,
     self._number += 1
     self._deliver(AccessUnit(data, key, taken, time.time()-now+taken, self._number, made))
 
-# %% ../../nbs/api/32_video.passthrough.ipynb #166b3f05
+# %% ../../nbs/api/32_video.passthrough.ipynb #4b61d1d7
 @patch
 def _complete(self:PassThrough, data:bytes, known:dict)->tuple:
     "A key picture with its parameter sets, and the format; both may be new"
     if came := parameter_sets(data, self.codec): self._sets = came
     elif self._sets: data = with_sets(data, self._sets, self.codec)
     headers = b''.join(b'\0\0\0\1'+nal for nal in self._sets)
-    return data,replace(self.format or VideoFormat(self.codec, bitrate=0), headers=headers, **known)
+    return data,replace(self.format or self.expected or VideoFormat(self.codec, bitrate=0), headers=headers, **known)

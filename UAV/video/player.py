@@ -60,21 +60,23 @@ def end(self:_Pictures, forget:bool=False):
             self.last = None
         self.wake()
 
-# %% ../../nbs/api/37_video.player.ipynb #6fa01d67
+# %% ../../nbs/api/37_video.player.ipynb #96cc227c
 @patch
-def take(self:_Pictures):
-    "The next picture, `None` when there is none yet; inside `changed`"
-    if not self.frames or self.frames[0].number<=self.given: return None
-    frame = self.frames[0] if self.newest else self.frames.popleft()
-    self.given = frame.number
-    self.changed.notify_all()
-    return frame
+def take(self:_Pictures)->Decoded|None:
+    "The next picture, `None` when there is none yet"
+    with self.changed:
+        if not self.frames or self.frames[0].number<=self.given: return None
+        frame = self.frames[0] if self.newest else self.frames.popleft()
+        self.given = frame.number
+        self.changed.notify_all()                   # there is a place
+        return frame
 
-# %% ../../nbs/api/37_video.player.ipynb #1d7a0aa8
+# %% ../../nbs/api/37_video.player.ipynb #603c4229
 @patch
-def later(self:_Pictures, after):
-    "The newest picture, when it is later than `after`; inside `changed`"
-    return self.last if self.last and self.last.number>after else None
+def later(self:_Pictures, after:int)->Decoded|None:
+    "The newest picture, when it is later than `after`"
+    frame = self.last
+    return frame if frame and frame.number>after else None
 
 # %% ../../nbs/api/37_video.player.ipynb #3c1a63f9
 @patch

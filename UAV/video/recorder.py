@@ -92,7 +92,7 @@ def is_there(self:SafeFile)->bool:
     try: return self._file is None or os.path.samestat(os.stat(self.path), os.fstat(self._file.fileno()))
     except OSError: return False
 
-# %% ../../nbs/api/36_video.recorder.ipynb #8404dfbe
+# %% ../../nbs/api/36_video.recorder.ipynb #b802e853
 class MP4File:
     "A video file that can be played at any time while it grows"
     flags,fragment = 'hybrid_fragmented+frag_keyframe+empty_moov',.25      # `fragment`: s, which a crash may cost
@@ -101,7 +101,8 @@ class MP4File:
         unit:AccessUnit, # The first one, a key picture; `write` it, too
     ):
         import av
-        self.path,self.format,self.began,self.seconds = Path(path),unit.format,unit.time,0.
+        self._container,self.path,self.format = None,Path(path),unit.format
+        self.began,self.seconds = unit.time,0.
         self.file,self._ticks,self._step = SafeFile(path),-1,round(clock_rate/unit.format.rate)
         options = dict(movflags=self.flags, frag_duration=str(int(1e6*self.fragment)))
         self._container = av.open(self.file, 'w', format='mp4', options=options)
@@ -113,6 +114,7 @@ class MP4File:
     def __repr__(self): return f'{self.path.name}, {self.seconds:.1f} s, {self.bytes/1e3:.0f} kB'
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
+    def __del__(self): self.close()         # PyAV up to 16 breaks memory when an open container is forgotten
 
 # %% ../../nbs/api/36_video.recorder.ipynb #e70185c8
 @patch(as_prop=True)

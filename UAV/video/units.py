@@ -28,7 +28,8 @@ class VideoFormat:
     headers:bytes=b'' # The parameter sets, as a byte stream; empty when not known yet
 
     def __str__(self):
-        return f'{self.codec.upper()} {self.width}×{self.height}, {self.rate:g} fps, {self.bitrate/1e6:g} Mbit/s'
+        size = f'{self.width}×{self.height}'
+        return f'{self.codec.upper()} {size}, {self.rate:g} fps, {self.bitrate/1e6:g} Mbit/s'
 
 # %% ../../nbs/api/30_video.units.ipynb #1939b5b1
 @dataclass(frozen=True, repr=False)
@@ -62,6 +63,7 @@ def nal_type(
 _parameter_sets = dict(h264=(7,8), h265=(32,33,34))
 _keys = dict(h264=range(5,6), h265=range(16,22))
 
+# %% ../../nbs/api/30_video.units.ipynb #3b6d16e0
 def parameter_sets(
     data:bytes, # A byte stream
     codec:str='h264', # One of `codecs`
@@ -69,6 +71,7 @@ def parameter_sets(
     "The parameter sets in it: SPS and PPS, for H.265 the VPS before them"
     return [nal for nal in nal_units(data) if nal_type(nal, codec) in _parameter_sets[codec]]
 
+# %% ../../nbs/api/30_video.units.ipynb #c52955ea
 def is_key(
     data:bytes, # A byte stream
     codec:str='h264', # One of `codecs`
@@ -107,13 +110,15 @@ def put(self:Sink, unit:AccessUnit):
         if self._thread is None: self._start()
         self._changed.notify()
 
+# %% ../../nbs/api/30_video.units.ipynb #1c74cede
 @patch
 def _drop(self:Sink):
     "Too slow: forget what waits, and ask for a key picture"
     self.dropped,self._needs_key = self.dropped+len(self._queue),True
     self._queue.clear()
-    if self.source is not None: self.source.key_frame()
+    if source := self.source: source.key_frame()
 
+# %% ../../nbs/api/30_video.units.ipynb #49e9d592
 @patch
 def _start(self:Sink):
     self._thread = threading.Thread(target=self._run, name=f'sink {self.name}', daemon=True)
@@ -127,6 +132,7 @@ def _next(self:Sink)->AccessUnit|None:
         self._changed.wait_for(lambda: self._queue or self._closed)
         return self._queue.popleft() if self._queue else None
 
+# %% ../../nbs/api/30_video.units.ipynb #4b88cbcb
 @patch
 def _run(self:Sink):
     try:
@@ -135,6 +141,7 @@ def _run(self:Sink):
     try: self.end()
     except Exception as e: self._fail(e)
 
+# %% ../../nbs/api/30_video.units.ipynb #a63dcb1b
 @patch
 def _fail(self:Sink, error:Exception):
     "It cannot go on: whoever added it sees `fault`"
@@ -142,7 +149,7 @@ def _fail(self:Sink, error:Exception):
     with self._changed:
         self.fault,self._closed = self.fault or error,True
         self._queue.clear()
-    if self.source is not None: self.source.remove(self, wait=False)
+    if source := self.source: source.remove(self, wait=False)
 
 # %% ../../nbs/api/30_video.units.ipynb #493297c9
 @patch
