@@ -31,13 +31,11 @@ class Camera:
     min_interval = .1          # s, the shortest time between pictures
     jpeg_quality = 95          # 0..100
     modes = ('image',)         # what `set_camera_mode` takes, if the camera has it
-    image_in_video_mode = True # may pictures be taken in video mode?
-    video_in_image_mode = True # may videos be recorded in image mode?
+    image_in_video_mode = video_in_image_mode = True # may each be taken in the other's mode?
     max_waiting = 2            # single shots that may wait for the one being taken
     patience = 10.             # s that `read` may take; longer is a fault
     frame_rate = 30.           # frames a second that are read at most, while one looks at them
     lens,focus,mode = None,None,'image'
-
     def __init__(self,
         folder:str|None=None, # Where pictures go; `None` is a temporary folder that `close` removes
         quota:float|None=None, # MiB the pictures may fill; `None` is the whole disk
@@ -58,21 +56,24 @@ class Camera:
         raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
 
     fault = property(lambda self: self.device.fault, doc="What is wrong with the device; `None`: it works")
-    recording = property(lambda self: self.filming.recorder is not None, doc="Is a video being recorded?")
-    recording_time = property(lambda self: self.filming.seconds, doc="Length of that video, s")
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
-    def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
     def close(self):
         "Stop, wait for the picture being taken (`patience` at most), and let go of the storage; may be called twice"
         done = self.captures.close(self.patience)
-        if not done: self.log.error('%r does not come back from read(); closed without it', self)
         self.filming.close()
-        if not self.frames.close(1.) and done: self.log.error('%r does not come back from read()', self)
+        if not (self.frames.close(1.) and done): self.log.error('read() does not come back; closed without it')
         self._closing.set()
         self.storage.close()
         self.device.close()
         _cameras.discard(self)
+
+# %% ../../nbs/api/45_cameras.camera.ipynb #e12eda76
+@patch
+def __repr__(self:Camera): return f'{type(self).__name__}({self.information.model!r})'
+
+Camera.recording = property(lambda self: self.filming.recorder is not None, doc="Is a video being recorded?")
+Camera.recording_time = property(lambda self: self.filming.seconds, doc="Length of that video, s")
 
 # %% ../../nbs/api/45_cameras.camera.ipynb #bd57d5b3
 @patch

@@ -38,6 +38,11 @@ def encoder(self:Filming,
         if key not in self.encoders: self.encoders[key] = self.camera.make_encoder(*key)
         return self.encoders[key]
 
+# %% ../../nbs/api/44_cameras.filming.ipynb #e2eb4f57
+@patch
+def _tell(self:Filming, stream):
+    self.camera.announce(VideoStatus(stream.stream_id, stream.running, stream.viewers))
+
 # %% ../../nbs/api/44_cameras.filming.ipynb #cfe79b9e
 @patch
 def add(self:Filming,
@@ -62,10 +67,6 @@ def add(self:Filming,
         self.streams.append(stream)
     return stream
 
-@patch
-def _tell(self:Filming, stream):
-    self.camera.announce(VideoStatus(stream.stream_id, stream.running, stream.viewers))
-
 # %% ../../nbs/api/44_cameras.filming.ipynb #7c25441b
 @patch
 def chosen(self:Filming,
@@ -74,6 +75,32 @@ def chosen(self:Filming,
     "The streams that are meant; raises `ValueError` for one that is not there"
     if not 0<=stream_id<=len(self.streams): raise ValueError(f'there is no stream {stream_id}')
     return self.streams[stream_id-1:stream_id] if stream_id else list(self.streams)
+
+# %% ../../nbs/api/44_cameras.filming.ipynb #a45b394a
+@patch
+def _tell_recording(self:Filming):
+    self.camera.announce(self.camera.capture_status())
+    for storage in self.camera.storage_information(): self.camera.announce(storage)
+
+# %% ../../nbs/api/44_cameras.filming.ipynb #d77ab35b
+@patch
+def _ended(self:Filming, recorder):
+    "The recorder has ended by itself"
+    with self._lock:
+        if self.recorder is not recorder: return
+        self.recorder = None
+    self.camera.log.warning('the recording has ended: %s', recorder.fault)
+    self._tell_recording()
+
+# %% ../../nbs/api/44_cameras.filming.ipynb #08ec14a8
+@patch
+def _new_recorder(self:Filming):
+    "A recorder that writes into the storage, and stops before that is full"
+    from UAV.video.recorder import Recorder
+    storage = self.camera.storage
+    most = None if storage.quota is None else storage.information().available
+    return Recorder(lambda number: storage.new_recording(), segment=self.segment, quota=most, reserve=storage.reserve,
+                    on_end=self._ended)
 
 # %% ../../nbs/api/44_cameras.filming.ipynb #06375dde
 @patch
@@ -90,30 +117,6 @@ def start_recording(self:Filming,
         encoder.add(self.recorder)
     self._tell_recording()
 
-# %% ../../nbs/api/44_cameras.filming.ipynb #08ec14a8
-@patch
-def _new_recorder(self:Filming):
-    "A recorder that writes into the storage, and stops before that is full"
-    from UAV.video.recorder import Recorder
-    storage = self.camera.storage
-    most = None if storage.quota is None else storage.information().available
-    return Recorder(lambda number: storage.new_recording(), segment=self.segment, quota=most, reserve=storage.reserve,
-                    on_end=self._ended)
-
-@patch
-def _ended(self:Filming, recorder):
-    "The recorder has ended by itself"
-    with self._lock:
-        if self.recorder is not recorder: return
-        self.recorder = None
-    self.camera.log.warning('the recording has ended: %s', recorder.fault)
-    self._tell_recording()
-
-@patch
-def _tell_recording(self:Filming):
-    self.camera.announce(self.camera.capture_status())
-    for storage in self.camera.storage_information(): self.camera.announce(storage)
-
 # %% ../../nbs/api/44_cameras.filming.ipynb #9b0a9408
 @patch
 def stop_recording(self:Filming):
@@ -125,6 +128,7 @@ def stop_recording(self:Filming):
         recorder.close()
     self._tell_recording()
 
+# %% ../../nbs/api/44_cameras.filming.ipynb #c713b4c3
 @patch(as_prop=True)
 def seconds(self:Filming)->float:
     "Length of the recording under way, s"

@@ -113,34 +113,6 @@ def _recover(self:Storage):
     sizes = [self._size(p) for p in self.pictures]
     self._used,self._largest = sum(sizes),max(sizes, default=0)
 
-# %% ../../nbs/api/42_cameras.storage.ipynb #e7473002
-_our_video = re.compile(r'VID_\d{6,}\.mp4')
-
-@patch(as_prop=True)
-def video_log(self:Storage)->Path:
-    "The names of our recordings, one a line"
-    return self.folder/'recordings.txt'
-
-@patch(as_prop=True)
-def recordings(self:Storage)->list:
-    "The files of our recordings, oldest first"
-    names = self.video_log.read_text(errors='replace').splitlines() if self.video_log.exists() else []
-    files = [self.folder/name for name in names if _our_video.fullmatch(name)]
-    return [file for file in dict.fromkeys(files) if file.is_file()]
-
-# %% ../../nbs/api/42_cameras.storage.ipynb #e869fa8e
-@patch
-def new_recording(self:Storage)->Path:
-    "The path of the next file of a recording, which is ours from now on; raises `StorageError`"
-    with self._lock:
-        number = 1
-        while (self.folder/f'VID_{number:06}.mp4').exists(): number += 1
-        try:
-            if not self._release.alive: raise OSError(0, 'closed')
-            with self.video_log.open('a') as log: log.write(f'VID_{number:06}.mp4\n')
-        except OSError as e: raise self._error(e) from e
-        return self.folder/f'VID_{number:06}.mp4'
-
 # %% ../../nbs/api/42_cameras.storage.ipynb #99b8ab8b
 @patch
 def _lost(self:Storage, index:int):
@@ -181,6 +153,34 @@ def _append(self:Storage, picture:Picture):
             f.truncate(end)
             raise
     self.pictures.append(picture)
+
+# %% ../../nbs/api/42_cameras.storage.ipynb #e7473002
+_our_video = re.compile(r'VID_\d{6,}\.mp4')
+
+@patch(as_prop=True)
+def video_log(self:Storage)->Path:
+    "The names of our recordings, one a line"
+    return self.folder/'recordings.txt'
+
+@patch(as_prop=True)
+def recordings(self:Storage)->list:
+    "The files of our recordings, oldest first"
+    names = self.video_log.read_text(errors='replace').splitlines() if self.video_log.exists() else []
+    files = [self.folder/name for name in names if _our_video.fullmatch(name)]
+    return [file for file in dict.fromkeys(files) if file.is_file()]
+
+# %% ../../nbs/api/42_cameras.storage.ipynb #e869fa8e
+@patch
+def new_recording(self:Storage)->Path:
+    "The path of the next file of a recording, which is ours from now on; raises `StorageError`"
+    with self._lock:
+        number = 1
+        while (self.folder/f'VID_{number:06}.mp4').exists(): number += 1
+        try:
+            if not self._release.alive: raise OSError(0, 'closed')
+            with self.video_log.open('a') as log: log.write(f'VID_{number:06}.mp4\n')
+        except OSError as e: raise self._error(e) from e
+        return self.folder/f'VID_{number:06}.mp4'
 
 # %% ../../nbs/api/42_cameras.storage.ipynb #4ed5da93
 @patch

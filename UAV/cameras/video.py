@@ -18,6 +18,7 @@ def streams(self:Camera)->tuple:
     "The streams of this camera; the first has number 1"
     return tuple(self.filming.streams)
 
+# %% ../../nbs/api/46_cameras.video.ipynb #b65cd879
 @patch
 def add_stream(self:Camera,
     name:str='', # For people; empty: the model and a number
@@ -49,6 +50,7 @@ def video_start_streaming(self:Camera,
     "Start a stream; raises `ValueError` for one that is not there"
     for stream in self.filming.chosen(stream_id): stream.start(host)
 
+# %% ../../nbs/api/46_cameras.video.ipynb #fef083b8
 @patch
 def video_stop_streaming(self:Camera,
     stream_id:int=0, # 0: all
@@ -65,6 +67,7 @@ def video_start_capture(self:Camera,
     if self.mode!='video' and not self.video_in_image_mode: raise WrongMode(f'no recording in {self.mode} mode')
     self.filming.start_recording(stream_id)
 
+# %% ../../nbs/api/46_cameras.video.ipynb #6e796f93
 @patch
 def video_stop_capture(self:Camera,
     stream_id:int=0, # There is one recording: any stream of ours will do

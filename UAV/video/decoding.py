@@ -85,7 +85,7 @@ class LivePictures(GetAttr):
                 if unit.format.codec!=codec: codec,decoder = unit.format.codec,_decoder(unit.format.codec)
                 for picture in _decode(decoder, unit.data): yield picture,unit.time,unit.time_utc
 
-# %% ../../nbs/api/36_video.decoding.ipynb #51947321
+# %% ../../nbs/api/36_video.decoding.ipynb #30aaeb4c
 class FilePictures:
     "The pictures of a file"
     connects,port,lost = False,None,0
@@ -94,7 +94,7 @@ class FilePictures:
         paced:bool, # In its own time?
     ):
         import cv2, av
-        self._paced,self._stopped = paced,threading.Event()
+        self._paced,self._began,self._stopped = paced,None,threading.Event()
         if not os.path.isfile(path): raise PlayerError(f'there is no file {path!r}')
         try: self._container = av.open(path)
         except av.FFmpegError as e: raise PlayerError(f'{path!r} is no video: {e.strerror}') from None
@@ -105,11 +105,11 @@ class FilePictures:
     def stop(self): self._stopped.set()
     def close(self): self._container.close()
 
-# %% ../../nbs/api/36_video.decoding.ipynb #6cbfc6a9
+# %% ../../nbs/api/36_video.decoding.ipynb #a6420768
 @patch
 def pictures(self:FilePictures):
     "`(av.VideoFrame, time, time_utc)` of each; raises `Stopped`"
-    began,began_utc = time.monotonic(),time.time()
+    began,began_utc = self._began = self._began or (time.monotonic(),time.time())
     for picture in self._container.decode(video=0):
         due = picture.time or 0
         if self._stopped.wait(max(0, began+due-time.monotonic()) if self._paced else 0): raise Stopped

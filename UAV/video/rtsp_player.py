@@ -85,7 +85,7 @@ class InsideViewer(Viewer):
         self.outbox.write(b''.join(data))
         if self.outbox.wait_empty(): self.alive(time.monotonic())
 
-# %% ../../nbs/api/34_video.rtsp_player.ipynb #9141c5f2
+# %% ../../nbs/api/34_video.rtsp_player.ipynb #d7d3af39
 class Connection:
     "One player of an RTSP server"
     def __init__(self, server, sock, address:tuple):
@@ -94,7 +94,7 @@ class Connection:
         self.session.heard = time.monotonic()
         self.outbox = Outbox(sock, full=lambda: server.loop.call(self.watch))
         self.reader,self.asked,self.busy = RequestReader(),deque(),False        # busy: what was `asked` must wait
-        self.viewer,self.refused,self.ended = None,0,False                      # ended: it is not listened to any more
+        self.viewer,self.refused = None,0                                       # how often the password was wrong
 
     def __repr__(self):
         host = self.address[0].removeprefix('::ffff:')                          # IPv4 by a socket of IPv6
@@ -164,21 +164,31 @@ def _reply(self:Connection, response:Response):
     self.refused += response.status==401
     if self.refused>=10: self.close()
 
-# %% ../../nbs/api/34_video.rtsp_player.ipynb #9c9654fc
+# %% ../../nbs/api/34_video.rtsp_player.ipynb #1fe7ee35
+@patch
+def _give_up(self:Connection, response:Response):
+    "The last answer; then the player sees the end"
+    self.outbox.write(bytes(response))
+    self.reader,self.session.timeout = None,2.          # we do not listen any more
+    self.asked.clear()
+    try: self.sock.shutdown(socket.SHUT_WR)
+    except OSError: self.close()                        # it has gone
+
+# %% ../../nbs/api/34_video.rtsp_player.ipynb #f963ec82
 @patch
 def _go_on(self:Connection):
     "Answer what was asked, in order"
-    while self.asked and not self.busy and not self.ended:
+    while self.asked and not self.busy:
         request = self.asked.popleft()
         if request.method=='DESCRIBE': self._describe(request)
         else: self._reply(self.session.answer(request))
 
-# %% ../../nbs/api/34_video.rtsp_player.ipynb #3126c74f
+# %% ../../nbs/api/34_video.rtsp_player.ipynb #d00f1a14
 @patch
 def _describe(self:Connection, request:Request):
     "Answer it on another thread"
     helpers = self.server.helpers
-    if len(helpers)>=self.server.most: raise RTSPError(503)
+    if len(helpers)>=self.server.most: return self._give_up(Response(503))
     def work():
         response = self.session.answer(request)
         helpers.discard(threading.current_thread())
@@ -205,16 +215,7 @@ def _take(self:Connection, item:Request|Interleaved):
     if len(self.asked)>20: raise RTSPError(503)
     self._go_on()
 
-# %% ../../nbs/api/34_video.rtsp_player.ipynb #907674f9
-@patch
-def _give_up(self:Connection, response:Response):
-    "The last answer; then the player sees the end"
-    self.outbox.write(bytes(response))
-    self.ended,self.session.timeout = True,2.
-    try: self.sock.shutdown(socket.SHUT_WR)
-    except OSError: self.close()                        # it has gone
-
-# %% ../../nbs/api/34_video.rtsp_player.ipynb #6470faa1
+# %% ../../nbs/api/34_video.rtsp_player.ipynb #2d2f82ac
 @patch
 def _read(self:Connection):
     "Take what has come"
@@ -222,7 +223,7 @@ def _read(self:Connection):
     except BlockingIOError: return
     except OSError: data = b''
     if not data: return self.close()
-    if self.ended: return
+    if self.reader is None: return
     try:
         for item in self.reader.feed(data): self._take(item)
     except RTSPError as e: self._give_up(Response(e.status, e.headers))

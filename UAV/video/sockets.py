@@ -57,10 +57,11 @@ def call(self:Loop, do):
     try: self._pull.send(b'.')
     except OSError: pass                    # closed
 
-# %% ../../nbs/api/32_video.sockets.ipynb #fcbe8d52
+# %% ../../nbs/api/32_video.sockets.ipynb #26d6177c
 @patch
 def ask(self:Loop, do):
-    "Let the loop's thread call `do()`, and wait until it has"
+    "Let the loop's thread call `do()`, and wait until it has; there, call it at once"
+    if threading.current_thread() is self._thread: return do()
     done = threading.Event()
     def _do():
         try: do()

@@ -24,6 +24,7 @@ senders = dict(rtp=RTPSender, mpegts=TSSender)
 # %% ../../nbs/api/38_video.stream.ipynb #d12a38c7
 _servers,_servers_lock = {},threading.Lock()        # `{(host, port): [server, how many use it]}`
 
+# %% ../../nbs/api/38_video.stream.ipynb #5f66b242
 def rtsp_server(
     host:str='', # The address that it listens at; all when empty
     port:int=8554, # 0: a free port, and a server of its own
@@ -34,6 +35,7 @@ def rtsp_server(
         _servers[host,port][1] += 1
         return _servers[host,port][0] if port else _servers.pop((host,port))[0]
 
+# %% ../../nbs/api/38_video.stream.ipynb #ffba49f2
 def let_go(server:RTSPServer):
     "Close the server, unless others use it"
     with _servers_lock:
@@ -72,6 +74,49 @@ class VideoStream:
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
+# %% ../../nbs/api/38_video.stream.ipynb #452f50ae
+@patch(as_prop=True)
+def path(self:VideoStream)->str:
+    "The path of an RTSP stream: its name, in letters that a URL may have"
+    return re.sub(r'[^a-z0-9]+', '_', self.name.lower()).strip('_')
+
+# %% ../../nbs/api/38_video.stream.ipynb #d4532f8b
+@patch(as_prop=True)
+def viewers(self:VideoStream)->int:
+    "How many watch; a sender does not know, and says 1"
+    if not self.running: return 0
+    if self.kind=='rtsp': return self.server.viewers(self.path)
+    return len(self.sink.clients) if self.kind=='tcp' else 1
+
+# %% ../../nbs/api/38_video.stream.ipynb #06d55015
+@patch(as_prop=True)
+def format(self:VideoStream)->VideoFormat:
+    "How it is encoded; what was asked for, as long as nothing was encoded"
+    if self.encoder.format: return self.encoder.format
+    size,rate = self.encoder.size or even(self.size),self.encoder.rate
+    bitrate = self.encoder.bitrate or sensible_bitrate(*size, rate, self.encoder.codec)
+    return VideoFormat(self.encoder.codec, *size, rate, bitrate)
+
+# %% ../../nbs/api/38_video.stream.ipynb #8cae587c
+@patch
+def _open(self:VideoStream):
+    if self.kind=='rtsp':
+        if self.server is None: self.server,self._shared = rtsp_server(self.host, self.port),True
+        return self.server.add(self.path, self.encoder)
+    if self.kind=='tcp': self.sink = TSServer(self.encoder, self.port, self.host)
+    else:
+        self.sink = senders[self.kind](self.host or '127.0.0.1', self.port)
+        self.encoder.add(self.sink)
+
+# %% ../../nbs/api/38_video.stream.ipynb #21f80555
+@patch
+def _stop(self:VideoStream):
+    if not self.running: return
+    self.running,sink,self.sink = False,self.sink,None
+    if self.kind=='rtsp': return self.server.remove(self.path)
+    if self.kind in senders: self.encoder.remove(sink)
+    sink.close()
+
 # %% ../../nbs/api/38_video.stream.ipynb #426159c6
 @patch
 def start(self:VideoStream,
@@ -86,16 +131,6 @@ def start(self:VideoStream,
         self.running = True
     self.on_change(self)
 
-@patch
-def _open(self:VideoStream):
-    if self.kind=='rtsp':
-        if self.server is None: self.server,self._shared = rtsp_server(self.host, self.port),True
-        return self.server.add(self.path, self.encoder)
-    if self.kind=='tcp': self.sink = TSServer(self.encoder, self.port, self.host)
-    else:
-        self.sink = senders[self.kind](self.host or '127.0.0.1', self.port)
-        self.encoder.add(self.sink)
-
 # %% ../../nbs/api/38_video.stream.ipynb #aa0dd82e
 @patch
 def stop(self:VideoStream):
@@ -104,34 +139,6 @@ def stop(self:VideoStream):
         if not self.running: return
         self._stop()
     self.on_change(self)
-
-@patch
-def _stop(self:VideoStream):
-    if not self.running: return
-    self.running,sink,self.sink = False,self.sink,None
-    if self.kind=='rtsp': return self.server.remove(self.path)
-    if self.kind in senders: self.encoder.remove(sink)
-    sink.close()
-
-# %% ../../nbs/api/38_video.stream.ipynb #452f50ae
-@patch(as_prop=True)
-def path(self:VideoStream)->str:
-    "The path of an RTSP stream: its name, in letters that a URL may have"
-    return re.sub(r'[^a-z0-9]+', '_', self.name.lower()).strip('_')
-
-@patch(as_prop=True)
-def viewers(self:VideoStream)->int:
-    "How many watch; a sender does not know, and says 1"
-    if not self.running: return 0
-    if self.kind=='rtsp': return self.server.viewers(self.path)
-    return len(self.sink.clients) if self.kind=='tcp' else 1
-
-@patch(as_prop=True)
-def format(self:VideoStream)->VideoFormat:
-    "How it is encoded; what was asked for, as long as nothing was encoded"
-    if self.encoder.format: return self.encoder.format
-    size,rate = self.encoder.size or even(self.size),self.encoder.rate
-    return VideoFormat(self.encoder.codec, *size, rate, self.encoder.bitrate or sensible_bitrate(*size, rate, self.encoder.codec))
 
 # %% ../../nbs/api/38_video.stream.ipynb #0cefed48
 @patch
@@ -146,6 +153,7 @@ def uri(self:VideoStream,
     host = f'[{host}]' if ':' in host else host
     return f'rtsp://{host}:{port}/{self.path}' if self.kind=='rtsp' else f'tcp://{host}:{port}'
 
+# %% ../../nbs/api/38_video.stream.ipynb #cd9ccd2d
 @patch
 def close(self:VideoStream):
     "Stop, and let go of the server; may be called twice. The encoder stays"

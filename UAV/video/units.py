@@ -28,7 +28,8 @@ class VideoFormat:
     headers:bytes=b'' # The parameter sets, as a byte stream; empty when not known yet
 
     def __str__(self):
-        return f'{self.codec.upper()} {self.width}×{self.height}, {self.rate:g} fps, {self.bitrate/1e6:g} Mbit/s'
+        size = f'{self.width}×{self.height}'
+        return f'{self.codec.upper()} {size}, {self.rate:g} fps, {self.bitrate/1e6:g} Mbit/s'
 
 # %% ../../nbs/api/30_video.units.ipynb #1939b5b1
 @dataclass(frozen=True, repr=False)
@@ -69,6 +70,7 @@ def parameter_sets(
     "The parameter sets in it: SPS and PPS, for H.265 the VPS before them"
     return [nal for nal in nal_units(data) if nal_type(nal, codec) in _parameter_sets[codec]]
 
+# %% ../../nbs/api/30_video.units.ipynb #c52955ea
 def is_key(
     data:bytes, # A byte stream
     codec:str='h264', # One of `codecs`
@@ -93,6 +95,19 @@ class Sink:
     def send(self, unit:AccessUnit): raise NotImplementedError(f'{type(self).__name__} needs a method send(unit)')
     def end(self): "Called on the sink's thread when the last unit was sent"
 
+# %% ../../nbs/api/30_video.units.ipynb #1c74cede
+@patch
+def _drop(self:Sink):
+    "Too slow: forget what waits, and ask for a key picture"
+    self.dropped,self._needs_key = self.dropped+len(self._queue),True
+    self._queue.clear()
+    if source := self.source: source.key_frame()
+
+@patch
+def _start(self:Sink):
+    self._thread = threading.Thread(target=self._run, name=f'sink {self.name}', daemon=True)
+    self._thread.start()
+
 # %% ../../nbs/api/30_video.units.ipynb #95544cce
 @patch
 def put(self:Sink, unit:AccessUnit):
@@ -107,18 +122,6 @@ def put(self:Sink, unit:AccessUnit):
         if self._thread is None: self._start()
         self._changed.notify()
 
-@patch
-def _drop(self:Sink):
-    "Too slow: forget what waits, and ask for a key picture"
-    self.dropped,self._needs_key = self.dropped+len(self._queue),True
-    self._queue.clear()
-    if self.source is not None: self.source.key_frame()
-
-@patch
-def _start(self:Sink):
-    self._thread = threading.Thread(target=self._run, name=f'sink {self.name}', daemon=True)
-    self._thread.start()
-
 # %% ../../nbs/api/30_video.units.ipynb #4716c701
 @patch
 def _next(self:Sink)->AccessUnit|None:
@@ -127,6 +130,7 @@ def _next(self:Sink)->AccessUnit|None:
         self._changed.wait_for(lambda: self._queue or self._closed)
         return self._queue.popleft() if self._queue else None
 
+# %% ../../nbs/api/30_video.units.ipynb #4b88cbcb
 @patch
 def _run(self:Sink):
     try:
@@ -135,6 +139,7 @@ def _run(self:Sink):
     try: self.end()
     except Exception as e: self._fail(e)
 
+# %% ../../nbs/api/30_video.units.ipynb #a63dcb1b
 @patch
 def _fail(self:Sink, error:Exception):
     "It cannot go on: whoever added it sees `fault`"
@@ -142,7 +147,7 @@ def _fail(self:Sink, error:Exception):
     with self._changed:
         self.fault,self._closed = self.fault or error,True
         self._queue.clear()
-    if self.source is not None: self.source.remove(self, wait=False)
+    if source := self.source: source.remove(self, wait=False)
 
 # %% ../../nbs/api/30_video.units.ipynb #493297c9
 @patch
