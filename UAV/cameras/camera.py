@@ -31,8 +31,7 @@ class Camera:
     min_interval = .1          # s, the shortest time between pictures
     jpeg_quality = 95          # 0..100
     modes = ('image',)         # what `set_camera_mode` takes, if the camera has it
-    image_in_video_mode = True # may pictures be taken in video mode?
-    video_in_image_mode = True # may videos be recorded in image mode?
+    image_in_video_mode = video_in_image_mode = True # may each be taken in the other's mode?
     max_waiting = 2            # single shots that may wait for the one being taken
     patience = 10.             # s that `read` may take; longer is a fault
     frame_rate = 30.           # frames a second that are read at most, while one looks at them
@@ -63,7 +62,7 @@ class Camera:
         "Stop, wait for the picture being taken (`patience` at most), and let go of the storage; may be called twice"
         done = self.captures.close(self.patience)
         self.filming.close()
-        if not (self.frames.close(1.) and done): self.log.error('closed, but read() does not come back')
+        if not (self.frames.close(1.) and done): self.log.error('read() does not come back; closed without it')
         self._closing.set()
         self.storage.close()
         self.device.close()

@@ -78,10 +78,10 @@ def _receive(self:Receiver, sock)->bytes:
     self._wait({sock:selectors.EVENT_READ}, time.monotonic()+self.timeout)
     return sock.recv(1<<16)
 
-# %% ../../nbs/api/32_video.receivers.ipynb #aa8bffbb
+# %% ../../nbs/api/32_video.receivers.ipynb #91458a68
 @patch
-def _try(self:Receiver, family, kind, protocol, _, address)->tuple:
-    "Connect to one address: `(socket, error number)`"
+def _try(self:Receiver, family, kind, protocol, _, address):
+    "A connection to one address; raises `OSError`"
     sock = socket.socket(family, kind, protocol)
     try:
         sock.setblocking(False)
@@ -89,20 +89,20 @@ def _try(self:Receiver, family, kind, protocol, _, address)->tuple:
         if error in (errno.EINPROGRESS, errno.EWOULDBLOCK):
             self._wait({sock:selectors.EVENT_WRITE}, time.monotonic()+self.timeout)
             error = sock.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR)
+        if error: raise OSError(error, os.strerror(error))
     except BaseException:
         sock.close()
         raise
-    return sock,error
+    return sock
 
-# %% ../../nbs/api/32_video.receivers.ipynb #cc3454ab
+# %% ../../nbs/api/32_video.receivers.ipynb #39fabf13
 @patch
 def _connect(self:Receiver, host:str, port:int):
     "A TCP connection; raises `OSError` that says why not"
     for place in socket.getaddrinfo(host, port, type=socket.SOCK_STREAM):
-        sock,error = self._try(*place)
-        if not error: return sock
-        sock.close()
-    raise OSError(error, os.strerror(error))
+        try: return self._try(*place)
+        except OSError as e: problem = e            # perhaps another address is better
+    raise problem
 
 # %% ../../nbs/api/32_video.receivers.ipynb #da0560bb
 def listen(

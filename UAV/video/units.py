@@ -63,7 +63,6 @@ def nal_type(
 _parameter_sets = dict(h264=(7,8), h265=(32,33,34))
 _keys = dict(h264=range(5,6), h265=range(16,22))
 
-# %% ../../nbs/api/30_video.units.ipynb #3b6d16e0
 def parameter_sets(
     data:bytes, # A byte stream
     codec:str='h264', # One of `codecs`
@@ -96,6 +95,19 @@ class Sink:
     def send(self, unit:AccessUnit): raise NotImplementedError(f'{type(self).__name__} needs a method send(unit)')
     def end(self): "Called on the sink's thread when the last unit was sent"
 
+# %% ../../nbs/api/30_video.units.ipynb #1c74cede
+@patch
+def _drop(self:Sink):
+    "Too slow: forget what waits, and ask for a key picture"
+    self.dropped,self._needs_key = self.dropped+len(self._queue),True
+    self._queue.clear()
+    if source := self.source: source.key_frame()
+
+@patch
+def _start(self:Sink):
+    self._thread = threading.Thread(target=self._run, name=f'sink {self.name}', daemon=True)
+    self._thread.start()
+
 # %% ../../nbs/api/30_video.units.ipynb #95544cce
 @patch
 def put(self:Sink, unit:AccessUnit):
@@ -109,20 +121,6 @@ def put(self:Sink, unit:AccessUnit):
             self._queue.append(unit)
         if self._thread is None: self._start()
         self._changed.notify()
-
-# %% ../../nbs/api/30_video.units.ipynb #1c74cede
-@patch
-def _drop(self:Sink):
-    "Too slow: forget what waits, and ask for a key picture"
-    self.dropped,self._needs_key = self.dropped+len(self._queue),True
-    self._queue.clear()
-    if source := self.source: source.key_frame()
-
-# %% ../../nbs/api/30_video.units.ipynb #49e9d592
-@patch
-def _start(self:Sink):
-    self._thread = threading.Thread(target=self._run, name=f'sink {self.name}', daemon=True)
-    self._thread.start()
 
 # %% ../../nbs/api/30_video.units.ipynb #4716c701
 @patch
