@@ -271,6 +271,7 @@ def _sweep(self:TSServer):
 # %% ../../nbs/api/33_video.mpegts.ipynb #55a5a129
 @patch
 def _left(self:TSServer, client:TSClient):
+    "A player has gone: its place is free"
     with self._lock:
         if client in self.clients: self.clients.remove(client)
 

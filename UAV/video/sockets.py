@@ -44,7 +44,6 @@ def _run(self:Loop):
     for sock in (self._bell,self._pull): sock.close()
     self._selector.close()
 
-# %% ../../nbs/api/32_video.sockets.ipynb #d21cb936
 @patch
 def _try(self:Loop, do, *args):
     "An error of one socket is not the end of the others"
