@@ -63,8 +63,11 @@ def add(self:Filming,
         same = [s.server for s in self.streams if s.kind==kind=='rtsp' and s.port==port]    # port 0: one for all
         stream = VideoStream(self.encoder(**how), kind, name, number, host, port, *same[:1], uri=uri, size=size,
                              on_change=self._tell)
-        stream.start()
-        self.streams.append(stream)
+        self.streams.append(stream)         # first: who hears that it runs may look for it
+        try: stream.start()
+        except BaseException:
+            self.streams.remove(stream)
+            raise
     return stream
 
 # %% ../../nbs/api/44_cameras.filming.ipynb #7c25441b

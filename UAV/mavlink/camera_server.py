@@ -279,9 +279,12 @@ def _see_fault(self:CameraServer)->tuple|None:
         if self._fault: return mavlink.MAV_SEVERITY_ERROR,f'{model}: {self._fault}'
         return mavlink.MAV_SEVERITY_NOTICE,f'{model} works again'
 
+CameraServer.with_each_beat = []        # functions of the server, for what later rooms want to look at
+
 @patch
 def beat(self:CameraServer):
     "Our heartbeat; when the camera has stopped working, or works again, it says so"
     news = self._see_fault()
     Component.beat(self)
     if news: self.say(*news)
+    for look in self.with_each_beat: look(self)

@@ -214,11 +214,25 @@ def _video_news(self:CameraServer, event:VideoStatus)->list:
     "VIDEO_STREAM_STATUS for all; before it, when the format is news, VIDEO_STREAM_INFORMATION"
     try: [stream] = self.video_streams(event.stream_id)
     except CommandError: return []                          # it has gone meanwhile
-    told = self._formats.get(stream.stream_id)
-    if told and told!=replace(stream.format, headers=b''): self._tell_stream(stream)
+    if self._is_news(stream): self._tell_stream(stream)
     return [self._encode_stream_status(stream)]
 
 CameraServer.events[VideoStatus] = CameraServer._video_news
+
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #5c1ffa70
+@patch
+def _is_news(self:CameraServer, stream)->bool:
+    "Has the format changed since we told it?"
+    told = self._formats.get(stream.stream_id)
+    return told is not None and told!=replace(stream.format, headers=b'')
+
+@patch
+def _see_formats(self:CameraServer):
+    "Tell what has changed"
+    for stream in getattr(self.camera, 'streams', ()):
+        if self._is_news(stream): self._on_camera(VideoStatus(stream.stream_id))
+
+CameraServer.with_each_beat.append(CameraServer._see_formats)
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #fcbd7ec4
 _recording = 'recording'    # tells it from a stream that SET_MESSAGE_INTERVAL has asked for

@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/38_video.stream.ipynb #590d1cfa
 from __future__ import annotations
-import math, re, threading
+import ipaddress, math, re, threading
 
 from fastcore.basics import patch, store_attr
 from .units import VideoFormat
@@ -14,12 +14,19 @@ from .mpegts import TSSender, TSServer
 from .rtsp_server import RTSPServer
 
 # %% auto #0
-__all__ = ['default_ports', 'senders', 'rtsp_server', 'let_go', 'VideoStream']
+__all__ = ['default_ports', 'senders', 'is_group', 'rtsp_server', 'let_go', 'VideoStream']
 
 # %% ../../nbs/api/38_video.stream.ipynb #c4fb3010
 default_ports = dict(rtsp=8554, rtp=5600, mpegts=5610, tcp=5620)
 
 senders = dict(rtp=RTPSender, mpegts=TSSender)
+
+def is_group(
+    host:str, # An address, or a name
+)->bool:
+    "Is this a multicast address?"
+    try: return ipaddress.ip_address(host).is_multicast
+    except ValueError: return False
 
 # %% ../../nbs/api/38_video.stream.ipynb #d12a38c7
 _servers,_servers_lock = {},threading.Lock()        # `{(host, port): [server, how many use it]}`
@@ -66,6 +73,7 @@ class VideoStream:
         self.port,self.told_uri = default_ports[kind] if port is None else port,uri
         self.running,self.sink,self._lock = False,None,threading.Lock()         # `sink`: a sender, or a `TSServer`
         self._shared = False        # is `server` one that we must let go?
+        self.path = re.sub(r'[^a-z0-9]+', '_', name.lower()).strip('_') or f'stream_{stream_id}'    # on an RTSP server
 
     def __repr__(self):
         state = f'{self.viewers} watching' if self.running else 'stopped'
@@ -75,10 +83,15 @@ class VideoStream:
     def __exit__(self, *args): self.close()
 
 # %% ../../nbs/api/38_video.stream.ipynb #452f50ae
-@patch(as_prop=True)
-def path(self:VideoStream)->str:
-    "The path of an RTSP stream: its name, in letters that a URL may have"
-    return re.sub(r'[^a-z0-9]+', '_', self.name.lower()).strip('_')
+@patch
+def _offer(self:VideoStream):
+    "Take a path on the server: our own, with a number behind it when another stream has that"
+    for path in (self.path, *(f'{self.path}_{n}' for n in range(2, 100))):
+        try: self.server.add(path, self.encoder)
+        except ValueError: continue
+        self.path = path
+        return
+    raise ValueError(f'the path {self.path} is taken, and a hundred more')
 
 # %% ../../nbs/api/38_video.stream.ipynb #d4532f8b
 @patch(as_prop=True)
@@ -102,7 +115,7 @@ def format(self:VideoStream)->VideoFormat:
 def _open(self:VideoStream):
     if self.kind=='rtsp':
         if self.server is None: self.server,self._shared = rtsp_server(self.host, self.port),True
-        return self.server.add(self.path, self.encoder)
+        return self._offer()
     if self.kind=='tcp': self.sink = TSServer(self.encoder, self.port, self.host)
     else:
         self.sink = senders[self.kind](self.host or '127.0.0.1', self.port)
@@ -147,7 +160,7 @@ def uri(self:VideoStream,
 )->str:
     "What a viewer opens: a URL, or the number of its own port that it is sent to"
     if self.told_uri: return self.told_uri
-    if self.kind in senders: return str(self.port)
+    if self.kind in senders: return f'udp://{self.host}:{self.port}' if is_group(self.host) else str(self.port)
     if self.kind=='rtsp' and self.server: return self.server.url(self.path, host)
     port = self.sink.port if self.sink else self.port
     host = f'[{host}]' if ':' in host else host
