@@ -96,7 +96,12 @@ _candidates = dict(
     h264=('h264_nvenc','h264_qsv','h264_amf','h264_videotoolbox','h264_v4l2m2m','libx264','libopenh264'),
     h265=('hevc_nvenc','hevc_qsv','hevc_amf','hevc_videotoolbox','hevc_v4l2m2m','libx265'))
 
-def is_hardware(name:str): return not name.startswith('lib')
+# %% ../../nbs/api/31_video.codecs.ipynb #a45ef4ca
+def is_hardware(
+    name:str, # An encoder of PyAV
+)->bool:
+    "Is it one of the graphics hardware? Those that compute are named after their library"
+    return not name.startswith('lib')
 
 # %% ../../nbs/api/31_video.codecs.ipynb #5959742f
 def _options(name, format):

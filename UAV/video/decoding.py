@@ -23,7 +23,9 @@ class PlayerError(OSError): "There is no such video"
 receivers = dict(rtsp=RTSPReceiver, udp=TSReceiver, tcp=TSReceiver, rtp=RTPReceiver)
 
 # %% ../../nbs/api/36_video.decoding.ipynb #26d78d0d
-def url_name(url)->str:
+def url_name(
+    url, # As `open_pictures` takes it
+)->str:
     "The URL for people: without user and password"
     return re.sub(r'(?<=://)[^/]+@', '', str(url))
 
@@ -75,7 +77,10 @@ def _decode(decoder, data:bytes)->list:
 class LivePictures(GetAttr):
     "The pictures of a receiver"
     _default = 'receiver'
-    def __init__(self, receiver): self.receiver = receiver
+    def __init__(self,
+        receiver, # A `Receiver`
+    ):
+        self.receiver = receiver
 
     def pictures(self):
         "`(av.VideoFrame, time, time_utc)` of each; raises `OSError`"
@@ -102,8 +107,13 @@ class FilePictures:
         self._container.close()
         raise PlayerError(f'{path!r} has no pictures')
 
-    def stop(self): self._stopped.set()
-    def close(self): self._container.close()
+    def stop(self):
+        "End `pictures`, from any thread"
+        self._stopped.set()
+
+    def close(self):
+        "Give the file back; not while another thread reads"
+        self._container.close()
 
 # %% ../../nbs/api/36_video.decoding.ipynb #a6420768
 @patch

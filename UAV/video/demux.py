@@ -53,7 +53,10 @@ class Reorder:
     most,patience = 32,.03          # packets that may wait for it, and s
     def __init__(self): self.expected,self._early,self._since = None,{},0.
 
-    def __call__(self, sequence:int, packet)->list:
+    def __call__(self,
+        sequence:int, # Its number, 0 … 65535
+        packet, # What is handed out again
+    )->list:
         "The packets whose turn it is, each with its `sequence`"
         if self.expected is None: self.expected = sequence
         ahead = (sequence-self.expected)&0xffff
@@ -115,16 +118,20 @@ def rtp_payload(
 # %% ../../nbs/api/31_video.demux.ipynb #7aadbd06
 class SenderClock:
     "From the time stamps of RTP to the time of day of the sender"
-    rate,since_1900 = 90_000,2_208_988_800          # 1/s; s from 1900, where NTP begins, to 1970
+    rate,since_1900 = 90_000,2_208_988_800          # ticks in a second; s from 1900, where NTP begins, to 1970
     def __init__(self): self._at,self._timestamp = None,0
 
-    def report(self, packet:bytes):
+    def report(self,
+        packet:bytes, # RTCP
+    ):
         "Learn from a sender report; other packets are ignored"
         if len(packet)<20 or packet[0]>>6!=2 or packet[1]!=200: return
         self._at = int.from_bytes(packet[8:16], 'big')/2**32-self.since_1900
         self._timestamp = int.from_bytes(packet[16:20], 'big')
 
-    def utc(self, timestamp:int)->float|None:
+    def utc(self,
+        timestamp:int, # Of an RTP packet, in ticks of 1/90000 s
+    )->float|None:
         "s since 1970; `None` before the first report"
         if self._at is None: return None
         ticks = (timestamp-self._timestamp+2**31)%2**32-2**31
@@ -144,7 +151,9 @@ class RTPReader:
         self._parts,self._timestamp,self._whole,self._last = [],None,True,None
 
     @property
-    def lost(self)->int: return self._make.lost
+    def lost(self)->int:
+        "How many pictures came in part only"
+        return self._make.lost
 
     def __call__(self, packet:bytes)->list:
         "The access units that this packet completes"
@@ -221,6 +230,7 @@ def _is_packet(data:bytes, n:int)->bool:
     "Is there a packet at `n`, and another one behind it, or nothing yet?"
     return data[n]==0x47 and (n+ts_size==len(data) or data[n+ts_size]==0x47)
 
+# %% ../../nbs/api/31_video.demux.ipynb #0ceb8a71
 def _next_sync(data:bytes, n:int)->int:
     "Where the next packet may begin"
     found = data.find(b'\x47', n)
@@ -232,10 +242,13 @@ class TSReader:
     def __init__(self):
         self.programs,self.pid,self._make = None,None,None      # PID of the program map, and of the video
         self._rest,self._pes,self._size = b'',None,None         # bytes of a packet not yet complete; the picture so far
-        self._counter,self._filled,self.trust = None,False,True
+        self._counter,self._filled = None,False                 # of the packet before
+        self.trust = True                                       # does a filled packet end a picture?
 
     @property
-    def lost(self)->int: return self._make.lost if self._make else 0
+    def lost(self)->int:
+        "How many pictures came in part only"
+        return self._make.lost if self._make else 0
 
     def __call__(self, data:bytes)->list:
         "The access units that these bytes complete"

@@ -74,7 +74,9 @@ def _open(self:TSMuxer, unit:AccessUnit):
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #5b1e0332
 @patch
-def mux(self:TSMuxer, unit:AccessUnit)->bytes:
+def mux(self:TSMuxer,
+    unit:AccessUnit, # The next picture
+)->bytes:
     "Its packets, 188 bytes each; empty before the first key picture"
     if unit.key and unit.format.codec!=self.codec: self._open(unit)
     if self._stream is None: return b''
@@ -104,9 +106,14 @@ class TSSender(Sink):
         self._set_multicast(ttl, interface)
 
     def end(self):
+        "Give back the socket, and what FFmpeg holds"
         self._muxer.close()
         self.sock.close()
-    def close(self, timeout:float=5.):
+
+    def close(self,
+        timeout:float=5., # s that the units which wait may take
+    ):
+        "Send what waits, and end"
         super().close(timeout)
         if self._thread is None: self.end()         # it never got a unit
 
@@ -124,6 +131,7 @@ def _set_multicast(self:TSSender, ttl:int, interface:str):
 # %% ../../nbs/api/33_video.mpegts.ipynb #7d046b83
 @patch
 def send(self:TSSender, unit:AccessUnit):
+    "One picture, in datagrams"
     packets = self._muxer.mux(unit)
     for n,at in enumerate(range(0, len(packets), self.size), 1):
         self._send(packets[at:at+self.size])
@@ -141,26 +149,35 @@ def _send(self:TSSender, datagram:bytes):
 class TSClient(Sink):
     "One player of a `TSServer`"
     most,patience,buffer = 30,5.,1<<17      # units that wait; s for one unit; bytes that the system keeps for it
-    def __init__(self, sock:socket.socket, name:str, left):
+    def __init__(self,
+        sock:socket.socket, # Its connection
+        name:str, # For people
+        left, # Called with this client when it has gone
+    ):
         super().__init__(name)
         self.sock,self._left,self._muxer = sock,left,TSMuxer()
         sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, self.buffer)
         sock.settimeout(self.patience)
 
-    def close(self, timeout:float=5.):
+    def close(self,
+        timeout:float=5., # s that the units which wait may take
+    ):
+        "Send what waits, and hang up"
         super().close(timeout)
         if self._thread is None: self.end()         # it never got a unit
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #6e050460
 @patch
 def send(self:TSClient, unit:AccessUnit):
+    "One picture; may take as long as `patience`"
     try: self.sock.sendall(self._muxer.mux(unit))
     except ConnectionError: self.close()        # it has left
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #5e63ffe7
 @patch
 def end(self:TSClient):
+    "Hang up, and tell the server"
     source = self.source
     if source is not None: source.remove(self, wait=False)
     self._muxer.close()
@@ -246,12 +263,15 @@ def _welcome(self:TSServer, sock:socket.socket, name:str):
 # %% ../../nbs/api/33_video.mpegts.ipynb #cecdd778
 @patch
 def _sweep(self:TSServer):
+    "Let go of the players that hung up"
     for client in [client for client in self.clients if client.has_left()]:
         self.clients.remove(client)
         client.close(0)
 
+# %% ../../nbs/api/33_video.mpegts.ipynb #55a5a129
 @patch
 def _left(self:TSServer, client:TSClient):
+    "A player has gone: its place is free"
     with self._lock:
         if client in self.clients: self.clients.remove(client)
 

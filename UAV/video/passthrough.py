@@ -29,7 +29,11 @@ def with_sets(
 # %% ../../nbs/api/33_video.passthrough.ipynb #5e335af1
 class _Decided:
     "An attribute that the source decides on: what the format says of it"
-    def __init__(self, of, unknown=None): self.of,self.unknown = of,unknown
+    def __init__(self,
+        of, # Takes it from a `VideoFormat`
+        unknown=None, # Its value as long as no format is known
+    ):
+        self.of,self.unknown = of,unknown
     def __set_name__(self, owner, name): self.name = name
     def __get__(self, encoder, owner=None):
         if encoder is None: return self

@@ -21,7 +21,9 @@ __all__ = ['Player', 'strip']
 class _Pictures:
     "Decoded pictures, between the thread that decodes and those who wait"
     most = 30           # that may lie here when each is wanted
-    def __init__(self, newest:bool):
+    def __init__(self,
+        newest:bool, # Keep only the newest?
+    ):
         self.newest,self.over = newest,False            # `over`: no picture will come any more
         self.last,self.count,self.given = None,0,-1     # the newest; how many came; the number that `take` gave last
         self.frames,self.waiting,self.changed = deque(),[],threading.Condition()
@@ -38,7 +40,11 @@ def wake(self:_Pictures):
 
 # %% ../../nbs/api/37_video.player.ipynb #901aea9b
 @patch
-def put(self:_Pictures, picture, came:float, utc:float):
+def put(self:_Pictures,
+    picture, # `av.VideoFrame`
+    came:float, # When it arrived, monotonic s
+    utc:float, # When it was taken, s since 1970
+):
     "Another one; raises `Stopped` when all is over"
     with self.changed:
         if not self.newest: self.changed.wait_for(lambda: len(self.frames)<self.most or self.over)
@@ -73,14 +79,19 @@ def take(self:_Pictures)->Decoded|None:
 
 # %% ../../nbs/api/37_video.player.ipynb #603c4229
 @patch
-def later(self:_Pictures, after:int)->Decoded|None:
+def later(self:_Pictures,
+    after:int, # The number of a picture
+)->Decoded|None:
     "The newest picture, when it is later than `after`"
     frame = self.last
     return frame if frame and frame.number>after else None
 
 # %% ../../nbs/api/37_video.player.ipynb #3c1a63f9
 @patch
-def wait(self:_Pictures, find, timeout):
+def wait(self:_Pictures,
+    find, # `take`, or a function like it
+    timeout:float|None, # s; `None` waits as long as it takes
+):
     "What `find` finds; `None` when that takes too long, or all is over"
     with self.changed:
         until,frame = None if timeout is None else time.monotonic()+timeout,find()
@@ -129,6 +140,7 @@ def __repr__(self:Player):
     state = 'playing' if self.connected else 'no picture yet'
     return f'Player {url_name(self.url)}: {self.fault or state}'
 
+# %% ../../nbs/api/37_video.player.ipynb #692374a2
 @patch
 def close(self:Player):
     "Stop, within a second; may be called twice"
@@ -141,7 +153,7 @@ def close(self:Player):
 # %% ../../nbs/api/37_video.player.ipynb #aec379e9
 @patch
 def _play(self:Player):
-    "Until the end, of the file or of our luck"
+    "Hand out pictures, until the file ends or the stream is lost"
     with closing(self._source.pictures()) as pictures:
         for picture in pictures:
             self._pictures.put(*picture)
@@ -151,7 +163,7 @@ def _play(self:Player):
 # %% ../../nbs/api/37_video.player.ipynb #d29c3aa5
 @patch
 def _lose(self:Player, error)->bool:
-    "There is no stream: why. True when all we can do is to listen on"
+    "Note why there is no stream; true when all we can do is to listen on"
     said = (error.strerror if isinstance(error, OSError) else None) or str(error) or type(error).__name__
     surprise = None if isinstance(error, OSError) else error
     if said!=self.fault: self.log.warning('%s: %s', url_name(self.url), said, exc_info=surprise)
@@ -161,6 +173,7 @@ def _lose(self:Player, error)->bool:
 # %% ../../nbs/api/37_video.player.ipynb #03ee16cb
 @patch
 def _run(self:Player):
+    "The thread: play, and try again after a fault"
     retry = self.first_retry
     while not self._closing.is_set():
         before = self._pictures.count
@@ -192,8 +205,11 @@ def next(self:Player,
     "The newest picture later than `after`, as a source gives it; `None` as for `read`"
     return self._pictures.wait(lambda: self._pictures.later(after), timeout)
 
+# %% ../../nbs/api/37_video.player.ipynb #27715d36
 @patch
-def watching(self:Player): return nullcontext(self)
+def watching(self:Player):
+    "For a `with`, as a source of frames has it: a player plays all the time"
+    return nullcontext(self)
 
 # %% ../../nbs/api/37_video.player.ipynb #509d0e5b
 @patch
@@ -212,7 +228,9 @@ async def __anext__(self:Player):
 
 # %% ../../nbs/api/37_video.player.ipynb #30d3cd39
 @patch(as_prop=True)
-def newest(self:Player)->bool: return self._pictures.newest
+def newest(self:Player)->bool:
+    "Does it hand out only the newest picture?"
+    return self._pictures.newest
 
 @patch(as_prop=True)
 def ended(self:Player)->bool:

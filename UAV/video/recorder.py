@@ -19,12 +19,21 @@ __all__ = ['SafeFile', 'MP4File', 'DiskFull', 'Recorder']
 # %% ../../nbs/api/36_video.recorder.ipynb #ab0579cf
 class SafeFile:
     "A new file that only grows; what must be corrected in it is written last"
-    def __init__(self, path):
+    def __init__(self,
+        path, # Where it shall be; made with the first bytes
+    ):
         self.path,self.size,self.fault = Path(path),0,None      # `fault`: why nothing is written any more
         self._at,self._whole,self._corrections,self._file = 0,0,[],None
 
-    def tell(self): return self._at
-    def seek(self, offset, whence=0):
+    def tell(self):
+        "Where the next bytes go"
+        return self._at
+
+    def seek(self,
+        offset:int, # bytes
+        whence:int=0, # From the beginning (0), from here (1), or from the end (2)
+    )->int:
+        "Go there; the next bytes are a correction, unless that is the end"
         self._at = offset + (0, self._at, self.size)[whence]
         return self._at
 
@@ -41,6 +50,7 @@ def write(self:SafeFile, data)->int:
     self._at += len(data)
     return len(data)
 
+# %% ../../nbs/api/36_video.recorder.ipynb #15909720
 @patch
 def _cut(self:SafeFile, fault:OSError):
     "Back to the end of what makes sense"
@@ -51,6 +61,7 @@ def _cut(self:SafeFile, fault:OSError):
 # %% ../../nbs/api/36_video.recorder.ipynb #fd2fa000
 @patch
 def _append(self:SafeFile, data):
+    "Write at the end; raises `OSError`"
     try:
         if self._file is None: self._file = open(self.path, 'xb', buffering=0)
         left = memoryview(data)
@@ -66,8 +77,10 @@ def sync(self:SafeFile):
     "Wait until it is on the disk"
     if self._file: os.fsync(self._file.fileno())
 
+# %% ../../nbs/api/36_video.recorder.ipynb #c9dff79b
 @patch
 def _correct(self:SafeFile):
+    "Write what was kept until now"
     for at,data in self._corrections:
         self._file.seek(at)
         self._file.write(data)
@@ -132,6 +145,7 @@ def write(self:MP4File, unit:AccessUnit):
     self.file.mark()
     self._ticks,self.seconds = ticks,(ticks+self._step)/clock_rate      # shown as long as the one before
 
+# %% ../../nbs/api/36_video.recorder.ipynb #98367bf5
 @patch
 def close(self:MP4File):
     "Make a plain MP4 of it; raises `OSError` when that cannot be, and then it stays as it was"
@@ -145,6 +159,7 @@ def close(self:MP4File):
 # %% ../../nbs/api/36_video.recorder.ipynb #a8063a84
 class DiskFull(OSError): "There is no room for more of a recording"
 
+# %% ../../nbs/api/36_video.recorder.ipynb #4ad854d9
 class Recorder(Sink):
     "Writes access units to MP4 files that survive a crash"
     most = 300          # units that may wait, because a memory card may take seconds
@@ -184,16 +199,21 @@ def bytes(self:Recorder)->int:
 # %% ../../nbs/api/36_video.recorder.ipynb #5e61ba23
 @patch
 def _check_room(self:Recorder, folder:Path):
+    "Raises `DiskFull` when the reserve would be touched, or the quota is used"
     free = shutil.disk_usage(folder).free/2**20
     if free<self.reserve: raise DiskFull(f'{free:.0f} MiB of the disk are free, and {self.reserve:g} MiB must stay')
     if self.quota is None or self.bytes/2**20<self.quota: return
     raise DiskFull(f'the recording has filled its {self.quota:g} MiB')
 
 # %% ../../nbs/api/36_video.recorder.ipynb #466859f7
-def _shape(format:VideoFormat): return format.codec,format.width,format.height,format.headers
+def _shape(format:VideoFormat)->tuple:
+    "What must be the same in all of a file"
+    return format.codec,format.width,format.height,format.headers
 
+# %% ../../nbs/api/36_video.recorder.ipynb #84f5036a
 @patch
 def _needs_file(self:Recorder, unit:AccessUnit)->bool:
+    "Must this key picture begin a new file?"
     if not self.videos: return True
     video = self.videos[-1]
     return unit.time-video.began>=self.segment or _shape(unit.format)!=_shape(video.format)
@@ -201,6 +221,7 @@ def _needs_file(self:Recorder, unit:AccessUnit)->bool:
 # %% ../../nbs/api/36_video.recorder.ipynb #10a85217
 @patch
 def _begin(self:Recorder, unit:AccessUnit):
+    "Close the file, and begin the next one; raises `OSError`"
     if self.videos: self.videos[-1].close()
     path = Path(self._path_of(len(self.videos)))
     self._check_room(path.parent)
@@ -219,10 +240,13 @@ def _check(self:Recorder):
 
 # %% ../../nbs/api/36_video.recorder.ipynb #46793bb2
 def _plainly(error:OSError)->OSError:
+    "The error as we name it: a disk that is full is a `DiskFull`"
     return DiskFull('the disk is full') if error.errno in (errno.ENOSPC,errno.EDQUOT) else error
 
+# %% ../../nbs/api/36_video.recorder.ipynb #5f2f4784
 @patch
 def send(self:Recorder, unit:AccessUnit):
+    "Write a picture; raises `OSError`, which ends the recording"
     try:
         if unit.key and self._needs_file(unit): self._begin(unit)
         self._check()
@@ -232,6 +256,7 @@ def send(self:Recorder, unit:AccessUnit):
 # %% ../../nbs/api/36_video.recorder.ipynb #cb8f51b7
 @patch
 def end(self:Recorder):
+    "Close the file, and tell when the recording has ended by itself"
     try:
         if self.videos: self.videos[-1].close()
     except OSError as e: self._fail(_plainly(e))

@@ -43,7 +43,7 @@ def payloads(
     "What goes into RTP packets, in order"
     codec,result = unit.format.codec,[]
     for nal in nal_units(unit.data):
-        if not nal or nal_type(nal, codec) in _padding[codec]: continue
+        if nal_type(nal, codec) in _padding[codec]: continue
         if len(nal)<=size: result.append(nal)
         else: result += fragments(nal, codec, size)
     return result
@@ -52,7 +52,9 @@ def payloads(
 class RTPStream:
     "Numbers the packets of one stream to one receiver, and reports about it"
     clock,payload_type = 90_000,96      # 1/s; 96 is the first of those that SDP explains
-    def __init__(self, size:int=1388):
+    def __init__(self,
+        size:int=1388, # bytes a payload may have
+    ):
         self.size,self.ssrc = size,secrets.randbits(32)
         self.sequence,self.start = secrets.randbits(16),secrets.randbits(32)    # next number; time stamp at 0 s
         self.packets_sent,self.octets_sent = 0,0
@@ -61,7 +63,11 @@ class RTPStream:
 
     __repr__ = basic_repr('ssrc,packets_sent,octets_sent')
 
-    def timestamp(self, seconds:float)->int: return self.start+round(seconds*self.clock) & 0xffff_ffff
+    def timestamp(self,
+        seconds:float, # monotonic
+    )->int:
+        "The time stamp of that moment"
+        return self.start+round(seconds*self.clock) & 0xffff_ffff
 
 # %% ../../nbs/api/32_video.rtp.ipynb #34e412aa
 @patch
@@ -195,7 +201,10 @@ class RTPSender(Sink):
         self.sock = socket.socket(family, socket.SOCK_DGRAM)
         self._set_multicast(interface)
 
-    def close(self, timeout:float=5.):
+    def close(self,
+        timeout:float=5., # s that the units which wait may take
+    ):
+        "Send what waits and the goodbye, and give the port back"
         super().close(timeout)
         self.sock.close()
 
@@ -228,6 +237,7 @@ def send(self:RTPSender, unit:AccessUnit):
 # %% ../../nbs/api/32_video.rtp.ipynb #5f94b476
 @patch
 def end(self:RTPSender):
+    "Say goodbye, when anything was sent"
     if self.format: self._sendto(self.rtp.goodbye(), self.address[1]+1)
 
 # %% ../../nbs/api/32_video.rtp.ipynb #102d86c3

@@ -80,10 +80,8 @@ class RequestReader:
     most_head,most_body = 8192,8192 # bytes
     def __init__(self): self._data,self._request = b'',None         # the second: one whose body is not complete yet
 
-    def feed(self,
-        data:bytes, # What came
-    ):
-        "All that is complete now, one after the other; raises `RTSPError`, and then nothing more can be read"
+    def feed(self, data:bytes):
+        "All that is complete with `data`, one after the other; raises `RTSPError`, and then nothing more can be read"
         self._data += data
         while item := self._next(): yield item
 
@@ -100,22 +98,19 @@ def _next(self:RequestReader)->Request|Interleaved|None:
 @patch
 def _packet(self:RequestReader)->Interleaved|None:
     size = 4+int.from_bytes(self._data[2:4], 'big')
-    if len(self._data)<4 or len(self._data)<size: return
+    if len(self._data)<size: return
     packet,self._data = self._data[:size],self._data[size:]
     return Interleaved(packet[1], packet[4:])
 
 # %% ../../nbs/api/33_video.rtsp.ipynb #643782db
 @patch
 def _head(self:RequestReader)->Request|None:
-    head,end,rest = _cut(self._data)
+    "The request whose head is complete; `None` when it is not yet"
+    head,*rest = re.split(rb'\r?\n\r?\n', self._data, maxsplit=1)
     if len(head)>self.most_head or head and not head[:1].isalpha(): raise RTSPError(400)
-    if not end: return
-    self._data = rest
+    if not rest: return
+    self._data = rest[0]
     return parse_head(head)
-
-def _cut(data:bytes)->tuple:
-    match = re.search(rb'\r?\n\r?\n', data)
-    return (data[:match.start()],True,data[match.end():]) if match else (data,False,b'')
 
 # %% ../../nbs/api/33_video.rtsp.ipynb #b92fca40
 @patch
@@ -185,8 +180,9 @@ def parse_transport(
 # %% ../../nbs/api/33_video.rtsp.ipynb #d03489d4
 def _md5(*parts:str)->str: return hashlib.md5(':'.join(parts).encode(), usedforsecurity=False).hexdigest()
 
+# %% ../../nbs/api/33_video.rtsp.ipynb #8c2e2546
 class Digest:
-    "Checks passwords"
+    "Checks the password of one user, of which it keeps only a hash; players show the `realm` when they ask for it"
     def __init__(self, user:str, password:str, realm:str='UAV'):
         self.realm,self._secret = realm,_md5(user, realm, password)
 
@@ -198,6 +194,7 @@ class Digest:
 # %% ../../nbs/api/33_video.rtsp.ipynb #7aa939c9
 def _same(a:str, b:str)->bool: return hmac.compare_digest(a.encode(), b.encode())
 
+# %% ../../nbs/api/33_video.rtsp.ipynb #8066611e
 @patch
 def check(self:Digest,
     request:Request, # What a player asks
@@ -229,7 +226,7 @@ class Session:
         self.state,self.path,self.transport = 'init',None,None
         self.id,self.rtp = secrets.token_hex(8),RTPStream()
 
-    def overdue(self, now:float)->bool: return now-self.heard>self.timeout
+    def overdue(self, now:float)->bool: return now-self.heard>self.timeout      # `now`: monotonic s
 
 # %% ../../nbs/api/33_video.rtsp.ipynb #2ece9f00
 _offered = 'OPTIONS','DESCRIBE','SETUP','PLAY','PAUSE','TEARDOWN','GET_PARAMETER','SET_PARAMETER'
@@ -237,7 +234,8 @@ _known = *_offered,'ANNOUNCE','RECORD','REDIRECT'
 
 def _cseq(request:Request)->str:
     "Its number, or nothing when that is none"
-    return request.headers.get('cseq', '') if re.fullmatch('[0-9]{1,10}', request.headers.get('cseq', '')) else ''
+    number = request.headers.get('cseq', '')
+    return number if re.fullmatch('[0-9]{1,10}', number) else ''
 
 # %% ../../nbs/api/33_video.rtsp.ipynb #0e70362e
 @patch
@@ -275,8 +273,7 @@ def _get_parameter(self:Session, request:Request)->Response:
     if request.body.strip(): raise RTSPError(451)
     return Response()
 
-@patch
-def _set_parameter(self:Session, request:Request)->Response: return self._get_parameter(request)
+Session._set_parameter = Session._get_parameter
 
 # %% ../../nbs/api/33_video.rtsp.ipynb #5a6f97c1
 @patch

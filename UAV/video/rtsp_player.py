@@ -32,11 +32,14 @@ class Viewer(Sink):
         self.rtp,self.on_end = rtp,on_end
         self.codec,self.stopped = None,False
 
-    def end(self): self.on_end()
+    def end(self):
+        "Tell the connection"
+        self.on_end()
 
 # %% ../../nbs/api/34_video.rtsp_player.ipynb #09fd93be
 @patch
 def send(self:Viewer, unit:AccessUnit):
+    "One picture, in packets; raises `ConnectionAbortedError` when the codec is another one"
     if self.stopped: return
     self.codec = self.codec or unit.format.codec
     if unit.format.codec!=self.codec: raise ConnectionAbortedError(f'{self.codec} has become {unit.format.codec}')
@@ -53,7 +56,8 @@ def stop(self:Viewer):
 # %% ../../nbs/api/34_video.rtsp_player.ipynb #80cb33e3
 class UDPViewer(Viewer):
     "By UDP"
-    def __init__(self, rtp, name, on_end,
+    def __init__(self,
+        rtp, name, on_end, # As for `Viewer`
         sockets:tuple, # Ours, for RTP and RTCP
         addresses:tuple, # The player's, for RTP and RTCP
     ):
@@ -61,6 +65,7 @@ class UDPViewer(Viewer):
         store_attr('sockets,addresses')
 
     def deliver(self, packets:list, report:bytes):
+        "Send the packets of one picture, and a report when it is not empty"
         for packet in packets: self._sendto(0, packet)
         if report: self._sendto(1, report)
 
@@ -71,7 +76,8 @@ class UDPViewer(Viewer):
 # %% ../../nbs/api/34_video.rtsp_player.ipynb #1a0a1ee5
 class InsideViewer(Viewer):
     "Inside the RTSP connection"
-    def __init__(self, rtp, name, on_end,
+    def __init__(self,
+        rtp, name, on_end, # As for `Viewer`
         outbox:Outbox, # Of the connection
         channels:tuple, # For RTP and RTCP
         alive=lambda now: None, # Told when the player has taken a picture
@@ -80,6 +86,7 @@ class InsideViewer(Viewer):
         store_attr('outbox,channels,alive')
 
     def deliver(self, packets:list, report:bytes):
+        "Send the packets of one picture and a report, and wait until the player has taken them"
         data = [bytes(Interleaved(self.channels[0], packet)) for packet in packets]
         if report: data.append(bytes(Interleaved(self.channels[1], report)))
         self.outbox.write(b''.join(data))
@@ -88,7 +95,11 @@ class InsideViewer(Viewer):
 # %% ../../nbs/api/34_video.rtsp_player.ipynb #d7d3af39
 class Connection:
     "One player of an RTSP server"
-    def __init__(self, server, sock, address:tuple):
+    def __init__(self,
+        server, # An `RTSPServer`
+        sock, # The connection, which does not block
+        address:tuple, # Of the player: host, port …
+    ):
         store_attr()
         self.session = Session(server.videos, server.digest, server.udp_ports, server.timeout)
         self.session.heard = time.monotonic()
@@ -107,12 +118,18 @@ def udp_addresses(self:Connection)->tuple:
     host,_,*rest = self.address
     return tuple((host, port, *rest) for port in self.session.transport.pair)
 
+# %% ../../nbs/api/34_video.rtsp_player.ipynb #f22dc882
 @patch
-def _alive(self:Connection, now:float): self.session.heard = now
+def _alive(self:Connection,
+    now:float, # Monotonic s
+):
+    "The player has given a sign of life"
+    self.session.heard = now
 
 # %% ../../nbs/api/34_video.rtsp_player.ipynb #7bb6647a
 @patch
 def _new_viewer(self:Connection)->Viewer:
+    "The way to the player that its session has agreed on"
     rtp,transport = self.session.rtp,self.session.transport
     def on_end(): self.server.loop.call(self._check_viewer)
     if transport.tcp: return InsideViewer(rtp, repr(self), on_end, self.outbox, transport.pair, self._alive)
@@ -131,6 +148,7 @@ def _play(self:Connection):
 # %% ../../nbs/api/34_video.rtsp_player.ipynb #508968ff
 @patch
 def _stop(self:Connection):
+    "Give it no more pictures"
     viewer,self.viewer = self.viewer,None
     viewer.stop()
     log.info('%r has stopped', self)
@@ -156,6 +174,7 @@ def close(self:Connection):
 # %% ../../nbs/api/34_video.rtsp_player.ipynb #35ab5bd5
 @patch
 def _reply(self:Connection, response:Response):
+    "Send an answer, and do what the session says now: play, or stop"
     if self.outbox.closed: return
     playing = self.session.state=='playing'
     if self.viewer and not playing: self._stop()
@@ -201,6 +220,7 @@ def _describe(self:Connection, request:Request):
 # %% ../../nbs/api/34_video.rtsp_player.ipynb #8589ce7e
 @patch
 def _described(self:Connection, response:Response):
+    "The answer is there: send it, and go on"
     self.busy = False
     self._reply(response)
     self._go_on()

@@ -26,11 +26,11 @@ def _fields(header:str)->dict:
 def _response(fields:dict, method, url, user, password)->dict:
     "The hash that proves that we know the password, and what it is made with"
     kind = sha256 if 'SHA-256' in fields.get('algorithm', '').upper() else md5
-    def h(*parts): return kind(':'.join(parts).encode()).hexdigest()
-    secret,asked,nonce = h(user, fields['realm'], password),h(method, url),fields['nonce']
-    if 'auth' not in fields.get('qop', ''): return dict(response=h(secret, nonce, asked))
+    def hashed(*parts): return kind(':'.join(parts).encode()).hexdigest()
+    secret,asked,nonce = hashed(user, fields['realm'], password),hashed(method, url),fields['nonce']
+    if 'auth' not in fields.get('qop', ''): return dict(response=hashed(secret, nonce, asked))
     ours = secrets.token_hex(8)
-    return dict(nc='00000001', cnonce=ours, qop='auth', response=h(secret, nonce, '00000001', ours, 'auth', asked))
+    return dict(nc='00000001', cnonce=ours, qop='auth', response=hashed(secret, nonce, '00000001', ours, 'auth', asked))
 
 # %% ../../nbs/api/34_video.rtsp_receiver.ipynb #5b7a1744
 def _digest(fields:dict, method, url, user, password)->str:
@@ -45,7 +45,8 @@ def authorization(
     challenge:str, # The header WWW-Authenticate
     method:str, # Of the request
     url:str, # Of the request
-    user:str, password:str, # What we know
+    user:str, # Who we are
+    password:str, # Of that user
 )->str:
     "The header Authorization that answers it"
     if challenge.lower().startswith('basic'): return 'Basic '+b64encode(f'{user}:{password}'.encode()).decode()
@@ -103,12 +104,14 @@ class RTSPReceiver(Receiver):
         self._forget()
 
     def _forget(self):
+        "Nothing is agreed with the server yet, or no longer"
         self._sock,self._udp,self._data,self._packets = None,None,bytearray(),[]
         self._cseq,self._session,self._methods,self._alive = 0,None,'',30.
 
 # %% ../../nbs/api/34_video.rtsp_receiver.ipynb #1d27abac
 @patch
 def _send(self:RTSPReceiver, method, url, headers):
+    "Send a request, with its number, the session and the password"
     self._cseq += 1
     headers = dict(CSeq=self._cseq, **{'User-Agent':'UAV'}, **headers)
     if self._session: headers['Session'] = self._session
@@ -130,6 +133,7 @@ def _answer(self:RTSPReceiver)->tuple:
 
 # %% ../../nbs/api/34_video.rtsp_receiver.ipynb #e5e493ad
 def _status(line:str)->int:
+    "The number in the first line of an answer; 0 when it is no RTSP"
     found = re.match(r'RTSP/\d\.\d (\d+)', line)
     return int(found[1]) if found else 0
 
@@ -171,14 +175,14 @@ def _setup(self:RTSPReceiver, url):
     if self.transport!='udp':
         wish = dict(Transport='RTP/AVP/TCP;unicast;interleaved=0-1')
         code,said,_ = self._ask('SETUP', url, also=() if self.transport else (461,), **wish)
-        if code==200: return self._set_up(said)
+        if code==200: return self._agreed(said)
     self._udp = listen_pair(self._sock.getsockname()[0])
     port = self._udp[0].getsockname()[1]
-    self._set_up(self._ask('SETUP', url, Transport=f'RTP/AVP;unicast;client_port={port}-{port+1}')[1])
+    self._agreed(self._ask('SETUP', url, Transport=f'RTP/AVP;unicast;client_port={port}-{port+1}')[1])
 
 # %% ../../nbs/api/34_video.rtsp_receiver.ipynb #2ac59dd4
 @patch
-def _set_up(self:RTSPReceiver, said):
+def _agreed(self:RTSPReceiver, said):
     "Remember what the server said to SETUP"
     self._session,_,after = said.get('session', '').partition(';')
     found = re.search(r'timeout=(\d+)', after)
@@ -201,6 +205,7 @@ def _open_firewall(self:RTSPReceiver, port):
 # %% ../../nbs/api/34_video.rtsp_receiver.ipynb #f7992027
 @patch
 def _take_tcp(self:RTSPReceiver):
+    "What has come on the connection"
     data = self._sock.recv(1<<16)
     if not data: raise ConnectionError('the server has closed the connection')
     self._data += data

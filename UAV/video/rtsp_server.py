@@ -25,6 +25,7 @@ class Videos(dict):
     "Encoders by path; `videos[path]` is the format of one, as soon as that is known"
     patience = 5.       # s
     def __getitem__(self, path:str):
+        "Its `VideoFormat`; raises `RTSPError` (503) when that is not known in time"
         encoder,format = self.get(path),None
         try: format = encoder and encoder.wait_format(self.patience)
         except Exception as e: log.warning('rtsp %s: %s', path, e)
@@ -97,13 +98,16 @@ def _make_room(self:RTSPServer):
 # %% ../../nbs/api/35_video.rtsp_server.ipynb #10bc559f
 @patch
 def _welcome(self:RTSPServer, sock, address:tuple):
+    "A connection for the newcomer"
     try: tune(sock)
     except OSError: return sock.close()                         # it has gone already
     connection = self.connections[sock] = Connection(self, sock, address)
     connection.watch()
 
+# %% ../../nbs/api/35_video.rtsp_server.ipynb #c087461e
 @patch
 def _turn_away(self:RTSPServer, sock):
+    "All places are taken: 503"
     with sock:
         try: sock.send(bytes(Response(503)))
         except OSError as e: log.debug('rtsp server %d: %s', self.port, e)

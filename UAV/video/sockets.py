@@ -36,6 +36,7 @@ class Loop:
 # %% ../../nbs/api/32_video.sockets.ipynb #2fc34f5b
 @patch
 def _run(self:Loop):
+    "The thread: wait, and call what is due"
     while not self._closed:
         for key,events in self._selector.select(1.): self._try(key.data, events)
         while self._todo: self._try(self._todo.popleft())
@@ -51,7 +52,9 @@ def _try(self:Loop, do, *args):
 
 # %% ../../nbs/api/32_video.sockets.ipynb #9d5434b8
 @patch
-def call(self:Loop, do):
+def call(self:Loop,
+    do, # A function without parameters
+):
     "Let the loop's thread call `do()`, soon"
     self._todo.append(do)
     try: self._pull.send(b'.')
@@ -59,7 +62,9 @@ def call(self:Loop, do):
 
 # %% ../../nbs/api/32_video.sockets.ipynb #26d6177c
 @patch
-def ask(self:Loop, do):
+def ask(self:Loop,
+    do, # A function without parameters
+):
     "Let the loop's thread call `do()`, and wait until it has; there, call it at once"
     if threading.current_thread() is self._thread: return do()
     done = threading.Event()
@@ -89,15 +94,18 @@ def watch(self:Loop,
     if sock in self._selector.get_map(): self._selector.modify(sock, events, ready)
     else: self._selector.register(sock, events, ready)
 
+# %% ../../nbs/api/32_video.sockets.ipynb #b03a9230
 @patch
-def forget(self:Loop, sock):
+def forget(self:Loop,
+    sock, # One that is watched; others are ignored
+):
     "Wait for it no more; call this before you close it"
     if sock in self._selector.get_map(): self._selector.unregister(sock)
 
 # %% ../../nbs/api/32_video.sockets.ipynb #7b00dbfd
 class Outbox:
     "What the other side has not taken yet"
-    most = 4<<20            # bytes that may wait; who leaves more is given up
+    most = 4<<20            # bytes that may wait; a player that leaves more is given up
     def __init__(self,
         sock, # That does not block
         full=lambda: None, # Called when the socket takes no more: watch it, and `flush` when it does
@@ -106,7 +114,9 @@ class Outbox:
         self._data,self._changed,self.closed = bytearray(),threading.Condition(),False
 
     @property
-    def waiting(self)->int: return len(self._data)
+    def waiting(self)->int:
+        "How many bytes wait"
+        return len(self._data)
 
 # %% ../../nbs/api/32_video.sockets.ipynb #50cb6ad1
 @patch
@@ -131,7 +141,9 @@ def close(self:Outbox):
 
 # %% ../../nbs/api/32_video.sockets.ipynb #da6b2ff6
 @patch
-def write(self:Outbox, data:bytes):
+def write(self:Outbox,
+    data:bytes, # For the other side
+):
     "Send it, and keep what cannot be sent now"
     with self._changed:
         if self.closed: return

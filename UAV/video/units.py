@@ -48,8 +48,9 @@ class AccessUnit:
 def nal_units(
     data:bytes, # A byte stream
 )->list:
-    "The NAL units of a byte stream, without start codes"
-    return [nal.rstrip(b'\0') for nal in data.split(b'\0\0\1')[1:]]
+    "The NAL units of a byte stream, without start codes; empty ones are left out"
+    found = (nal.rstrip(b'\0') for nal in data.split(b'\0\0\1')[1:])
+    return [nal for nal in found if nal]
 
 # %% ../../nbs/api/30_video.units.ipynb #ded43bca
 def nal_type(
@@ -82,7 +83,9 @@ def is_key(
 class Sink:
     "Takes access units, on a thread of its own; a subclass has `send(unit)`, and `end()` if it likes"
     most = 30           # units that may wait; more are too late
-    def __init__(self, name:str='sink'):
+    def __init__(self,
+        name:str='sink', # For its thread and its log lines
+    ):
         self.name,self.source = name,None           # `source`: the encoder, which is asked for a key picture
         self.dropped,self.fault = 0,None            # units that came too late; why it ended, if by an error
         self._queue,self._changed = deque(),threading.Condition()
@@ -92,7 +95,9 @@ class Sink:
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-    def send(self, unit:AccessUnit): raise NotImplementedError(f'{type(self).__name__} needs a method send(unit)')
+    def send(self, unit:AccessUnit):
+        "Send it on; may take its time, and may raise"
+        raise NotImplementedError(f'{type(self).__name__} needs a method send(unit)')
     def end(self): "Called on the sink's thread when the last unit was sent"
 
 # %% ../../nbs/api/30_video.units.ipynb #1c74cede
@@ -103,8 +108,10 @@ def _drop(self:Sink):
     self._queue.clear()
     if source := self.source: source.key_frame()
 
+# %% ../../nbs/api/30_video.units.ipynb #0f661c28
 @patch
 def _start(self:Sink):
+    "Begin to send, on a thread of its own"
     self._thread = threading.Thread(target=self._run, name=f'sink {self.name}', daemon=True)
     self._thread.start()
 
@@ -133,6 +140,7 @@ def _next(self:Sink)->AccessUnit|None:
 # %% ../../nbs/api/30_video.units.ipynb #4b88cbcb
 @patch
 def _run(self:Sink):
+    "The thread: send one unit after the other, until the sink is closed"
     try:
         while unit := self._next(): self.send(unit)
     except Exception as e: self._fail(e)
@@ -142,7 +150,7 @@ def _run(self:Sink):
 # %% ../../nbs/api/30_video.units.ipynb #a63dcb1b
 @patch
 def _fail(self:Sink, error:Exception):
-    "It cannot go on: whoever added it sees `fault`"
+    "It cannot go on: `fault` says why"
     get_logger('video').warning('%r: %s', self, error, exc_info=None if isinstance(error, OSError) else error)
     with self._changed:
         self.fault,self._closed = self.fault or error,True
