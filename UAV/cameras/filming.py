@@ -7,7 +7,7 @@ from __future__ import annotations
 import threading
 
 from fastcore.basics import patch
-from .values import CameraBusy, VideoStatus
+from .values import CameraBusy, CameraError, VideoStatus
 
 # %% auto #0
 __all__ = ['Filming']
@@ -20,7 +20,7 @@ class Filming:
         camera, # Its `frames`, `storage`, `announce` and `make_encoder` are used
     ):
         self.camera,self.streams,self.encoders = camera,[],{}       # encoders by what was asked of them
-        self.recorder,self._lock = None,threading.RLock()
+        self.recorder,self.closed,self._lock = None,False,threading.RLock()
 
     def __repr__(self): return '\n'.join(map(repr, self.streams)) or 'no streams'
 
@@ -35,6 +35,7 @@ def encoder(self:Filming,
     "An encoder for these; the one that is there, if it was asked for before"
     key = codec,size,rate,bitrate
     with self._lock:
+        if self.closed: raise CameraError(f'{self.camera!r} is closed')
         if key not in self.encoders: self.encoders[key] = self.camera.make_encoder(*key)
         return self.encoders[key]
 
@@ -60,12 +61,22 @@ def add(self:Filming,
         name = name or f'{information.model} {number}'
         size = information.resolution_h or 640,information.resolution_v or 480
         if any(name==s.name for s in self.streams): raise ValueError(f'there is a stream {name!r} already')
-        same = [s.server for s in self.streams if s.kind==kind=='rtsp' and s.port==port]    # port 0: one for all
+        same = [s.server for s in self.streams if (s.kind,s.host,s.port)==('rtsp',host,port) and kind=='rtsp']
         stream = VideoStream(self.encoder(**how), kind, name, number, host, port, *same[:1], uri=uri, size=size,
                              on_change=self._tell)
-        stream.start()
-        self.streams.append(stream)
+        self._begin(stream)
     return stream
+
+# %% ../../nbs/api/44_cameras.filming.ipynb #63a64229
+@patch
+def _begin(self:Filming, stream):
+    "Start it; those who are told of that find it among the others"
+    self.streams.append(stream)
+    try: stream.start()
+    except BaseException:
+        self.streams.remove(stream)
+        stream.close()
+        raise
 
 # %% ../../nbs/api/44_cameras.filming.ipynb #7c25441b
 @patch
@@ -86,6 +97,7 @@ def _tell_recording(self:Filming):
 @patch
 def _ended(self:Filming, recorder):
     "The recorder has ended by itself"
+    if self.recorder is not recorder: return        # `stop_recording` waits for us, with the lock
     with self._lock:
         if self.recorder is not recorder: return
         self.recorder = None
@@ -124,7 +136,7 @@ def stop_recording(self:Filming):
     with self._lock:
         recorder,self.recorder = self.recorder,None
         if recorder is None: return
-        recorder.source.remove(recorder)
+        if source := recorder.source: source.remove(recorder)       # none when it has ended by itself just now
         recorder.close()
     self._tell_recording()
 
@@ -139,6 +151,7 @@ def seconds(self:Filming)->float:
 @patch
 def close(self:Filming):
     "End the recording, send the viewers away, and stop the encoders; may be called twice"
+    with self._lock: self.closed = True             # nothing new begins
     self.stop_recording()
     for stream in self.streams: stream.close()
     for encoder in self.encoders.values(): encoder.close()

@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/38_video.stream.ipynb #590d1cfa
 from __future__ import annotations
-import math, re, threading
+import math, os, re, threading
 
 from fastcore.basics import patch, store_attr
 from .units import VideoFormat
@@ -45,6 +45,22 @@ def let_go(server:RTSPServer):
         _servers.pop(key, None)
     server.close()
 
+# %% ../../nbs/api/38_video.stream.ipynb #682f12e0
+def _after_fork():
+    "In a forked process: no server is ours"
+    global _servers_lock
+    _servers.clear()
+    _servers_lock = threading.Lock()        # a thread that is not here may have held it
+
+if hasattr(os, 'register_at_fork'): os.register_at_fork(after_in_child=_after_fork)
+
+# %% ../../nbs/api/38_video.stream.ipynb #7c709af6
+def _port(kind:str, port:int|None)->int:
+    "Where it sends to, or listens; raises `ValueError`"
+    if port is None: return default_ports[kind]
+    if port in range(kind in senders, 1<<16): return port           # only a server may have a free one, 0
+    raise ValueError(f'{port} is no port for {kind!r}')
+
 # %% ../../nbs/api/38_video.stream.ipynb #c546974f
 class VideoStream:
     "An encoder and the way its pictures take"
@@ -63,9 +79,9 @@ class VideoStream:
     ):
         if kind not in default_ports: raise ValueError(f'kind must be one of {", ".join(default_ports)}, not {kind!r}')
         store_attr('encoder,kind,name,stream_id,host,server,hfov,size,on_change')
-        self.port,self.told_uri = default_ports[kind] if port is None else port,uri
+        self.port,self.told_uri = _port(kind, port),uri
         self.running,self.sink,self._lock = False,None,threading.Lock()         # `sink`: a sender, or a `TSServer`
-        self._shared = False        # is `server` one that we must let go?
+        self._shared = self._closed = False         # `_shared`: is `server` one that we must let go?
 
     def __repr__(self):
         state = f'{self.viewers} watching' if self.running else 'stopped'
@@ -78,7 +94,7 @@ class VideoStream:
 @patch(as_prop=True)
 def path(self:VideoStream)->str:
     "The path of an RTSP stream: its name, in letters that a URL may have"
-    return re.sub(r'[^a-z0-9]+', '_', self.name.lower()).strip('_')
+    return re.sub(r'[^a-z0-9]+', '_', self.name.lower()).strip('_') or f'stream_{self.stream_id}'
 
 # %% ../../nbs/api/38_video.stream.ipynb #d4532f8b
 @patch(as_prop=True)
@@ -86,7 +102,7 @@ def viewers(self:VideoStream)->int:
     "How many watch; a sender does not know, and says 1"
     if not self.running: return 0
     if self.kind=='rtsp': return self.server.viewers(self.path)
-    return len(self.sink.clients) if self.kind=='tcp' else 1
+    return len(getattr(self.sink, 'clients', ())) if self.kind=='tcp' else 1
 
 # %% ../../nbs/api/38_video.stream.ipynb #06d55015
 @patch(as_prop=True)
@@ -122,8 +138,9 @@ def _stop(self:VideoStream):
 def start(self:VideoStream,
     host:str|None=None, # Where a sender sends to from now on; `None`: as before
 ):
-    "Let viewers in, or begin to send; fine when it runs. Raises `OSError` when the port is taken"
+    "Let viewers in, or begin to send; fine when it runs. Raises `OSError` (a port that is taken), `RuntimeError` (closed)"
     with self._lock:
+        if self._closed: raise RuntimeError(f'the stream {self.name} is closed')
         if self.running and host in (None, self.host): return
         self._stop()
         if host and self.kind in senders: self.host = host
@@ -156,7 +173,7 @@ def uri(self:VideoStream,
 # %% ../../nbs/api/38_video.stream.ipynb #cd9ccd2d
 @patch
 def close(self:VideoStream):
-    "Stop, and let go of the server; may be called twice. The encoder stays"
+    "Stop for good, and let go of the server; may be called twice. The encoder stays"
+    with self._lock: self._closed,shared,self._shared = True,self._shared,False
     self.stop()
-    if self._shared: let_go(self.server)
-    self._shared = False
+    if shared: let_go(self.server)
