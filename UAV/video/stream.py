@@ -138,7 +138,7 @@ def _stop(self:VideoStream):
 def start(self:VideoStream,
     host:str|None=None, # Where a sender sends to from now on; `None`: as before
 ):
-    "Let viewers in, or begin to send; fine when it runs. Raises `OSError` (a port that is taken), `RuntimeError` (closed)"
+    "Let viewers in, or begin to send; fine when it runs. Raises `OSError` (port taken), or `RuntimeError` (closed)"
     with self._lock:
         if self._closed: raise RuntimeError(f'the stream {self.name} is closed')
         if self.running and host in (None, self.host): return
