@@ -16,6 +16,7 @@ from .frames import Frames
 from .storage import Storage
 from .values import *
 from ..logging import LogLevels, get_logger
+from ..utils.pictures import as_bgr
 
 # %% ../../nbs/api/45_cameras.camera.ipynb #5c0a5322
 _cameras = weakref.WeakSet()       # all that are open
@@ -172,7 +173,7 @@ def _read_watched(self:Camera)->Frame:
 def _encode(self:Camera, frame)->bytes:
     "The frame as JPEG"
     import cv2
-    ok,jpeg = cv2.imencode('.jpg', frame.image, [cv2.IMWRITE_JPEG_QUALITY, self.jpeg_quality])
+    ok,jpeg = cv2.imencode('.jpg', as_bgr(frame.image), [cv2.IMWRITE_JPEG_QUALITY, self.jpeg_quality])
     if not ok: raise CameraError('the frame cannot be encoded')
     return jpeg.tobytes()
 
@@ -263,7 +264,7 @@ def after_fork(self:Camera):
     self.device.closed = True       # an alarm of the parent may still ring here
     self.captures,self.device = CaptureQueue(self),DeviceWatch(self)
     self.frames,self.filming = Frames(self),Filming(self)
-    self.frames.closed = True
+    self.frames.closed = self.filming.closed = True
     self._lock,self._closing = threading.Lock(),threading.Event()
     self.captures.refusal = CameraError,f'{self!r} is closed: it belongs to process {os.getppid()}'
     self.device.close()

@@ -6,6 +6,7 @@
 from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import replace
+from numbers import Integral
 import threading, time
 
 from fastcore.basics import patch
@@ -101,7 +102,7 @@ def _read_one(self:Frames)->float:
     "Read a frame and publish it; when that fails, the seconds to wait until the next attempt"
     self._since = time.monotonic()
     try: frame = self._read()
-    except (Exception, SystemExit) as e:
+    except BaseException as e:              # no error of a device may end the thread
         if self.closed: return 0.
         self.camera.set_fault(str(e) or type(e).__name__, None if isinstance(e, CameraError) else e)
         return .1
@@ -115,6 +116,7 @@ def _read(self:Frames)->Frame:
     seen = self._seen.number if self._seen else -1
     frame = self.camera.next_frame(seen) if hasattr(self.camera,'next_frame') else self.camera.read()
     if not isinstance(frame, Frame): raise CameraError(f'read() must return a Frame, not {type(frame).__name__}')
+    if not isinstance(frame.number, Integral): raise CameraError(f'a Frame needs a number, not {frame.number!r}')
     return frame
 
 # %% ../../nbs/api/43_cameras.frames.ipynb #3b5e2c31

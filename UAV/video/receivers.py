@@ -30,7 +30,7 @@ class Receiver:
         timeout:float=5., # s that it may be silent
     ):
         store_attr()
-        self._reader,self._stopped = None,False
+        self._reader,self._stopped,self._process = None,False,os.getpid()
         self._inside,self._outside = socket.socketpair()
         self._selector = selectors.DefaultSelector()
         self._selector.register(self._inside, selectors.EVENT_READ)
@@ -38,6 +38,7 @@ class Receiver:
     def stop(self):
         "End what waits, now and later"
         self._stopped = True
+        if os.getpid()!=self._process: return   # a forked one, and the pipe is the parent's
         try: self._outside.send(b'.')
         except OSError: pass                    # it is closed already
 
