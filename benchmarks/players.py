@@ -1,5 +1,5 @@
 """Every way out of our encoder, watched by players that are not ours: what arrives, and how late; and our RTSP, RTP and MPEG-TS beside gst-rtsp-server and ffmpeg. See README.md."""
-import argparse, json, os, select, shutil, statistics, subprocess, sys, tempfile, threading, time
+import argparse, json, math, os, select, shutil, statistics, subprocess, sys, tempfile, threading, time
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from types import SimpleNamespace
@@ -8,7 +8,7 @@ from trees import HERE, environment
 from run import compare, free_ports, in_turn, machine, short, table, write
 from video import first_line, gst_has
 
-RATE,WARM,PATIENCE = 15,15,20.          # pictures a second; those whose latency does not count; s that a player may take longer than it must
+RATE,PATIENCE = 15,20.          # pictures a second; s that a player may take longer than it must
 SINKS = {'rtsp udp': 'RTSP, UDP', 'rtsp tcp': 'RTSP, TCP', 'rtp': 'RTP', 'ts udp': 'MPEG-TS, UDP', 'ts tcp': 'MPEG-TS, TCP'}
 CODECS = dict(h264='H.264', h265='H.265')
 
@@ -30,7 +30,7 @@ class Painted:
     def next(self, after=-1, timeout=None):
         import numpy as np
         from UAV.testing.marks import mark
-        number = max(after+1, int((time.monotonic()-self.began)*RATE))
+        number = max(after+1, math.ceil((time.monotonic()-self.began)*RATE))
         time.sleep(max(0, self.began+number/RATE-time.monotonic()))
         image = np.roll(self.ground, number*4, 1)
         self.numbers.append(number)
@@ -75,14 +75,16 @@ def gst_camera(sink, codec, size, port):
     factory.set_launch(f'( appsrc name=source is-live=true do-timestamp=true format=time leaky-type=downstream max-buffers=1 caps={caps} ! videoconvert n-threads=1 ! '
                        f'video/x-raw,format=I420 ! x264enc speed-preset=ultrafast tune=zerolatency threads=1 vbv-buf-capacity=500 key-int-max={RATE} bitrate={kbit} ! '
                        'rtph264pay name=pay0 pt=96 config-interval=-1 )')
-    def feed(appsrc, media):
+    def feed(appsrc, ended):
         after = -1
-        while media.get_status()!=GstRtspServer.RTSPMediaStatus.UNPREPARED:
+        while not ended.is_set():
             frame = source.next(after)
             after = frame.number
-            if appsrc.emit('push-buffer', Gst.Buffer.new_wrapped(frame.image.tobytes()))!=Gst.FlowReturn.OK: return
+            appsrc.emit('push-buffer', Gst.Buffer.new_wrapped(frame.image.tobytes()))
     def configure(_, media):
-        threading.Thread(target=feed, args=(media.get_element().get_child_by_name('source'),media), daemon=True).start()
+        ended = threading.Event()
+        media.connect('unprepared', lambda _: ended.set())
+        threading.Thread(target=feed, args=(media.get_element().get_child_by_name('source'),ended), daemon=True).start()
     factory.connect('media-configure', configure)
     server = GstRtspServer.RTSPServer(address='127.0.0.1', service=str(port))
     server.get_mount_points().add_factory('/camera', factory)
@@ -179,7 +181,7 @@ def vlc_player(sink, url, sdp, count):
         user = dict(user='nobody', env=dict(os.environ, HOME=folder)) if os.getuid()==0 else {}              # it refuses to run as root
         opened,offset = now_us(),time.time_ns()-time.monotonic_ns()
         subprocess.run(['cvlc',*options.split(),url.replace('udp://', 'udp://@'),'vlc://quit'], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=count/RATE+PATIENCE, **user)
-        files = sorted(Path(folder).glob('*.jpg'), key=lambda f: f.stat().st_mtime_ns)[:count]
+        files = sorted(Path(folder).glob('*.jpg'), key=lambda f: f.stat().st_mtime_ns)
         from UAV.testing.marks import read_mark
         seen = [[*(read_mark(cv2.imread(str(f))) or (None,None)), (f.stat().st_mtime_ns-offset)//1000] for f in files]
     print(json.dumps(dict(opened=opened, seen=seen)), flush=True)
@@ -233,12 +235,13 @@ def play(player, sink, codec, at, count):
     return json.loads(said) if said else dict(opened=0, seen=[])
 
 def judge(run, painted):
-    "Counts and times of one run; lost is what was painted between the first and the last that came, and did not come"
+    "Counts and times of one run; lost: painted between the first and the last that came, and never seen. Late: of those painted since the first was seen"
     read = [s for s in run['seen'] if s[0] is not None]
     if not read: return dict(pictures=0)
     numbers = [s[0] for s in read]
     between = {n for n in painted if min(numbers)<=n<=max(numbers)}
-    late = sorted((at-then)/1000 for _,then,at in read[WARM:] or read)
+    once = {n: (then,at) for n,then,at in reversed(read)}               # the first time that each was seen
+    late = sorted((at-then)/1000 for then,at in once.values() if then>read[0][2]) or [(read[-1][2]-read[-1][1])/1000]
     return dict(pictures=len(read), lost=len(between-set(numbers)), repeated=len(numbers)-len(set(numbers)), unreadable=len(run['seen'])-len(read),
                 disordered=sum(b<a for a,b in zip(numbers, numbers[1:])), p50=short(statistics.median(late)), p95=short(late[int(.95*(len(late)-1)+.5)]),
                 first=short((read[0][2]-run['opened'])/1e6))
@@ -306,7 +309,8 @@ def main():
     peers = {peer for peer in NAMES if can_serve(peer)}
     for sink,peer in PEERS if args.only in (None,'peers') else ():
         if peer not in peers: continue
-        rows = [row for p in players['h264'][:2] for row in beside(sink, peer, size, rounds, count, p) if (sink,p)!=('rtp','PyAV')]
+        watchers = [p for p in players['h264'][:2] if (sink,p)!=('rtp','PyAV')]                # FFmpeg wants an SDP, that another ffmpeg does not give in time
+        rows = [row for p in watchers for row in beside(sink, peer, size, rounds, count, p)]
         results['rows'] += rows
         for l in table(rows): print(l, flush=True)
     results['load'].append(os.getloadavg()[1])
