@@ -160,7 +160,7 @@ def first_line(*command):
     "What a program says of its version"
     if not shutil.which(command[0]): return 'absent'
     said = subprocess.run(command, capture_output=True, text=True).stdout
-    return next(iter(re.findall(r'\d+\.\d+[\w.:+-]*', said)), '')
+    return next(iter(re.findall(r'(?<!-)\d+\.\d+[\w.:+-]*', said)), '')
 
 def versions():
     import av
