@@ -1,6 +1,6 @@
 """Cameras: they take pictures, and have never heard of MAVLink."""
 from UAV.cameras.values import (CameraBusy, CameraError, CameraInformation, CameraSettings, CaptureStatus, DeviceStatus, Frame, Picture, Pose,
-                                StorageError, StorageFull, StorageInformation, StorageInUse, VideoStatus, WrongMode)
+                                StorageError, StorageFull, StorageInformation, StorageInUse, RecordingEnded, VideoStatus, WrongMode)
 from UAV.cameras.storage import Storage
 from UAV.cameras.lens import Focus, Lens, Travel, View
 from UAV.cameras.camera import Camera

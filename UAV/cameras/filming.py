@@ -7,7 +7,7 @@ from __future__ import annotations
 import threading
 
 from fastcore.basics import patch
-from .values import CameraBusy, CameraError, VideoStatus
+from .values import CameraBusy, CameraError, RecordingEnded, VideoStatus
 
 # %% auto #0
 __all__ = ['Filming']
@@ -102,6 +102,7 @@ def _ended(self:Filming, recorder):
         if self.recorder is not recorder: return
         self.recorder = None
     self.camera.log.warning('the recording has ended: %s', recorder.fault)
+    self.camera.announce(RecordingEnded(str(recorder.fault)))
     self._tell_recording()
 
 # %% ../../nbs/api/44_cameras.filming.ipynb #08ec14a8

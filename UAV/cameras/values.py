@@ -5,7 +5,7 @@
 # %% auto #0
 __all__ = ['NAN', 'known', 'Value', 'CameraInformation', 'CameraError', 'CameraBusy', 'WrongMode', 'StorageError', 'StorageFull',
            'StorageInUse', 'inside', 'one_of', 'Pose', 'Frame', 'Picture', 'as_line', 'check_picture', 'from_line',
-           'CameraSettings', 'CaptureStatus', 'StorageInformation', 'DeviceStatus', 'VideoStatus']
+           'CameraSettings', 'CaptureStatus', 'StorageInformation', 'DeviceStatus', 'VideoStatus', 'RecordingEnded']
 
 # %% ../../nbs/api/40_cameras.values.ipynb #c572e020
 import json, math, re
@@ -187,3 +187,9 @@ class VideoStatus(Value):
     stream_id:int # From 1
     running:bool=False # Can it be watched?
     viewers:int=0 # How many watch it now
+
+# %% ../../nbs/api/40_cameras.values.ipynb #3e0e61c5
+@dataclass(frozen=True, repr=False, eq=False)
+class RecordingEnded(Value):
+    "A recording has ended by itself; its file is complete"
+    why:str # Such as a full disk

@@ -10,7 +10,7 @@ import ipaddress, math, socket
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..cameras.values import CaptureStatus, VideoStatus
+from ..cameras.values import CaptureStatus, RecordingEnded, VideoStatus
 from ..wire.dialect import address
 from ..wire.links import VirtualLink
 from .protocol import CommandError, Denied, Unsupported
@@ -255,6 +255,15 @@ def _capture_news(self:CameraServer, event:CaptureStatus)->list:
     return [self._camera_capture_status()]
 
 CameraServer.events[CaptureStatus] = CameraServer._capture_news
+
+# %% ../../nbs/api/61_mavlink.camera_video.ipynb #4798e6b8
+@patch
+def _tell_end(self:CameraServer, event:RecordingEnded)->list:
+    "Say why the recording has ended"
+    self.say(mavlink.MAV_SEVERITY_WARNING, f'Recording ended: {event.why}')
+    return []
+
+CameraServer.events[RecordingEnded] = CameraServer._tell_end
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #2de6cef3
 @patch
