@@ -70,7 +70,7 @@ def _let_go(lock:FolderLock, temporary:Path|None):
 
 # %% ../../nbs/api/42_cameras.storage.ipynb #b26a2cde
 class Storage:
-    "The pictures of one camera, in a folder that outlives crashes"
+    "The pictures of one camera, in a folder that outlives crashes; raises `StorageInUse` when it is another storage's"
     def __init__(self,
         folder:str|Path|None=None, # Where pictures go; `None` is a temporary folder that `close` removes
         quota:float|None=None, # MiB the pictures may fill; `None` is the whole disk
@@ -78,7 +78,6 @@ class Storage:
         storage_id:int=1, # From 1
         name:str='pictures', # For people
     ):
-        "Raises `StorageInUse` when the folder is another storage's"
         if quota is not None and not quota >= 0: raise ValueError(f'quota must be 0 MiB or more, not {quota}')
         store_attr('quota,reserve,storage_id,name')
         self.folder = Path(folder or tempfile.mkdtemp(prefix='uav_'))

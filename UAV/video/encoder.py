@@ -38,6 +38,7 @@ class Measured:
     def __init__(self): self._lately = deque()              # (when, bytes) of each access unit
 
     def add(self, time:float, size:int):
+        "An access unit of `size` bytes came out at `time`, monotonic s"
         self._lately.append((time,size))
         while self._lately[0][0]<time-self.span: self._lately.popleft()
 
@@ -49,18 +50,21 @@ def _since(self:Measured)->tuple:
     lately = [(t,size) for t,size in tuple(self._lately) if t>now-self.span]
     return (now-lately[0][0],[size for _,size in lately[1:]]) if len(lately)>1 else (1.,[])
 
+# %% ../../nbs/api/32_video.encoder.ipynb #21d94914
 @patch(as_prop=True)
 def rate(self:Measured)->float:
     "Pictures in a second"
     seconds,sizes = self._since()
     return len(sizes)/seconds
 
+# %% ../../nbs/api/32_video.encoder.ipynb #2ab90fb0
 @patch(as_prop=True)
 def bitrate(self:Measured)->float:
     "bit/s"
     seconds,sizes = self._since()
     return 8*sum(sizes)/seconds
 
+# %% ../../nbs/api/32_video.encoder.ipynb #cb16a57b
 @patch
 def __repr__(self:Measured): return f'{self.rate:.1f} fps, {self.bitrate/1e6:.2f} Mbit/s'
 
@@ -120,9 +124,10 @@ def _set(self:Encoder, **facts):
 # %% ../../nbs/api/32_video.encoder.ipynb #6183d77d
 @patch(as_prop=True)
 def sinks(self:Encoder)->tuple:
-    "Those who look"
+    "All that get the units"
     return tuple(self._sinks)
 
+# %% ../../nbs/api/32_video.encoder.ipynb #a29e19dc
 @patch
 def __repr__(self:Encoder):
     fault = f', {self.fault}' if self.fault else ''
@@ -143,6 +148,7 @@ def _key_is_due(self:Encoder, time:float)->bool:
     "Was the last key picture long enough ago?"
     return self._codec.key_time is not None and time-self._codec.key_time > self.key_interval-.5/self.rate
 
+# %% ../../nbs/api/32_video.encoder.ipynb #f2b79a18
 @patch
 def _encode(self:Encoder, frame, time:float)->list:
     "The access units of this frame"
@@ -193,6 +199,7 @@ def _tell(self:Encoder, fault:Exception|None):
     else: _log.info('%s: pictures again', self.name)
     self._set(fault=fault)
 
+# %% ../../nbs/api/32_video.encoder.ipynb #c206e196
 @patch
 def _silent(self:Encoder, seconds:float):
     "No frame for so long"
@@ -206,6 +213,7 @@ def _rest(self:Encoder, seconds:float):
     rate = self.rate
     with self._changed: self._changed.wait_for(lambda: not self._sinks or self.rate!=rate, seconds)
 
+# %% ../../nbs/api/32_video.encoder.ipynb #e39a835b
 @patch
 def _take(self:Encoder, frame, now:float, pace:Pace):
     "Encode a frame that has come, unless it is too early"
@@ -251,6 +259,7 @@ def key_frame(self:Encoder):
     "Make the next picture a key picture"
     with self._changed: self._key_wanted = True
 
+# %% ../../nbs/api/32_video.encoder.ipynb #160c4094
 @patch
 def add(self:Encoder,
     sink, # With `put(unit)`, which is called on our thread and must return at once
@@ -307,6 +316,7 @@ class _Glance:
     "A sink that only wants the encoder to run"
     def put(self, unit): pass
 
+# %% ../../nbs/api/32_video.encoder.ipynb #c76f1b4b
 @patch
 def wait_format(self:Encoder,
     timeout:float=5., # s
