@@ -135,7 +135,7 @@ def stop_recording(self:Filming):
     with self._lock:
         recorder,self.recorder = self.recorder,None
         if recorder is None: return
-        recorder.source.remove(recorder)
+        if source := recorder.source: source.remove(recorder)       # none: it has just ended by itself
         recorder.close()
     self._tell_recording()
 

@@ -101,28 +101,22 @@ def _read_one(self:Frames)->float:
 # %% ../../nbs/api/43_cameras.frames.ipynb #b3a7eff8
 @patch
 def _run(self:Frames):
-    "The thread"
+    "The thread: read while there is a reader"
     watch,due = timers.every(max(self.camera.patience/4, .01), self._look),time.monotonic()
     try:
-        while self._goes_on():
+        while True:
+            with self._changed:
+                self._reads = self.watchers>0 and not self.closed
+                if not self._reads: return
             wait = self._read_one()
             due = max(due+1/self.camera.frame_rate, time.monotonic())
             self._pause(wait or due-time.monotonic())
     finally: timers.cancel(watch)
 
-# %% ../../nbs/api/43_cameras.frames.ipynb #fc74cf23
-@patch
-def _goes_on(self:Frames)->bool:
-    "Is there still a reader? If not, the thread ends"
-    with self._changed:
-        if self.watchers and not self.closed: return True
-        self._reads = False
-        return False
-
 # %% ../../nbs/api/43_cameras.frames.ipynb #96381360
 @patch
 def _pause(self:Frames, seconds:float):
-    "Wait; no longer than there are readers"
+    "Wait, but not when the last reader has gone"
     with self._changed: self._changed.wait_for(lambda: self.closed or not self.watchers, max(0, seconds))
 
 # %% ../../nbs/api/43_cameras.frames.ipynb #3b5e2c31
