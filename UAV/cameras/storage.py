@@ -19,7 +19,10 @@ MiB = 2**20
 _all_ = ['MiB']
 
 # %% ../../nbs/api/42_cameras.storage.ipynb #5c0a5031
-def write_file(path:Path, content:bytes):
+def write_file(
+    path:Path, # Replaced when it is there
+    content:bytes, # All of it
+):
     "Write a file completely or not at all; raises `OSError`"
     part = path.with_name(f'{path.name}.part')
     try:
@@ -33,7 +36,9 @@ def write_file(path:Path, content:bytes):
         raise
 
 # %% ../../nbs/api/42_cameras.storage.ipynb #a24984cd
-def read_log(path:Path)->tuple:
+def read_log(
+    path:Path, # Of the log
+)->tuple:
     "What a log says, picture by index, and if it is whole; a log that is not there is empty"
     lines = path.read_bytes().splitlines(keepends=True) if path.exists() else []
     limit = len(lines) + sum(1 for _ in path.parent.glob('IMG_*.jpg'))
@@ -45,7 +50,10 @@ def read_log(path:Path)->tuple:
     return logged, len(logged) == len(lines) and all(line.endswith(b'\n') for line in lines)
 
 # %% ../../nbs/api/42_cameras.storage.ipynb #0d1810d0
-def orphan(folder:Path, index:int)->Picture|None:
+def orphan(
+    folder:Path, # Of the pictures
+    index:int, # From 0
+)->Picture|None:
     "The picture that was saved as `index` and never logged, if there is one"
     path = folder/f'IMG_{index:06}.jpg'
     if not path.is_file(): return
@@ -53,15 +61,16 @@ def orphan(folder:Path, index:int)->Picture|None:
     if mark and int(mark[1]) == index: return Picture(index, path.stat().st_mtime, file=path.name)
 
 # %% ../../nbs/api/42_cameras.storage.ipynb #c2436575
-_storages = weakref.WeakSet()
+_storages = weakref.WeakSet()           # all that are open, for a fork
 
 def _let_go(lock:FolderLock, temporary:Path|None):
     "Release the folder, and remove a temporary one"
     lock.release()
     if temporary: shutil.rmtree(temporary, ignore_errors=True)
 
+# %% ../../nbs/api/42_cameras.storage.ipynb #b26a2cde
 class Storage:
-    "The pictures of one camera, in a folder that outlives crashes"
+    "The pictures of one camera, in a folder that outlives crashes; raises `StorageInUse` when it is another storage's"
     def __init__(self,
         folder:str|Path|None=None, # Where pictures go; `None` is a temporary folder that `close` removes
         quota:float|None=None, # MiB the pictures may fill; `None` is the whole disk
@@ -69,7 +78,6 @@ class Storage:
         storage_id:int=1, # From 1
         name:str='pictures', # For people
     ):
-        "Raises `StorageInUse` when the folder is another storage's"
         if quota is not None and not quota >= 0: raise ValueError(f'quota must be 0 MiB or more, not {quota}')
         store_attr('quota,reserve,storage_id,name')
         self.folder = Path(folder or tempfile.mkdtemp(prefix='uav_'))
@@ -84,6 +92,7 @@ class Storage:
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
     def __repr__(self): return f'Storage({self.name!r}, {len(self)} pictures)'
+
     def close(self):
         "Let others have the folder, and remove it if it was a temporary one; what is known of the pictures stays"
         self._release()
@@ -94,6 +103,7 @@ def log_file(self:Storage)->Path:
     "The log, one JSON line a shot"
     return self.folder/'pictures.jsonl'
 
+# %% ../../nbs/api/42_cameras.storage.ipynb #7c7e51d0
 @patch
 def _clear(self:Storage, part:Path):
     "Remove what a crash left; a folder that is read-only keeps it"
@@ -162,6 +172,7 @@ def video_log(self:Storage)->Path:
     "The names of our recordings, one a line"
     return self.folder/'recordings.txt'
 
+# %% ../../nbs/api/42_cameras.storage.ipynb #191b23d8
 @patch(as_prop=True)
 def recordings(self:Storage)->list:
     "The files of our recordings, oldest first"

@@ -36,7 +36,12 @@ def add_stream(self:Camera,
 
 # %% ../../nbs/api/46_cameras.video.ipynb #3c689449
 @patch
-def make_encoder(self:Camera, codec:str, size:tuple|None, rate:float, bitrate:int|None):
+def make_encoder(self:Camera,
+    codec:str, # 'h264' or 'h265'
+    size:tuple|None, # (width, height) in px; `None`: that of the frames
+    rate:float, # Pictures in a second, at most
+    bitrate:int|None, # bit/s; `None`: what suits size and rate
+):
     "An encoder of our frames; a camera that encodes by itself overrides this, and hands out its own pictures"
     from UAV.video.encoder import Encoder
     return Encoder(self.frames, codec, size, rate, bitrate, name=self.information.model)

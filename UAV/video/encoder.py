@@ -31,17 +31,18 @@ class Pace:
         "A frame that came now was taken"
         self.last = max(self.last+1/rate, now-1/rate)
 
-# %% ../../nbs/api/32_video.encoder.ipynb #584e4485
+# %% ../../nbs/api/32_video.encoder.ipynb #100e0f2c
 class Measured:
     "What an encoder really produced in the last two seconds"
     span = 2.           # s
     def __init__(self): self._lately = deque()              # (when, bytes) of each access unit
 
     def add(self, time:float, size:int):
+        "An access unit of `size` bytes came out at `time`, monotonic s"
         self._lately.append((time,size))
         while self._lately[0][0]<time-self.span: self._lately.popleft()
 
-# %% ../../nbs/api/32_video.encoder.ipynb #d767d5dc
+# %% ../../nbs/api/32_video.encoder.ipynb #cb70c118
 @patch
 def _since(self:Measured)->tuple:
     "How long ago the first of them was, and the sizes of those after it"
@@ -49,18 +50,21 @@ def _since(self:Measured)->tuple:
     lately = [(t,size) for t,size in tuple(self._lately) if t>now-self.span]
     return (now-lately[0][0],[size for _,size in lately[1:]]) if len(lately)>1 else (1.,[])
 
+# %% ../../nbs/api/32_video.encoder.ipynb #b59a731b
 @patch(as_prop=True)
 def rate(self:Measured)->float:
     "Pictures in a second"
     seconds,sizes = self._since()
     return len(sizes)/seconds
 
+# %% ../../nbs/api/32_video.encoder.ipynb #3deb50d6
 @patch(as_prop=True)
 def bitrate(self:Measured)->float:
     "bit/s"
     seconds,sizes = self._since()
     return 8*sum(sizes)/seconds
 
+# %% ../../nbs/api/32_video.encoder.ipynb #4bae3586
 @patch
 def __repr__(self:Measured): return f'{self.rate:.1f} fps, {self.bitrate/1e6:.2f} Mbit/s'
 
@@ -121,12 +125,13 @@ def _set(self:Encoder, **facts):
         vars(self).update(facts)
         self._changed.notify_all()
 
-# %% ../../nbs/api/32_video.encoder.ipynb #6183d77d
+# %% ../../nbs/api/32_video.encoder.ipynb #75195013
 @patch(as_prop=True)
 def sinks(self:Encoder)->tuple:
-    "Those who look"
+    "All that get the units"
     return tuple(self._sinks)
 
+# %% ../../nbs/api/32_video.encoder.ipynb #21203af2
 @patch
 def __repr__(self:Encoder):
     fault = f', {self.fault}' if self.fault else ''
@@ -141,12 +146,13 @@ def _wanted(self:Encoder, image)->VideoFormat:
     bitrate = self.bitrate or sensible_bitrate(*size, self.rate, self.codec)
     return VideoFormat(self.codec, *size, self.rate, bitrate)
 
-# %% ../../nbs/api/32_video.encoder.ipynb #bda2ed76
+# %% ../../nbs/api/32_video.encoder.ipynb #89ddbb7e
 @patch
 def _key_is_due(self:Encoder, time:float)->bool:
     "Was the last key picture long enough ago?"
     return self._codec.key_time is not None and time-self._codec.key_time > self.key_interval-.5/self.rate
 
+# %% ../../nbs/api/32_video.encoder.ipynb #c670b470
 @patch
 def _encode(self:Encoder, frame, time:float)->list:
     "The access units of this frame"
@@ -188,7 +194,7 @@ def _hand(self:Encoder, sink, unit:AccessUnit):
         _log.warning('%s: %r is taken out, it raised %r', self.name, sink, e, exc_info=e)
         self.remove(sink, wait=False)
 
-# %% ../../nbs/api/32_video.encoder.ipynb #d554bd77
+# %% ../../nbs/api/32_video.encoder.ipynb #42d2414c
 @patch
 def _tell(self:Encoder, fault:Exception|None):
     "What is wrong now, in the log when it is new"
@@ -197,19 +203,21 @@ def _tell(self:Encoder, fault:Exception|None):
     else: _log.info('%s: pictures again', self.name)
     self._set(fault=fault)
 
+# %% ../../nbs/api/32_video.encoder.ipynb #85328880
 @patch
 def _silent(self:Encoder, seconds:float):
     "No frame for so long"
     limit = max(self.silence, 3/self.rate)
     if seconds>limit: self._tell(TimeoutError(f'no picture for {limit:g} s'))
 
-# %% ../../nbs/api/32_video.encoder.ipynb #8f5822b4
+# %% ../../nbs/api/32_video.encoder.ipynb #bf70ba9a
 @patch
 def _rest(self:Encoder, seconds:float):
     "Wait, but not when the last sink has gone, or when the rate has changed"
     rate = self.rate
     with self._changed: self._changed.wait_for(lambda: not self._sinks or self.rate!=rate, seconds)
 
+# %% ../../nbs/api/32_video.encoder.ipynb #b325a978
 @patch
 def _take(self:Encoder, frame, now:float, pace:Pace):
     "Encode a frame that has come, unless it is too early"
@@ -249,12 +257,13 @@ def _run(self:Encoder):
             self._rest(self.pause)
         finally: self._codec = None
 
-# %% ../../nbs/api/32_video.encoder.ipynb #e824eb02
+# %% ../../nbs/api/32_video.encoder.ipynb #6533fdfb
 @patch
 def key_frame(self:Encoder):
     "Make the next picture a key picture"
     with self._changed: self._key_wanted = True
 
+# %% ../../nbs/api/32_video.encoder.ipynb #20bf4d2d
 @patch
 def add(self:Encoder,
     sink, # With `put(unit)`, which is called on our thread and must return at once
@@ -306,11 +315,12 @@ def __enter__(self:Encoder): return self
 @patch
 def __exit__(self:Encoder, *args): self.close()
 
-# %% ../../nbs/api/32_video.encoder.ipynb #05d44d0f
+# %% ../../nbs/api/32_video.encoder.ipynb #3e3a3752
 class _Glance:
     "A sink that only wants the encoder to run"
     def put(self, unit): pass
 
+# %% ../../nbs/api/32_video.encoder.ipynb #06f96c2c
 @patch
 def wait_format(self:Encoder,
     timeout:float=5., # s

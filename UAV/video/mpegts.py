@@ -105,17 +105,20 @@ class TSSender(Sink):
         self.sock = socket.socket(family, socket.SOCK_DGRAM)
         self._set_multicast(ttl, interface)
 
-    def end(self):
-        "Give back the socket, and what FFmpeg holds"
-        self._muxer.close()
-        self.sock.close()
+# %% ../../nbs/api/33_video.mpegts.ipynb #9dc526b0
+@patch
+def end(self:TSSender):
+    "Give back the socket, and what FFmpeg holds"
+    self._muxer.close()
+    self.sock.close()
 
-    def close(self,
-        timeout:float=5., # s that the units which wait may take
-    ):
-        "Send what waits, and end"
-        super().close(timeout)
-        if self._thread is None: self.end()         # it never got a unit
+@patch
+def close(self:TSSender,
+    timeout:float=5., # s that the units which wait may take
+):
+    "Send what waits, and end"
+    Sink.close(self, timeout)
+    if self._thread is None: self.end()         # it never got a unit
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #a0be0a6b
 @patch

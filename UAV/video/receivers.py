@@ -22,6 +22,7 @@ __all__ = ['Stopped', 'Receiver', 'listen', 'listen_pair', 'own_host', 'TSReceiv
 # %% ../../nbs/api/32_video.receivers.ipynb #a3bf5f35
 class Stopped(Exception): "The receiver was told to stop"
 
+# %% ../../nbs/api/32_video.receivers.ipynb #293b313a
 class Receiver:
     "Reads access units from the network; `stop`, called from any thread, ends it at once"
     connects,port = True,None           # False: it only listens; the UDP port on which it does
@@ -165,14 +166,19 @@ def listen_pair(
     raise OSError('no two neighbouring UDP ports are free')
 
 # %% ../../nbs/api/32_video.receivers.ipynb #a61cce50
-def own_host(place)->str:
+def own_host(
+    place, # From `urlsplit`
+)->str:
     "The address of a split URL; `@` and nothing are all of ours, as VLC writes them"
     return place.netloc.rpartition('@')[2] and place.hostname or ''
 
 # %% ../../nbs/api/32_video.receivers.ipynb #9e2d2dad
 class TSReceiver(Receiver):
     "MPEG-TS, from `udp://HOST:PORT` (ours) or `tcp://HOST:PORT` (the server's)"
-    def __init__(self, url:str, timeout:float=5.):
+    def __init__(self,
+        url:str, # `udp://…` or `tcp://…`; port 0 is a free one
+        timeout:float=5., # s that it may be silent
+    ):
         place = urlsplit(url)
         self._host,self._tcp,self.port = own_host(place),place.scheme=='tcp',place.port or 0
         self.connects = self._tcp
@@ -181,6 +187,7 @@ class TSReceiver(Receiver):
         super().__init__(url, timeout)
 
     def close(self):
+        "Let go of all sockets; not while another thread reads"
         super().close()
         if self._sock: self._sock.close()
 
@@ -194,6 +201,7 @@ def units(self:TSReceiver):
 # %% ../../nbs/api/32_video.receivers.ipynb #862cbfc5
 @patch
 def _units(self:TSReceiver, sock):
+    "Access units from one socket"
     self._reader = TSReader()
     while data := self._receive(sock): yield from self._reader(data)
     raise ConnectionError('the server has closed the connection')
@@ -225,7 +233,9 @@ def _find(pattern:str, text:str, default='')->str:
     return found[1].strip() if found else default
 
 # %% ../../nbs/api/32_video.receivers.ipynb #f89b283e
-def read_sdp(text:str)->Media:
+def read_sdp(
+    text:str, # SDP, RFC 8866
+)->Media:
     "The first H.264 or H.265 video of an SDP; raises `ValueError` when it has none"
     session,*sections = re.split(r'^(?=m=)', text.replace('\r', ''), flags=re.M)
     for section in sections:
@@ -238,7 +248,9 @@ def read_sdp(text:str)->Media:
     raise ValueError('the SDP has no H.264 or H.265 video')
 
 # %% ../../nbs/api/32_video.receivers.ipynb #2f4331ab
-def rtp_media(url:str)->Media:
+def rtp_media(
+    url:str, # `rtp://…`
+)->Media:
     "What `rtp://HOST:PORT?codec=h265` says; raises `ValueError` for a codec that we do not know"
     place = urlsplit(url)
     codec = _find(r'codec=(\w+)', place.query, 'h264').lower()
@@ -249,13 +261,17 @@ def rtp_media(url:str)->Media:
 class RTPReceiver(Receiver):
     "RTP over UDP, from an SDP file, or from `rtp://HOST:PORT` (ours; `?codec=h265` when it is not H.264)"
     connects = False
-    def __init__(self, url:str, timeout:float=5.):
+    def __init__(self,
+        url:str, # Path of an SDP file, or `rtp://…`
+        timeout:float=5., # s that it may be silent
+    ):
         self.media = rtp_media(str(url)) if str(url).startswith('rtp://') else read_sdp(Path(url).read_text())
         self._socks = listen_pair(self.media.host, self.media.port)
         self.port = self._socks[0].getsockname()[1]
         super().__init__(url, timeout)
 
     def close(self):
+        "Let go of all sockets; not while another thread reads"
         super().close()
         for sock in self._socks: sock.close()
 
