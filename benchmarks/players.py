@@ -139,11 +139,11 @@ def pyav_player(sink, url, sdp, count):
     watch(images(), count, opened)
 
 def our_player(sink, url, sdp, count):
-    "`Player`, which keeps the newest picture"
+    "`Player`, told to hand out each picture, so that we see what the way loses"
     import av
     from UAV.video.player import Player
     opened = now_us()
-    with Player(sdp or url, transport=sink.split()[1] if sink.startswith('rtsp') else None) as player: watch((frame.image for frame in player), count, opened)
+    with Player(sdp or url, newest=False, transport=sink.split()[1] if sink.startswith('rtsp') else None) as player: watch((frame.image for frame in player), count, opened)
 
 def qgc_source(sink, url, codec, buffer):
     "What QGroundControl builds for each type of URI; `buffer`: without its low-latency mode"
