@@ -42,41 +42,48 @@ def encoder(self:Filming,
 # %% ../../nbs/api/44_cameras.filming.ipynb #e2eb4f57
 @patch
 def _tell(self:Filming, stream):
+    "A stream has started, or stopped"
     self.camera.announce(VideoStatus(stream.stream_id, stream.running, stream.viewers))
 
 # %% ../../nbs/api/44_cameras.filming.ipynb #8de3738a
 @patch
-def add(self:Filming,
-    name:str='', # For people; empty: the model and a number
-    kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts' or 'tcp'
-    host:str='', port:int|None=None, # As for `VideoStream`
-    uri:str='', # As for `VideoStream`
-    **how, # As for `encoder`
-):
-    "Add a stream, which runs at once; raises `ValueError` for a name that is there, `OSError` for a port that is taken"
+def _new_stream(self:Filming, name, kind, host, port, uri, how):
+    "A stream with the next number, not started; raises `ValueError` for a name that is there"
     from UAV.video.stream import VideoStream
-    with self._lock:
-        number = len(self.streams)+1
-        information = self.camera.information
-        name = name or f'{information.model} {number}'
-        size = information.resolution_h or 640,information.resolution_v or 480
-        if any(name==s.name for s in self.streams): raise ValueError(f'there is a stream {name!r} already')
-        same = [s.server for s in self.streams if (s.kind,s.host,s.port)==('rtsp',host,port) and kind=='rtsp']
-        stream = VideoStream(self.encoder(**how), kind, name, number, host, port, *same[:1], uri=uri, size=size,
-                             on_change=self._tell)
-        self._begin(stream)
-    return stream
+    number,information = len(self.streams)+1,self.camera.information
+    name = name or f'{information.model} {number}'
+    if any(name==s.name for s in self.streams): raise ValueError(f'there is a stream {name!r} already')
+    size = information.resolution_h or 640,information.resolution_v or 480
+    servers = [s.server for s in self.streams if (s.kind,s.host,s.port)==('rtsp',host,port) and kind=='rtsp']
+    return VideoStream(self.encoder(**how), kind, name, number, host, port, *servers[:1], uri=uri, size=size,
+                       on_change=self._tell)
 
 # %% ../../nbs/api/44_cameras.filming.ipynb #40deb2d5
 @patch
 def _begin(self:Filming, stream):
-    "Start it; those who are told of that find it among the others"
+    "Start it; a listener that is told so finds it among the others"
     self.streams.append(stream)
     try: stream.start()
     except BaseException:
         self.streams.remove(stream)
         stream.close()
         raise
+
+# %% ../../nbs/api/44_cameras.filming.ipynb #3eb487ca
+@patch
+def add(self:Filming,
+    name:str='', # For people; empty: the model and a number
+    kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts' or 'tcp'
+    host:str='', # As for `VideoStream`
+    port:int|None=None, # As for `VideoStream`
+    uri:str='', # As for `VideoStream`
+    **how, # As for `encoder`
+): # The `VideoStream`
+    "Add a stream, which runs at once; raises `ValueError` for a name that is there, `OSError` for a port that is taken"
+    with self._lock:
+        stream = self._new_stream(name, kind, host, port, uri, how)
+        self._begin(stream)
+    return stream
 
 # %% ../../nbs/api/44_cameras.filming.ipynb #7c25441b
 @patch
@@ -90,6 +97,7 @@ def chosen(self:Filming,
 # %% ../../nbs/api/44_cameras.filming.ipynb #a45b394a
 @patch
 def _tell_recording(self:Filming):
+    "What a viewer may want to know when a recording begins or ends"
     self.camera.announce(self.camera.capture_status())
     for storage in self.camera.storage_information(): self.camera.announce(storage)
 

@@ -44,8 +44,10 @@ def watching(self:Frames):
             self.watchers -= 1
             self._changed.notify_all()
 
+# %% ../../nbs/api/43_cameras.frames.ipynb #7209860f
 @patch
 def _start(self:Frames):
+    "Begin to read, on a thread of its own"
     self._thread = threading.Thread(target=self._run, name=f'frames {self.camera.information.model}', daemon=True)
     self._thread.start()
     self._reads = True
@@ -73,28 +75,15 @@ def _publish(self:Frames, frame:Frame):
         self.newest = frame if frame.number>last else replace(frame, number=last+1)
         self._changed.notify_all()
 
-# %% ../../nbs/api/43_cameras.frames.ipynb #b3a7eff8
+# %% ../../nbs/api/43_cameras.frames.ipynb #d300b95e
 @patch
-def _run(self:Frames):
-    watch,due = timers.every(max(self.camera.patience/4, .01), self._look),time.monotonic()
-    try:
-        while self._goes_on():
-            wait = self._read_one()
-            due = max(due+1/self.camera.frame_rate, time.monotonic())
-            self._pause(wait or due-time.monotonic())
-    finally: timers.cancel(watch)
-
-@patch
-def _goes_on(self:Frames)->bool:
-    "Does one still look? If not, the thread ends"
-    with self._changed:
-        if self.watchers and not self.closed: return True
-        self._reads = False
-        return False
-
-@patch
-def _pause(self:Frames, seconds:float):
-    with self._changed: self._changed.wait_for(lambda: self.closed or not self.watchers, max(0, seconds))
+def _read(self:Frames)->Frame:
+    "The next frame of the camera; raises what it raises"
+    seen = self._seen.number if self._seen else -1
+    frame = self.camera.next_frame(seen) if hasattr(self.camera,'next_frame') else self.camera.read()
+    if not isinstance(frame, Frame): raise CameraError(f'read() must return a Frame, not {type(frame).__name__}')
+    if not isinstance(frame.number, Integral): raise CameraError(f'a Frame needs a number, not {frame.number!r}')
+    return frame
 
 # %% ../../nbs/api/43_cameras.frames.ipynb #f7498f73
 @patch
@@ -111,13 +100,26 @@ def _read_one(self:Frames)->float:
     self._publish(frame)
     return 0.
 
+# %% ../../nbs/api/43_cameras.frames.ipynb #b3a7eff8
 @patch
-def _read(self:Frames)->Frame:
-    seen = self._seen.number if self._seen else -1
-    frame = self.camera.next_frame(seen) if hasattr(self.camera,'next_frame') else self.camera.read()
-    if not isinstance(frame, Frame): raise CameraError(f'read() must return a Frame, not {type(frame).__name__}')
-    if not isinstance(frame.number, Integral): raise CameraError(f'a Frame needs a number, not {frame.number!r}')
-    return frame
+def _run(self:Frames):
+    "The thread: read while there is a reader"
+    watch,due = timers.every(max(self.camera.patience/4, .01), self._look),time.monotonic()
+    try:
+        while True:
+            with self._changed:
+                self._reads = self.watchers>0 and not self.closed
+                if not self._reads: return
+            wait = self._read_one()
+            due = max(due+1/self.camera.frame_rate, time.monotonic())
+            self._pause(wait or due-time.monotonic())
+    finally: timers.cancel(watch)
+
+# %% ../../nbs/api/43_cameras.frames.ipynb #29e37d72
+@patch
+def _pause(self:Frames, seconds:float):
+    "Wait, but not when the last reader has gone"
+    with self._changed: self._changed.wait_for(lambda: self.closed or not self.watchers, max(0, seconds))
 
 # %% ../../nbs/api/43_cameras.frames.ipynb #3b5e2c31
 @patch

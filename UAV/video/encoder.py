@@ -117,6 +117,9 @@ class Encoder:
         self._thread,self._codec,self._key_wanted,self._closed,self._number = None,None,False,False,-1
         store_attr()
 
+    def __enter__(self): return self
+    def __exit__(self, *args): self.close()
+
 # %% ../../nbs/api/32_video.encoder.ipynb #244b965d
 @patch
 def _set(self:Encoder, **facts):
@@ -309,11 +312,6 @@ def close(self:Encoder):
     with self._changed: self._closed,thread = True,self._thread
     for sink in self.sinks: self.remove(sink, wait=False)
     self._settle(thread)
-
-@patch
-def __enter__(self:Encoder): return self
-@patch
-def __exit__(self:Encoder, *args): self.close()
 
 # %% ../../nbs/api/32_video.encoder.ipynb #3e3a3752
 class _Glance:

@@ -21,6 +21,7 @@ default_ports = dict(rtsp=8554, rtp=5600, mpegts=5610, tcp=5620)
 
 senders = dict(rtp=RTPSender, mpegts=TSSender)
 
+# %% ../../nbs/api/38_video.stream.ipynb #548a09d9
 def is_group(
     host:str, # An address, or a name
 )->bool:
@@ -43,7 +44,9 @@ def rtsp_server(
         return _servers[host,port][0] if port else _servers.pop((host,port))[0]
 
 # %% ../../nbs/api/38_video.stream.ipynb #ffba49f2
-def let_go(server:RTSPServer):
+def let_go(
+    server:RTSPServer, # From `rtsp_server`
+):
     "Close the server, unless others use it"
     with _servers_lock:
         key,entry = next(((k,e) for k,e in _servers.items() if e[0] is server), (None,[server,1]))
@@ -68,6 +71,14 @@ def _port(kind:str, port:int|None)->int:
     if port in range(kind in senders, 1<<16): return port           # only a server may have a free one, 0
     raise ValueError(f'{port} is no port for {kind!r}')
 
+# %% ../../nbs/api/38_video.stream.ipynb #493d3e90
+def _path_of(
+    name:str, # For people
+    stream_id:int, # Serves for a name without such letters
+)->str:
+    "A path for this name, on an RTSP server"
+    return re.sub(r'[^a-z0-9]+', '_', name.lower()).strip('_') or f'stream_{stream_id}'
+
 # %% ../../nbs/api/38_video.stream.ipynb #4dc351ee
 class VideoStream:
     "An encoder and the way its pictures take"
@@ -89,25 +100,19 @@ class VideoStream:
         self.port,self.told_uri = _port(kind, port),uri
         self.running,self.sink,self._lock = False,None,threading.Lock()         # `sink`: a sender, or a `TSServer`
         self._shared = self._closed = False         # `_shared`: is `server` one that we must let go?
-        self.path = re.sub(r'[^a-z0-9]+', '_', name.lower()).strip('_') or f'stream_{stream_id}'    # on an RTSP server
+        self.path = _path_of(name, stream_id)       # on an RTSP server
 
-    def __repr__(self):
-        state = f'{self.viewers} watching' if self.running else 'stopped'
-        return f'{self.stream_id}: {self.name}, {self.kind}, {self.format}, {state}'
-
-    def __enter__(self): return self
-    def __exit__(self, *args): self.close()
-
-# %% ../../nbs/api/38_video.stream.ipynb #452f50ae
+# %% ../../nbs/api/38_video.stream.ipynb #a87ce13b
 @patch
-def _offer(self:VideoStream):
-    "Take a path on the server: our own, with a number behind it when another stream has that"
-    for path in (self.path, *(f'{self.path}_{n}' for n in range(2, 100))):
-        try: self.server.add(path, self.encoder)
-        except ValueError: continue
-        self.path = path
-        return
-    raise ValueError(f'the path {self.path} is taken, and a hundred more')
+def __repr__(self:VideoStream):
+    state = f'{self.viewers} watching' if self.running else 'stopped'
+    return f'{self.stream_id}: {self.name}, {self.kind}, {self.format}, {state}'
+
+@patch
+def __enter__(self:VideoStream): return self
+
+@patch
+def __exit__(self:VideoStream, *args): self.close()
 
 # %% ../../nbs/api/38_video.stream.ipynb #5d4f52b2
 @patch(as_prop=True)
@@ -126,9 +131,21 @@ def format(self:VideoStream)->VideoFormat:
     bitrate = self.encoder.bitrate or sensible_bitrate(*size, rate, self.encoder.codec)
     return VideoFormat(self.encoder.codec, *size, rate, bitrate)
 
+# %% ../../nbs/api/38_video.stream.ipynb #452f50ae
+@patch
+def _offer(self:VideoStream):
+    "Take a path on the server: our own, with a number behind it when another stream has that"
+    for path in (self.path, *(f'{self.path}_{n}' for n in range(2, 100))):
+        try: self.server.add(path, self.encoder)
+        except ValueError: continue
+        self.path = path
+        return
+    raise ValueError(f'the path {self.path} is taken, and a hundred more')
+
 # %% ../../nbs/api/38_video.stream.ipynb #8cae587c
 @patch
 def _open(self:VideoStream):
+    "Let the pictures out; raises `OSError`"
     if self.kind=='rtsp':
         if self.server is None: self.server,self._shared = rtsp_server(self.host, self.port),True
         return self._offer()
@@ -140,6 +157,7 @@ def _open(self:VideoStream):
 # %% ../../nbs/api/38_video.stream.ipynb #21f80555
 @patch
 def _stop(self:VideoStream):
+    "Hold them back"
     if not self.running: return
     self.running,sink,self.sink = False,self.sink,None
     if self.kind=='rtsp': return self.server.remove(self.path)
