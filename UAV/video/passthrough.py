@@ -62,9 +62,11 @@ class PassThrough(Encoder):
         super().__init__(None, codec, name=name)
         self._sets,self._came,self.complete = [],0.,True        # the parameter sets; when a unit came last
 
-    def run(self, on:bool): "Called before the first unit is wanted, and after the last"
+    def run(self, on:bool): "Called with true before the first unit is wanted, and with false after the last"
     def ask_key(self): "Called when a key picture is wanted soon"
-    def set_bitrate(self, bitrate:int): raise ValueError(f'{self.name} is encoded by its source, at its own bitrate')
+    def set_bitrate(self, bitrate:int): # bit/s
+        "Have the source use it; raises `ValueError` when it cannot"
+        raise ValueError(f'{self.name} is encoded by its source, at its own bitrate')
 
     def key_frame(self):
         "Ask for a key picture soon; a source that cannot do that sends one when it likes"

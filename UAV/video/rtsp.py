@@ -23,7 +23,7 @@ reasons = {200:'OK', 400:'Bad Request', 401:'Unauthorized', 404:'Not Found', 405
 
 # %% ../../nbs/api/33_video.rtsp.ipynb #1b7d80de
 class RTSPError(Exception):
-    "What was asked cannot be; `status` says why (RFC 2326, section 11)"
+    "What was asked cannot be; `status` says why (RFC 2326, section 11), `headers` go with the answer"
     def __init__(self, status:int, headers:dict|None=None):
         super().__init__(f'{status} {reasons[status]}')
         self.status,self.headers = status,headers or {}
