@@ -12,12 +12,12 @@ from urllib.parse import urlsplit
 import errno, os, re, selectors, socket, time
 
 from fastcore.basics import patch, store_attr
-from .demux import RTPReader, TSReader
+from .demux import RTPReader, TSReader, rtp_parts
 from .units import codecs
 
 # %% auto #0
-__all__ = ['Stopped', 'Receiver', 'listen', 'listen_pair', 'own_host', 'TSReceiver', 'Media', 'read_sdp', 'rtp_media',
-           'RTPReceiver']
+__all__ = ['Stopped', 'Receiver', 'listen', 'listen_pair', 'own_host', 'TSReceiver', 'OneSender', 'Media', 'read_sdp',
+           'rtp_media', 'RTPReceiver']
 
 # %% ../../nbs/api/32_video.receivers.ipynb #a3bf5f35
 class Stopped(Exception): "The receiver was told to stop"
@@ -29,6 +29,7 @@ class Receiver:
         url:str, # Where the stream is
         timeout:float=5., # s that it may be silent
     ):
+        if not 0<timeout<float('inf'): raise ValueError(f'timeout is some seconds, not {timeout}')
         store_attr()
         self._reader,self._stopped,self._process = None,False,os.getpid()
         self._inside,self._outside = socket.socketpair()
@@ -184,19 +185,40 @@ class TSReceiver(Receiver):
         super().close()
         if self._sock: self._sock.close()
 
+# %% ../../nbs/api/32_video.receivers.ipynb #a9e5b765
+class OneSender:
+    "Of all who send to a UDP port, the first, until it is silent"
+    patience = 1.           # s
+    def __init__(self,
+        fits, # Function of a datagram: can it be from such a sender?
+    ):
+        self.fits,self.address,self._heard = fits,None,-self.patience
+
+    def receive(self, sock)->bytes:
+        "What has come; empty when it is from another sender. Raises `OSError`"
+        data,address = sock.recvfrom(1<<16)
+        now = time.monotonic()
+        is_late = address!=self.address and now-self._heard<self.patience
+        if is_late or not self.fits(data): return b''
+        self.address,self._heard = address,now
+        return data
+
 # %% ../../nbs/api/32_video.receivers.ipynb #9af4ff6b
 @patch
 def units(self:TSReceiver):
     "Access units, until the stream ends; raises `OSError`"
-    if not self._tcp: return (yield from self._units(self._sock))
-    with closing(self._connect(self._host, self.port)) as sock: yield from self._units(sock)
-
-# %% ../../nbs/api/32_video.receivers.ipynb #862cbfc5
-@patch
-def _units(self:TSReceiver, sock):
     self._reader = TSReader()
-    while data := self._receive(sock): yield from self._reader(data)
+    if not self._tcp: yield from self._by_udp(OneSender(lambda data: data[:1]==b'G'))     # of every TS packet
+    with closing(self._connect(self._host, self.port)) as sock:
+        while data := self._receive(sock): yield from self._reader(data)
     raise ConnectionError('the server has closed the connection')
+
+# %% ../../nbs/api/32_video.receivers.ipynb #2a224458
+@patch
+def _by_udp(self:TSReceiver, sender:OneSender):
+    while True:
+        self._wait({self._sock:selectors.EVENT_READ}, time.monotonic()+self.timeout)
+        yield from self._reader(sender.receive(self._sock))
 
 # %% ../../nbs/api/32_video.receivers.ipynb #325e7303
 @dataclass
@@ -263,8 +285,13 @@ class RTPReceiver(Receiver):
 @patch
 def units(self:RTPReceiver):
     "Access units, until the stream is silent; raises `OSError`"
-    self._reader = RTPReader(self.media.codec, self.media.headers, self.media.payload_type)
+    self._reader,sender = RTPReader(self.media.codec, self.media.headers, self.media.payload_type),OneSender(rtp_parts)
     while True:
         for sock in self._wait(dict.fromkeys(self._socks, selectors.EVENT_READ), time.monotonic()+self.timeout):
-            if sock is self._socks[0]: yield from self._reader(sock.recv(1<<16))
-            else: self._reader.clock.report(sock.recv(1<<16))
+            if sock is self._socks[0]: yield from self._reader(sender.receive(sock))
+            else: self._report(sender, *sock.recvfrom(1<<16))
+
+@patch
+def _report(self:RTPReceiver, sender:OneSender, packet:bytes, address:tuple):
+    "Reports come from a port of their own"
+    if sender.address and address[0]==sender.address[0]: self._reader.clock.report(packet)
