@@ -213,7 +213,8 @@ class PipelineEncoder(PassThrough):
         if pipeline := self.camera.keeper.pipeline: pipeline.ask_key()
 
     def set_bitrate(self, bitrate):
-        self.camera.keeper.pipeline.bitrate = self.wish = self.made = bitrate
+        if pipeline := self.camera.keeper.pipeline: pipeline.bitrate = bitrate
+        self.wish = self.made = bitrate
 
 # %% ../../nbs/api/49_cameras.gst.ipynb #f1cabb14
 @patch

@@ -81,6 +81,7 @@ def _run(self:Keeper):
         self.pipeline = GSTPipeline(self.line, self.name)
         wait = self._after(self._safely(self.pipeline), wait)
         self.closing.wait(wait)
+    self.pipeline = None            # its sockets close with it
 
 # %% ../../nbs/api/48_cameras.gst_keeper.ipynb #0eb6f80f
 @patch
@@ -109,7 +110,7 @@ def close(self:Keeper,
 )->bool:
     "End the pipeline and the thread; false when that takes too long. May be called twice"
     self.closing.set()
-    if self.pipeline: self.pipeline.wake()
+    if pipeline := self.pipeline: pipeline.wake()
     if self.thread in (None, threading.current_thread()): return True
     self.thread.join(timeout)
     return not self.thread.is_alive()
