@@ -274,13 +274,14 @@ def can_serve(peer):
     return there
 
 def beside(sink, peer, size, rounds, count, player):
-    "Rows: latency, and for RTSP the time to the first picture, ours and a peer's in turn, watched by the same player"
+    "Rows: latency, and for RTSP the time to the first picture, which has no target; ours and a peer's in turn, watched by the same player"
     got = in_turn(dict(UAV='UAV', peer=peer), rounds, lambda who: run_all(who, sink, 'h264', size, count, [player])[player])
     pairs = [(a,b) for a,b in zip(got['UAV'], got['peer']) if a['pictures'] and b['pictures']]
-    if not pairs: return []
+    if not pairs: return [],[]
     ours,theirs = ([{k: r[k] for k in ('p50','p95','first')} for r in side] for side in zip(*pairs))
-    kinds = [('latency','ms','p50')]+[('first picture','s','first')]*sink.startswith('rtsp')
-    return [compare(f'{name}, {SINKS[sink]}', player, NAMES[peer], unit, ours, theirs, 1., key=key) for name,unit,key in kinds]
+    def row(name, unit, key): return compare(f'{name}, {SINKS[sink]}', player, NAMES[peer], unit, ours, theirs, 1., key=key)
+    first = [row('first picture', 's', 'first')] if sink.startswith('rtsp') else []
+    return [row('latency', 'ms', 'p50')],[{k: v for k,v in r.items() if k not in ('target','reached')} for r in first]
 
 def versions():
     import av
@@ -299,7 +300,7 @@ def main():
     args = parser.parse_args()
     if told := args.worker: return (CAMERAS[told.pop('camera')] if 'camera' in told else PLAYERS[told.pop('player')])(**told)
     size,count,rounds = ((320,240),30,1) if args.quick else ((640,480),60,3)
-    results = dict(machine=dict(machine(), **versions()), quick=args.quick, size=size, rate=RATE, count=count, load=[os.getloadavg()[1]], rows=[], detail={})
+    results = dict(machine=dict(machine(), **versions()), quick=args.quick, size=size, rate=RATE, count=count, load=[os.getloadavg()[1]], rows=[], first=[], detail={})
     players = {codec: installed(codec) for codec in CODECS}
     for sink,codec in CASES:
         if args.only not in (None, f'{codec} {sink}'): continue
@@ -310,9 +311,11 @@ def main():
     for sink,peer in PEERS if args.only in (None,'peers') else ():
         if peer not in peers: continue
         watchers = [p for p in players['h264'][:2] if (sink,p)!=('rtp','PyAV')]                # FFmpeg wants an SDP, that another ffmpeg does not give in time
-        rows = [row for p in watchers for row in beside(sink, peer, size, rounds, count, p)]
-        results['rows'] += rows
-        for l in table(rows): print(l, flush=True)
+        for p in watchers:
+            rows,first = beside(sink, peer, size, rounds, count, p)
+            results['rows'] += rows
+            results['first'] += first
+            for l in table(rows): print(l, flush=True)
     results['load'].append(os.getloadavg()[1])
     if args.out or not args.only: write(args.out or HERE/'players.json', results)
 

@@ -65,7 +65,7 @@ def _open(self:TSMuxer, unit:AccessUnit):
     "Begin a stream for units like this one"
     import av
     self.close()
-    flags = dict(mpegts_flags='pat_pmt_at_frames+initial_discontinuity')
+    flags = dict(mpegts_flags='pat_pmt_at_frames+initial_discontinuity', omit_video_pes_length='0')
     self._bytes = io.BytesIO()
     self._container = av.open(self._bytes, 'w', format='mpegts', options=flags)
     self._container.metadata.update(service_name=self.name, service_provider='UAV')
