@@ -199,10 +199,15 @@ def bytes(self:Recorder)->int:
 # %% ../../nbs/api/36_video.recorder.ipynb #5e61ba23
 @patch
 def _check_room(self:Recorder, folder:Path):
-    "Raises `DiskFull` when the reserve would be touched, or the quota is used"
+    "Raises `DiskFull` when the reserve would be touched"
     free = shutil.disk_usage(folder).free/2**20
     if free<self.reserve: raise DiskFull(f'{free:.0f} MiB of the disk are free, and {self.reserve:g} MiB must stay')
-    if self.quota is None or self.bytes/2**20<self.quota: return
+
+# %% ../../nbs/api/36_video.recorder.ipynb #86049675
+@patch
+def _check_quota(self:Recorder, unit:AccessUnit):
+    "Raises `DiskFull` when `unit` would be more than the quota"
+    if self.quota is None or self.bytes+len(unit.data)<=self.quota*2**20: return
     raise DiskFull(f'the recording has filled its {self.quota:g} MiB')
 
 # %% ../../nbs/api/36_video.recorder.ipynb #466859f7
@@ -250,6 +255,7 @@ def send(self:Recorder, unit:AccessUnit):
     try:
         if unit.key and self._needs_file(unit): self._begin(unit)
         self._check()
+        self._check_quota(unit)
         self.videos[-1].write(unit)
     except OSError as e: raise _plainly(e)
 
