@@ -61,7 +61,7 @@ def our_camera(sink, codec, size, port):
             until_told(f'udp://127.0.0.1:{port}', source, sender.sdp_file() if sink=='rtp' else '')
 
 def gst_camera(sink, codec, size, port):
-    "gst-rtsp-server, with an appsrc that keeps the newest picture only"
+    "gst-rtsp-server at its best: an appsrc that keeps the newest picture only, and no delimiters, with which GStreamer's players wait for the next picture"
     from UAV.utils.gi import load_gst
     from UAV.video.codecs import sensible_bitrate
     Gst = load_gst()
@@ -73,7 +73,7 @@ def gst_camera(sink, codec, size, port):
     factory = GstRtspServer.RTSPMediaFactory()
     factory.set_shared(True)
     factory.set_launch(f'( appsrc name=source is-live=true do-timestamp=true format=time leaky-type=downstream max-buffers=1 caps={caps} ! videoconvert n-threads=1 ! '
-                       f'video/x-raw,format=I420 ! x264enc speed-preset=ultrafast tune=zerolatency threads=1 vbv-buf-capacity=500 key-int-max={RATE} bitrate={kbit} ! '
+                       f'video/x-raw,format=I420 ! x264enc aud=false speed-preset=ultrafast tune=zerolatency threads=1 vbv-buf-capacity=500 key-int-max={RATE} bitrate={kbit} ! '
                        'rtph264pay name=pay0 pt=96 config-interval=-1 )')
     def feed(appsrc, ended):
         after = -1
