@@ -22,7 +22,8 @@ def even(
     size, # (width, height), px
 )->tuple:
     "The largest size that encoders take in this one; at least 16×16"
-    return tuple(max(16, int(n)&~1) for n in size)
+    width,height = (max(16, int(n)&~1) for n in size)
+    return width,height
 
 # %% ../../nbs/api/31_video.codecs.ipynb #978e9ddb
 def fitted(

@@ -74,11 +74,7 @@ def _positive(value):
     return value
 
 def _whole(value): return int(_positive(value))
-
-def _size(size):
-    width,height = size
-    return even((_positive(width),_positive(height)))
-
+def _size(size): return even(map(_positive, size))
 def _or_none(check): return lambda value: None if value is None else check(value)
 
 # %% ../../nbs/api/32_video.encoder.ipynb #23080137
