@@ -125,7 +125,11 @@ def decode(
     return kind.build(frame, kind.head, frame[kind.seq_at], kind.key)
 
 # %% ../../nbs/api/11_wire.frames.ipynb #706f902d
-def good_length(buf:bytes, pos:int)->int:
+def good_length(
+    buf:bytes,
+    pos:int, # Where a frame could start
+    whole:bool=True, # Does a frame end where `buf` ends, as in a datagram?
+)->int:
     "Bytes of the good frame at `pos`; 0 when more are needed, -1 when this is no frame"
     n,left = promised(buf, pos),len(buf)-pos
     if n<=0: return n
@@ -134,6 +138,7 @@ def good_length(buf:bytes, pos:int)->int:
     if n>left: return 0
     tail = pos+buf[pos+1]+(10 if two else 6)
     extra = _crc_extra.get(int.from_bytes(buf[pos+7:pos+10],'little') if two else buf[pos+5])
+    if extra is None and n==left and not whole: return 0        # its CRC says nothing: what follows must begin a frame
     if extra is None: good = n==left or buf[pos+n] in b'\xfd\xfe'
     else: good = crc(buf[pos+1:tail]+extra)==buf[tail]|buf[tail+1]<<8
     return n if good else -1

@@ -176,7 +176,7 @@ def _cut(self:FrameReader, data:bytes):
         frame = buf[pos:pos+promised(buf, pos)]
         kind = self._kinds.get(frame[5:10])
         if not (kind and kind.is_whole(frame)): kind = None
-        n = len(frame) if kind else good_length(buf, pos)
+        n = len(frame) if kind else good_length(buf, pos, self.datagrams)
         if n==0: break
         if n>0: yield kind or self._kind(frame),frame
         pos = pos+n if n>0 else self._resume(buf, pos)
