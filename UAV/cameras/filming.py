@@ -135,7 +135,10 @@ def start_recording(self:Filming,
         storage.check_room()
         encoder = streams[0].encoder if streams else self.encoder()
         self.recorder = self._new_recorder()
-        encoder.add(self.recorder)
+        try: encoder.add(self.recorder)
+        except BaseException:
+            self.recorder = None
+            raise
     self._tell_recording()
 
 # %% ../../nbs/api/44_cameras.filming.ipynb #c77dbc5d

@@ -120,7 +120,7 @@ def _recover(self:Storage):
     while orphan(self.folder, count): count += 1
     self.pictures = [logged.get(i) or self._lost(i) for i in range(count)]
     if not whole or len(logged) < count: self._rewrite()
-    sizes = [self._size(p) for p in self.pictures]
+    sizes = [self._size(picture.file) for picture in self.pictures]
     self._used,self._largest = sum(sizes),max(sizes, default=0)
 
 # %% ../../nbs/api/42_cameras.storage.ipynb #99b8ab8b
@@ -130,9 +130,9 @@ def _lost(self:Storage, index:int):
     return orphan(self.folder, index) or Picture(index, 0., ok=False, error='its line in the log is lost')
 
 @patch
-def _size(self:Storage, picture:Picture):
-    "Bytes of the picture's file, 0 when it is gone"
-    try: return (self.folder/picture.file).stat().st_size if picture.file else 0
+def _size(self:Storage, name:str)->int:
+    "Bytes of our file with this name, 0 when it is gone"
+    try: return (self.folder/name).stat().st_size if name else 0
     except OSError: return 0
 
 # %% ../../nbs/api/42_cameras.storage.ipynb #5c0a502f
@@ -200,7 +200,7 @@ def information(self:Storage)->StorageInformation:
     try: disk = shutil.disk_usage(self.folder)
     except OSError: return StorageInformation(self.storage_id, status='empty', name=self.name)
     total,used,free = disk.total,disk.used,disk.free - self.reserve*MiB
-    ours = self._used + sum(file.stat().st_size for file in self.recordings)
+    ours = self._used + sum(self._size(file.name) for file in self.recordings)
     if self.quota is not None: total,used,free = self.quota*MiB,ours,min(free, self.quota*MiB - ours)
     total,used,available = total/MiB,used/MiB,max(free, 0)/MiB
     return StorageInformation(self.storage_id, total=total, used=used, available=available, name=self.name)

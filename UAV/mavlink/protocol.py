@@ -66,9 +66,9 @@ shot_tries = 3 # how often a client asks for a shot under its number, each time 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #73ad66e9
 class Answer:
     "What a coroutine waits for, and any thread may bring"
-    __slots__ = 'value','there','_waiting'
-    _lock = threading.Lock()    # one for all: it is held for a moment only
-    def __init__(self): self.value,self.there,self._waiting = None,False,[]
+    __slots__ = 'value','there','_waiting','_lock'
+    def __init__(self):
+        self.value,self.there,self._waiting,self._lock = None,False,[],threading.Lock()
 
     def set(self, value)->bool:
         "Bring `value`; false when one was there before. An exception is raised where we wait"
