@@ -6,11 +6,12 @@
 from __future__ import annotations
 from dataclasses import replace
 from itertools import chain, count
-import ipaddress, math, socket
+import math, socket
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..cameras.values import CaptureStatus, RecordingEnded, VideoStatus
+from ..video.sockets import is_group
 from ..wire.dialect import address
 from ..wire.links import VirtualLink
 from .protocol import CommandError, Denied, Unsupported
@@ -19,7 +20,7 @@ from UAV.mavlink.camera_server import (CAMERA_CAPTURE_STATUS, VIDEO_STREAM_INFOR
     CameraServer)
 
 # %% auto #0
-__all__ = ['stream_types', 'pushed', 'stream_encodings', 'own_host', 'ends', 'unique_names', 'is_group']
+__all__ = ['stream_types', 'pushed', 'stream_encodings', 'own_host', 'ends', 'unique_names']
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #69f71005
 def own_host(
@@ -167,13 +168,6 @@ def _request_video_stream_status(self:CameraServer, stream_id:int=0, *, msg):
     self.send_requested(VIDEO_STREAM_STATUS, (stream_id,), msg)
 
 # %% ../../nbs/api/61_mavlink.camera_video.ipynb #812311a5
-def is_group(
-    host:str, # An address, or a name
-)->bool:
-    "Is this a multicast address?"
-    try: return ipaddress.ip_address(host).is_multicast
-    except ValueError: return False
-
 def _viewer(stream, msg)->str|None:
     "Where to push a stream that the sender of `msg` wants; `None`: where it goes already"
     if stream.kind not in pushed or is_group(stream.host): return

@@ -11,7 +11,8 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_VIDEO_STREAM_INFORMATION as VIDEO_STREAM_INFORMATION
 from .protocol import NoAnswer, comes_from
-from .camera_video import is_group, pushed, stream_encodings, stream_types
+from ..video.sockets import is_group
+from .camera_video import pushed, stream_encodings, stream_types
 from .camera_client import CameraClient
 import UAV.mavlink.camera_verbs
 
@@ -97,7 +98,7 @@ def player_url(
     place = _pushed_to.fullmatch(stream.uri)
     if stream.kind in ('rtsp','tcp') and stream.uri.startswith(f'{stream.kind}://'): return stream.uri
     if stream.kind not in pushed or not place: raise ValueError(f'{stream.uri!r} is no URI of a {stream.kind} stream')
-    where = f'{place[1] if is_group(place[1]) else "0.0.0.0"}:{place[2]}'
+    where = f'{place[1] if place[1] and is_group(place[1]) else "0.0.0.0"}:{place[2]}'
     return f'udp://{where}' if stream.kind=='mpegts' else f'rtp://{where}?codec={stream.codec or "h264"}'
 
 # %% ../../nbs/api/64_mavlink.video_client.ipynb #a65936ea

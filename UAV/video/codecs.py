@@ -12,7 +12,7 @@ from types import SimpleNamespace
 
 from fastcore.basics import patch
 from ..utils.pictures import as_bgr
-from .units import AccessUnit, VideoFormat, parameter_sets
+from .units import AccessUnit, VideoFormat, byte_stream, parameter_sets
 
 # %% auto #0
 __all__ = ['even', 'fitted', 'Planes', 'sensible_bitrate', 'is_hardware', 'Codec', 'works', 'encoder_names', 'open_codec']
@@ -178,7 +178,7 @@ def _unit(self:Codec, packet)->AccessUnit:
 @patch
 def _with_headers(self:Codec, data:bytes)->bytes:
     "A key picture with the parameter sets in it, and the same in `format`"
-    sets = b''.join(b'\0\0\0\1'+nal for nal in parameter_sets(data, self.format.codec))
+    sets = byte_stream(parameter_sets(data, self.format.codec))
     if not sets: return self.format.headers+data
     if sets!=self.format.headers: self.format = replace(self.format, headers=sets)
     return data

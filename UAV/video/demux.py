@@ -7,7 +7,7 @@ from __future__ import annotations
 import time
 
 from fastcore.basics import patch, store_attr
-from .units import AccessUnit, VideoFormat, is_key, parameter_sets
+from .units import AccessUnit, VideoFormat, clock_rate, is_key, parameter_sets
 
 # %% auto #0
 __all__ = ['ts_size', 'UnitMaker', 'rtp_parts', 'Reorder', 'rtp_payload', 'SenderClock', 'RTPReader', 'TSReader']
@@ -118,7 +118,7 @@ def rtp_payload(
 # %% ../../nbs/api/31_video.demux.ipynb #7aadbd06
 class SenderClock:
     "From the time stamps of RTP to the time of day of the sender"
-    rate,since_1900 = 90_000,2_208_988_800          # ticks in a second; s from 1900, where NTP begins, to 1970
+    since_1900 = 2_208_988_800                      # s from there, where NTP begins, to 1970
     def __init__(self): self._at,self._timestamp = None,0
 
     def report(self,
@@ -135,7 +135,7 @@ class SenderClock:
         "s since 1970; `None` before the first report"
         if self._at is None: return None
         ticks = (timestamp-self._timestamp+2**31)%2**32-2**31
-        return self._at+ticks/self.rate
+        return self._at+ticks/clock_rate
 
 # %% ../../nbs/api/31_video.demux.ipynb #ace8cb40
 class RTPReader:

@@ -8,15 +8,14 @@ from fractions import Fraction
 import io, selectors, socket, threading, time
 
 from fastcore.basics import patch
-from ..logging import get_logger
-from .units import AccessUnit, Sink
+from fastcore.meta import delegates
+from .sockets import Loop, UDPSink, listen_tcp
+from .units import AccessUnit, Sink, clock_rate
 
 # %% auto #0
-__all__ = ['clock_rate', 'add_video', 'as_packet', 'TSMuxer', 'TSSender', 'TSClient', 'TSServer']
+__all__ = ['add_video', 'as_packet', 'TSMuxer', 'TSSender', 'TSClient', 'TSServer']
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #64d5c226
-clock_rate = 90_000     # Hz: of the time stamps
-
 def add_video(
     container, # An output container of PyAV
     unit:AccessUnit, # The first one, a key picture
@@ -87,49 +86,18 @@ def mux(self:TSMuxer,
     self._bytes.truncate()
     return packets
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #473a307b
-class TSSender(Sink):
+# %% ../../nbs/api/33_video.mpegts.ipynb #d2348ffb
+class TSSender(UDPSink):
     "Sends MPEG-TS over UDP to one address or multicast group"
-    size,burst,pause = 7*188,32,.001    # bytes in a datagram; datagrams in one go, and s after them
-    def __init__(self,
-        host:str, # An address or name, IPv4 or IPv6
-        port:int, # UDP port
-        ttl:int=1, # Of multicast: routers it may pass
-        interface:str='', # For multicast, our own interface: its address (IPv4), or name (IPv6); empty: the usual one
-        name:str='', # For people
-    ):
-        if not 0<port<65536: raise ValueError(f'{port} is no UDP port')
-        super().__init__(name or f'mpegts {host}:{port}')
-        self.unsent,self._muxer = 0,TSMuxer(name or 'video')        # `unsent`: datagrams that the system did not take
-        family,*_,self.address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
-        self.sock = socket.socket(family, socket.SOCK_DGRAM)
-        self._set_multicast(ttl, interface)
+    kind,size,burst,pause = 'mpegts',7*188,32,.001      # bytes in a datagram; datagrams in one go, and s after them
+    @delegates(UDPSink.__init__)
+    def __init__(self, host:str, port:int, **kwargs): # As for `UDPSink`
+        super().__init__(host, port, **kwargs)
+        self._muxer = TSMuxer(kwargs.get('name') or 'video')
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #9dc526b0
-@patch
-def end(self:TSSender):
-    "Give back the socket, and what FFmpeg holds"
-    self._muxer.close()
-    self.sock.close()
-
-@patch
-def close(self:TSSender,
-    timeout:float=5., # s that the units which wait may take
-):
-    "Send what waits, and end"
-    Sink.close(self, timeout)
-    if self._thread is None: self.end()         # it never got a unit
-
-# %% ../../nbs/api/33_video.mpegts.ipynb #a0be0a6b
-@patch
-def _set_multicast(self:TSSender, ttl:int, interface:str):
-    sock = self.sock
-    if sock.family==socket.AF_INET6:
-        sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_MULTICAST_HOPS, ttl)
-        if interface: sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_MULTICAST_IF, socket.if_nametoindex(interface))
-    else:
-        sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, ttl)
-        if interface: sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
+    def end(self):
+        "Give back what FFmpeg holds"
+        self._muxer.close()
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #7d046b83
 @patch
@@ -137,16 +105,8 @@ def send(self:TSSender, unit:AccessUnit):
     "One picture, in datagrams"
     packets = self._muxer.mux(unit)
     for n,at in enumerate(range(0, len(packets), self.size), 1):
-        self._send(packets[at:at+self.size])
+        self.send_datagram(packets[at:at+self.size])
         if n%self.burst==0: time.sleep(self.pause)
-
-# %% ../../nbs/api/33_video.mpegts.ipynb #a7f645e2
-@patch
-def _send(self:TSSender, datagram:bytes):
-    try: self.sock.sendto(datagram, self.address)
-    except OSError as e:
-        if not self.unsent: get_logger('video').warning('%r: %s', self, e)
-        self.unsent += 1
 
 # %% ../../nbs/api/33_video.mpegts.ipynb #dd663894
 class TSClient(Sink):
@@ -209,13 +169,6 @@ def cut(self:TSClient):
     except OSError: pass            # it was faster
     self.close(1)
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #a8526cd2
-def _listen(host:str, port:int)->socket.socket:
-    if not host and socket.has_dualstack_ipv6():
-        return socket.create_server(('',port), family=socket.AF_INET6, dualstack_ipv6=True)
-    family,*_,address = socket.getaddrinfo(host or '0.0.0.0', port, type=socket.SOCK_STREAM)[0]
-    return socket.create_server(address, family=family)
-
 # %% ../../nbs/api/33_video.mpegts.ipynb #ec77fc01
 class TSServer:
     "Sends MPEG-TS to all who connect over TCP; the encoder works only while there are some"
@@ -227,38 +180,23 @@ class TSServer:
     ):
         "Raises `OSError` when the port is taken"
         self.encoder,self.most,self.clients = encoder,most,[]
-        self._listener = _listen(host, port)
+        self._lock,self._listener = threading.RLock(),listen_tcp(host, port)
         self.port = self._listener.getsockname()[1]
-        self._bell,self._ring = socket.socketpair()
-        self._lock = threading.RLock()
-        self._thread = threading.Thread(target=self._run, name=f'mpegts {self.port}', daemon=True)
-        self._thread.start()
+        self._loop = Loop(f'mpegts {self.port}')
+        self._loop.serve(self._listener, self._welcome)
 
     def __repr__(self): return f'MPEG-TS server with {len(self.clients)} viewers'
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #c1ccbd1e
-@patch
-def _run(self:TSServer):
-    "Wait for players, until `close` rings"
-    with selectors.DefaultSelector() as ready:
-        for sock in (self._listener, self._bell): ready.register(sock, selectors.EVENT_READ)
-        while self._bell not in [key.fileobj for key,_ in ready.select()]:
-            try: sock,address = self._listener.accept()
-            except OSError as e:
-                get_logger('video').warning('%r: %s', self, e)
-                time.sleep(.1)              # too many open files: that passes
-            else: self._welcome(sock, f'mpegts to {address[0].removeprefix("::ffff:")}')
-
 # %% ../../nbs/api/33_video.mpegts.ipynb #aa523feb
 @patch
-def _welcome(self:TSServer, sock:socket.socket, name:str):
+def _welcome(self:TSServer, sock:socket.socket, address:tuple):
     "A new player; when all places are taken, those who hung up make room"
     with self._lock:
         if len(self.clients)>=self.most: self._sweep()
         if len(self.clients)>=self.most: return sock.close()
-        client = TSClient(sock, name, self._left)
+        client = TSClient(sock, f'mpegts to {address[0].removeprefix("::ffff:")}', self._left)
         self.clients.append(client)
     try: self.encoder.add(client)
     except RuntimeError: client.end()       # the encoder is closed
@@ -278,12 +216,10 @@ def _left(self:TSServer, client:TSClient):
     with self._lock:
         if client in self.clients: self.clients.remove(client)
 
-# %% ../../nbs/api/33_video.mpegts.ipynb #e3211e1a
+# %% ../../nbs/api/33_video.mpegts.ipynb #5a89c09c
 @patch
 def close(self:TSServer):
     "Hang up on all, and give the port back; may be called twice"
-    if self._ring.fileno()<0: return
-    self._ring.send(b'.')
-    self._thread.join()
-    for sock in (self._listener, self._bell, self._ring): sock.close()
+    self._loop.close()
+    self._listener.close()
     for client in list(self.clients): client.cut()

@@ -9,7 +9,7 @@ import time
 
 from fastcore.basics import patch
 from .encoder import Encoder
-from .units import AccessUnit, VideoFormat, is_key, nal_type, nal_units, parameter_sets
+from .units import AccessUnit, VideoFormat, byte_stream, is_key, nal_type, nal_units, parameter_sets
 
 # %% auto #0
 __all__ = ['with_sets', 'PassThrough']
@@ -24,7 +24,7 @@ def with_sets(
 )->bytes:
     "The key picture, with the parameter sets before it"
     nals = [nal for nal in nal_units(data) if nal_type(nal, codec) != _delimiter[codec]]
-    return b''.join(b'\0\0\0\1'+nal for nal in (*sets, *nals))
+    return byte_stream((*sets, *nals))
 
 # %% ../../nbs/api/33_video.passthrough.ipynb #5e335af1
 class _Decided:
@@ -118,5 +118,5 @@ def _complete(self:PassThrough, data:bytes, known:dict)->tuple:
     "A key picture with its parameter sets, and the format; both may be new"
     if came := parameter_sets(data, self.codec): self._sets = came
     elif self._sets: data = with_sets(data, self._sets, self.codec)
-    headers = b''.join(b'\0\0\0\1'+nal for nal in self._sets)
+    headers = byte_stream(self._sets)
     return data,replace(self.format or self.expected or VideoFormat(self.codec, bitrate=0), headers=headers, **known)

@@ -13,7 +13,8 @@ import errno, os, re, selectors, socket, time
 
 from fastcore.basics import patch, store_attr
 from .demux import RTPReader, TSReader, rtp_parts
-from .units import codecs
+from .sockets import is_group
+from .units import byte_stream, codecs
 
 # %% auto #0
 __all__ = ['Stopped', 'Receiver', 'listen', 'listen_pair', 'own_host', 'TSReceiver', 'OneSender', 'Media', 'read_sdp',
@@ -124,12 +125,6 @@ def listen(
         raise
     return sock
 
-# %% ../../nbs/api/32_video.receivers.ipynb #3dbb7510
-def _is_group(family, host:str)->bool:
-    "Is it a multicast group?"
-    first = socket.inet_pton(family, host.partition('%')[0])[0]
-    return first==255 if family==socket.AF_INET6 else 224<=first<240
-
 # %% ../../nbs/api/32_video.receivers.ipynb #296052e1
 def _join(sock, family, host:str):
     "Become a member of a multicast group"
@@ -141,7 +136,7 @@ def _join(sock, family, host:str):
 def _bind(sock, family, address:tuple):
     "To the address, or to all of ours when it is not one of them"
     host,port = address[:2]
-    if _is_group(family, host):
+    if is_group(host):
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         sock.bind(('', port))
         return _join(sock, family, host)
@@ -244,7 +239,7 @@ def _parameter_sets(fmtp)->bytes:
     "The `sprop-…` of RFC 6184 and RFC 7798, as a byte stream"
     said = dict(re.findall(r'sprop-(parameter-sets|vps|sps|pps)=([^;\s]+)', fmtp))
     texts = ','.join(said[name] for name in ('parameter-sets','vps','sps','pps') if name in said)
-    try: return b''.join(b'\0\0\0\1'+b64decode(text, validate=True) for text in texts.split(',') if text)
+    try: return byte_stream(b64decode(text, validate=True) for text in texts.split(',') if text)
     except ValueError: return b''
 
 # %% ../../nbs/api/32_video.receivers.ipynb #378912fa

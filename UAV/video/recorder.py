@@ -10,8 +10,8 @@ import errno, os, shutil, time
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
-from .mpegts import add_video, as_packet, clock_rate
-from .units import AccessUnit, Sink, VideoFormat
+from .mpegts import add_video, as_packet
+from .units import AccessUnit, Sink, VideoFormat, clock_rate
 
 # %% auto #0
 __all__ = ['SafeFile', 'MP4File', 'DiskFull', 'Recorder']

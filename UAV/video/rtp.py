@@ -5,19 +5,17 @@
 # %% ../../nbs/api/32_video.rtp.ipynb #e8f28dc7
 from __future__ import annotations
 from base64 import b64encode
-from ipaddress import ip_address
 from zlib import crc32
 import random, secrets, socket, struct, time
 
 from fastcore.basics import basic_repr, patch
-from ..logging import get_logger
-from .units import AccessUnit, Sink, VideoFormat, nal_type, nal_units, parameter_sets
+from fastcore.meta import delegates
+from .demux import SenderClock
+from .sockets import UDPSink, is_group
+from .units import AccessUnit, VideoFormat, clock_rate, nal_type, nal_units, parameter_sets
 
 # %% auto #0
-__all__ = ['log', 'fragments', 'payloads', 'RTPStream', 'is_report', 'sdp', 'udp_pair', 'RTPSender']
-
-# %% ../../nbs/api/32_video.rtp.ipynb #078c207e
-log = get_logger('video')
+__all__ = ['fragments', 'payloads', 'RTPStream', 'is_report', 'sdp', 'udp_pair', 'RTPSender']
 
 # %% ../../nbs/api/32_video.rtp.ipynb #6a62b9c9
 def fragments(
@@ -51,7 +49,7 @@ def payloads(
 # %% ../../nbs/api/32_video.rtp.ipynb #9b8242ce
 class RTPStream:
     "Numbers the packets of one stream to one receiver, and reports about it"
-    clock,payload_type = 90_000,96      # 1/s; 96 is the first of those that SDP explains
+    payload_type = 96       # the first of those that SDP explains
     def __init__(self,
         size:int=1388, # bytes a payload may have
     ):
@@ -67,7 +65,7 @@ class RTPStream:
         seconds:float, # monotonic
     )->int:
         "The time stamp of that moment"
-        return self.start+round(seconds*self.clock) & 0xffff_ffff
+        return self.start+round(seconds*clock_rate) & 0xffff_ffff
 
 # %% ../../nbs/api/32_video.rtp.ipynb #34e412aa
 @patch
@@ -89,15 +87,13 @@ def packets(self:RTPStream,
     return [self._packet(piece, timestamp, marker=n==len(pieces)) for n,piece in enumerate(pieces, 1)]
 
 # %% ../../nbs/api/32_video.rtp.ipynb #b02783bd
-_since_1900 = 2_208_988_800             # s from 1900, where NTP begins, to 1970
-
 @patch
 def report(self:RTPStream,
     now:float|None=None, # monotonic s
 )->bytes:
     "An RTCP sender report, with our name (SDES)"
     now = time.monotonic() if now is None else now
-    ntp = int((now+self.utc_offset+_since_1900)*2**32)
+    ntp = int((now+self.utc_offset+SenderClock.since_1900)*2**32)
     sent = self.packets_sent & 0xffff_ffff,self.octets_sent & 0xffff_ffff
     name = f'UAV-{self.ssrc:08x}'.encode()                      # 12 bytes
     return (struct.pack('!BBHIQIII', 0x80, 200, 6, self.ssrc, ntp, self.timestamp(now), *sent)
@@ -184,61 +180,28 @@ def udp_pair(
         for sock in pair: sock.close()
     raise OSError(f'no two free UDP ports at {host!r}') from error
 
-# %% ../../nbs/api/32_video.rtp.ipynb #6785c7c7
-class RTPSender(Sink):
+# %% ../../nbs/api/32_video.rtp.ipynb #3648ccdd
+class RTPSender(UDPSink):
     "Sends RTP over UDP to one address or multicast group, and RTCP reports to the port after it"
-    def __init__(self,
-        host:str, # An address or name, IPv4 or IPv6
-        port:int, # UDP port
-        ttl:int=1, # Of multicast: routers it may pass
-        interface:str='', # For IPv4 multicast: the address of our own interface, when not the usual one
-        name:str='', # For people
-    ):
-        super().__init__(name or f'rtp {host}:{port}')
-        self.ttl,self.rtp,self.format = ttl,RTPStream(),None
-        self.unsent = 0             # packets that the system did not take
-        family,*_,self.address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
-        self.sock = socket.socket(family, socket.SOCK_DGRAM)
-        self._set_multicast(interface)
-
-    def close(self,
-        timeout:float=5., # s that the units which wait may take
-    ):
-        "Send what waits and the goodbye, and give the port back"
-        super().close(timeout)
-        self.sock.close()
-
-# %% ../../nbs/api/32_video.rtp.ipynb #8002d6db
-@patch
-def _set_multicast(self:RTPSender, interface:str):
-    if self.sock.family==socket.AF_INET6:
-        self.sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_MULTICAST_HOPS, self.ttl)
-        return
-    self.sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, self.ttl)
-    if interface: self.sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
-
-# %% ../../nbs/api/32_video.rtp.ipynb #31aa3fcb
-@patch
-def _sendto(self:RTPSender, data:bytes, port:int):
-    host,_,*rest = self.address
-    try: self.sock.sendto(data, (host, port, *rest))
-    except OSError as e:
-        if not self.unsent: log.warning('%r: %s', self, e)
-        self.unsent += 1
+    kind = 'rtp'
+    @delegates(UDPSink.__init__)
+    def __init__(self, host:str, port:int, **kwargs): # As for `UDPSink`
+        super().__init__(host, port, **kwargs)
+        self.rtp,self.format = RTPStream(),None
 
 # %% ../../nbs/api/32_video.rtp.ipynb #c3c687b6
 @patch
 def send(self:RTPSender, unit:AccessUnit):
     "One picture, and a report when it is time for one"
-    self.format,port = unit.format,self.address[1]
-    for packet in self.rtp.packets(unit): self._sendto(packet, port)
-    if report := self.rtp.due_report(): self._sendto(report, port+1)
+    self.format = unit.format
+    for packet in self.rtp.packets(unit): self.send_datagram(packet)
+    if report := self.rtp.due_report(): self.send_datagram(report, beside=1)
 
 # %% ../../nbs/api/32_video.rtp.ipynb #5f94b476
 @patch
 def end(self:RTPSender):
     "Say goodbye, when anything was sent"
-    if self.format: self._sendto(self.rtp.goodbye(), self.address[1]+1)
+    if self.format: self.send_datagram(self.rtp.goodbye(), beside=1)
 
 # %% ../../nbs/api/32_video.rtp.ipynb #102d86c3
 @patch
@@ -250,7 +213,7 @@ def sdp_file(self:RTPSender,
     format = self.format or (self.source and self.source.wait_format(timeout))
     if not format: raise TimeoutError(f'{self!r} has had no picture yet')
     host,port = self.address[:2]
-    text = sdp(format, host, port, self.name, ttl=self.ttl if ip_address(host).is_multicast else None)
+    text = sdp(format, host, port, self.name, ttl=self.ttl if is_group(host) else None)
     if path is not None:
         with open(path, 'w', newline='') as f: f.write(text)
     return text

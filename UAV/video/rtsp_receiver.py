@@ -4,53 +4,17 @@
 
 # %% ../../nbs/api/34_video.rtsp_receiver.ipynb #36bde153
 from __future__ import annotations
-from base64 import b64encode
 from contextlib import closing
-from hashlib import md5, sha256
 from urllib.parse import unquote, urlsplit
-import re, secrets, selectors, socket, time
+import re, selectors, socket, time
 
 from fastcore.basics import patch, store_attr
 from .demux import RTPReader
+from .passwords import authorization
 from .receivers import Receiver, listen_pair, read_sdp
 
 # %% auto #0
-__all__ = ['transports', 'authorization', 'RTSPReceiver']
-
-# %% ../../nbs/api/34_video.rtsp_receiver.ipynb #1ad8673d
-def _fields(header:str)->dict:
-    "The fields of a WWW-Authenticate header"
-    return {name.lower():quoted or plain for name,quoted,plain in re.findall(r'(\w+)=(?:"([^"]*)"|([^\s,]+))', header)}
-
-# %% ../../nbs/api/34_video.rtsp_receiver.ipynb #ff3a5a6e
-def _response(fields:dict, method, url, user, password)->dict:
-    "The hash that proves that we know the password, and what it is made with"
-    kind = sha256 if 'SHA-256' in fields.get('algorithm', '').upper() else md5
-    def hashed(*parts): return kind(':'.join(parts).encode()).hexdigest()
-    secret,asked,nonce = hashed(user, fields['realm'], password),hashed(method, url),fields['nonce']
-    if 'auth' not in fields.get('qop', ''): return dict(response=hashed(secret, nonce, asked))
-    ours = secrets.token_hex(8)
-    return dict(nc='00000001', cnonce=ours, qop='auth', response=hashed(secret, nonce, '00000001', ours, 'auth', asked))
-
-# %% ../../nbs/api/34_video.rtsp_receiver.ipynb #5b7a1744
-def _digest(fields:dict, method, url, user, password)->str:
-    "The answer to a challenge `Digest`"
-    said = dict(username=user, realm=fields['realm'], nonce=fields['nonce'], uri=url)
-    said |= _response(fields, method, url, user, password)
-    said |= {name:fields[name] for name in ('opaque','algorithm') if name in fields}
-    return 'Digest '+', '.join(f'{k}={v}' if k in ('nc','qop','algorithm') else f'{k}="{v}"' for k,v in said.items())
-
-# %% ../../nbs/api/34_video.rtsp_receiver.ipynb #76ab0593
-def authorization(
-    challenge:str, # The header WWW-Authenticate
-    method:str, # Of the request
-    url:str, # Of the request
-    user:str, # Who we are
-    password:str, # Of that user
-)->str:
-    "The header Authorization that answers it"
-    if challenge.lower().startswith('basic'): return 'Basic '+b64encode(f'{user}:{password}'.encode()).decode()
-    return _digest(dict(realm='', nonce='')|_fields(challenge), method, url, user, password)
+__all__ = ['transports', 'RTSPReceiver']
 
 # %% ../../nbs/api/34_video.rtsp_receiver.ipynb #473100ff
 def _cut_packet(data:bytearray)->tuple|None:

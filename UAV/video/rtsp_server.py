@@ -5,14 +5,15 @@
 # %% ../../nbs/api/35_video.rtsp_server.ipynb #a9f36ca1
 from __future__ import annotations
 from urllib.parse import quote
-import errno, socket, threading, time
+import threading, time
 
 from fastcore.basics import patch
 from ..logging import get_logger
+from .passwords import Digest
 from .rtp import is_report, udp_pair
-from .rtsp import Digest, Response, RTSPError
+from .rtsp import Response, RTSPError
 from .rtsp_player import Connection, UDPViewer
-from .sockets import Loop, tune
+from .sockets import Loop, listen_tcp, tune
 
 # %% auto #0
 __all__ = ['log', 'Videos', 'RTSPServer']
@@ -31,16 +32,6 @@ class Videos(dict):
         except Exception as e: log.warning('rtsp %s: %s', path, e)
         if not format: raise RTSPError(503)
         return format
-
-# %% ../../nbs/api/35_video.rtsp_server.ipynb #7a877ec9
-def _listen(host:str, port:int):
-    "A TCP server socket; raises `OSError`"
-    if host in ('','::') and socket.has_dualstack_ipv6():
-        try: return socket.create_server(('::', port), family=socket.AF_INET6, dualstack_ipv6=True)
-        except OSError as e:
-            if host or e.errno not in (errno.EADDRNOTAVAIL, errno.EAFNOSUPPORT): raise      # else: no IPv6 here
-    family,*_,address = socket.getaddrinfo(host or '0.0.0.0', port, type=socket.SOCK_STREAM)[0]
-    return socket.create_server(address, family=family)
 
 # %% ../../nbs/api/35_video.rtsp_server.ipynb #175b5d86
 class RTSPServer:
@@ -63,30 +54,17 @@ class RTSPServer:
 @patch
 def _open(self:RTSPServer, port:int):
     "Open the sockets, and begin; raises `OSError`"
-    self.listener = _listen(self.host, port)
+    self.listener = listen_tcp(self.host, port)
     host,self.port = self.listener.getsockname()[:2]
     try: self.udp = udp_pair(host, self.listener.family)        # RTP for all players leaves by this pair
     except OSError:
         self.listener.close()
         raise
     self.udp_ports = tuple(sock.getsockname()[1] for sock in self.udp)
-    for sock in (self.listener,self.udp[1]): sock.setblocking(False)
+    self.udp[1].setblocking(False)
     self.loop = Loop(f'rtsp server {self.port}', tick=self._drop_lost)
-    self.loop.call(lambda: self.loop.watch(self.listener, self._accept))
+    self.loop.serve(self.listener, self._admit)
     self.loop.call(lambda: self.loop.watch(self.udp[1], self._hear))
-
-# %% ../../nbs/api/35_video.rtsp_server.ipynb #8761a502
-@patch
-def _accept(self:RTSPServer, events:int):
-    "A newcomer"
-    try: sock,address = self.listener.accept()
-    except BlockingIOError: return
-    except OSError as e:
-        log.warning('rtsp server %d: %s', self.port, e)
-        return time.sleep(.05)                                  # too many open files: not again at once
-    if len(self.connections)>=self.most: self._make_room()
-    if len(self.connections)<self.most: self._welcome(sock, address)
-    else: self._turn_away(sock)
 
 # %% ../../nbs/api/35_video.rtsp_server.ipynb #5d57083f
 @patch
@@ -94,6 +72,14 @@ def _make_room(self:RTSPServer):
     "End the oldest that has agreed on nothing"
     idle = [connection for connection in self.connections.values() if connection.session.state=='init']
     if idle: idle[0].close()
+
+# %% ../../nbs/api/35_video.rtsp_server.ipynb #c6f33185
+@patch
+def _admit(self:RTSPServer, sock, address:tuple):
+    "A newcomer: is there a place?"
+    if len(self.connections)>=self.most: self._make_room()
+    if len(self.connections)<self.most: self._welcome(sock, address)
+    else: self._turn_away(sock)
 
 # %% ../../nbs/api/35_video.rtsp_server.ipynb #10bc559f
 @patch

@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/38_video.stream.ipynb #f86f46bc
 from __future__ import annotations
-import ipaddress, math, os, re, threading
+import math, os, re, threading
 
 from fastcore.basics import patch, store_attr
 from .units import VideoFormat
@@ -12,22 +12,15 @@ from .codecs import even, sensible_bitrate
 from .rtp import RTPSender
 from .mpegts import TSSender, TSServer
 from .rtsp_server import RTSPServer
+from .sockets import is_group
 
 # %% auto #0
-__all__ = ['default_ports', 'senders', 'is_group', 'rtsp_server', 'let_go', 'VideoStream']
+__all__ = ['default_ports', 'senders', 'rtsp_server', 'let_go', 'VideoStream']
 
 # %% ../../nbs/api/38_video.stream.ipynb #c4fb3010
 default_ports = dict(rtsp=8554, rtp=5600, mpegts=5610, tcp=5620)
 
 senders = dict(rtp=RTPSender, mpegts=TSSender)
-
-# %% ../../nbs/api/38_video.stream.ipynb #548a09d9
-def is_group(
-    host:str, # An address, or a name
-)->bool:
-    "Is this a multicast address?"
-    try: return ipaddress.ip_address(host).is_multicast
-    except ValueError: return False
 
 # %% ../../nbs/api/38_video.stream.ipynb #d12a38c7
 _servers,_servers_lock = {},threading.Lock()        # `{(host, port): [server, how many use it]}`

@@ -12,10 +12,12 @@ from fastcore.basics import patch
 from ..logging import get_logger
 
 # %% auto #0
-__all__ = ['codecs', 'VideoFormat', 'AccessUnit', 'nal_units', 'nal_type', 'parameter_sets', 'is_key', 'Sink']
+__all__ = ['codecs', 'clock_rate', 'VideoFormat', 'AccessUnit', 'nal_units', 'byte_stream', 'nal_type', 'parameter_sets',
+           'is_key', 'Sink']
 
 # %% ../../nbs/api/30_video.units.ipynb #ea97e14b
 codecs = 'h264','h265'
+clock_rate = 90_000     # Hz: of the time stamps of a video, in RTP and in MPEG-TS
 
 @dataclass(frozen=True)
 class VideoFormat:
@@ -51,6 +53,13 @@ def nal_units(
     "The NAL units of a byte stream, without start codes; empty ones are left out"
     found = (nal.rstrip(b'\0') for nal in data.split(b'\0\0\1')[1:])
     return [nal for nal in found if nal]
+
+# %% ../../nbs/api/30_video.units.ipynb #074657c4
+def byte_stream(
+    nals, # NAL units
+)->bytes:
+    "A byte stream of them: each behind a start code"
+    return b''.join(b'\0\0\0\1'+nal for nal in nals)
 
 # %% ../../nbs/api/30_video.units.ipynb #ded43bca
 def nal_type(
