@@ -1,0 +1,3 @@
+"""Gimbals: they point cameras, and have never heard of MAVLink."""
+from UAV.gimbals.values import (Axis, GimbalAttitude, GimbalError, GimbalInformation, HeadingUnknown, Setpoint, VehicleState)
+from UAV.gimbals.gimbal import Gimbal
