@@ -40,7 +40,7 @@ def reachable(self:Motor,
     if self.wraps and self.pressing: return self.angle
     return min((abs(limit-a), limit) for a in names for limit in (self.low, self.high))[1]
 
-# %% ../../nbs/api/53_gimbals.motor.ipynb #171847ed
+# %% ../../nbs/api/53_gimbals.motor.ipynb #01a92d95
 @patch
 def braking_speed(self:Motor,
     room:float, # Degrees until it must stand
@@ -48,8 +48,9 @@ def braking_speed(self:Motor,
 )->float:
     "Degrees a second from which it can still stop there"
     if math.isinf(room): return self.speed
-    half = self.acceleration*dt/2
-    return min(math.sqrt(half**2 + 2*self.acceleration*room)-half, room/dt)
+    slower = self.acceleration*dt
+    steps = max(1, math.ceil((math.sqrt(1 + 8*room/slower/dt)-1)/2))
+    return room/dt/steps + slower*(steps-1)/2
 
 # %% ../../nbs/api/53_gimbals.motor.ipynb #b21508ba
 @patch
