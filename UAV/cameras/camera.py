@@ -37,6 +37,8 @@ class Camera:
     patience = 10.             # s that `read` may take; longer is a fault
     frame_rate = 30.           # frames a second that are read at most, while one looks at them
     lens,focus,mode = None,None,'image'
+    pose = None                # function that gives the `Pose` of a picture whose frame has none
+    gimbal_device_id = 0       # which gimbal turns it, as in GIMBAL_MANAGER_INFORMATION; 0: none
     def __init__(self,
         folder:str|None=None, # Where pictures go; `None` is a temporary folder that `close` removes
         quota:float|None=None, # MiB the pictures may fill; `None` is the whole disk
@@ -168,6 +170,15 @@ def _read_watched(self:Camera)->Frame:
         if not isinstance(frame, Frame): raise CameraError(f'read() must return a Frame, not {type(frame).__name__}')
         return frame
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #013025bf
+@patch
+def _posed(self:Camera, frame:Frame)->Frame:
+    "`frame` with a pose, if it has none and there is a function for it"
+    if frame.pose is not None or self.pose is None: return frame
+    try: return replace(frame, pose=self.pose())
+    except Exception: self.log.exception('no pose for a picture')
+    return frame
+
 # %% ../../nbs/api/45_cameras.camera.ipynb #5c0a531b
 @patch
 def _encode(self:Camera, frame)->bytes:
@@ -183,7 +194,7 @@ def _take_picture(self:Camera)->Picture|None:
     "Take one picture and keep it; a failure is kept, too. `None`: closed meanwhile, and recorded already"
     started = time.time()
     try:
-        frame,information = self._read_watched(),self.information
+        frame,information = self._posed(self._read_watched()),self.information
         if not self.captures.running: return
         self.captures.progress = time.monotonic()       # the device came back, however late
         if self.lens: information = replace(information, focal_length=self.lens.focal_length)
