@@ -37,8 +37,6 @@ class Camera:
     patience = 10.             # s that `read` may take; longer is a fault
     frame_rate = 30.           # frames a second that are read at most, while one looks at them
     lens,focus,mode = None,None,'image'
-    pose = None                # function that gives the `Pose` of a picture whose frame has none
-    gimbal_device_id = 0       # which gimbal turns it, as in GIMBAL_MANAGER_INFORMATION; 0: none
     def __init__(self,
         folder:str|None=None, # Where pictures go; `None` is a temporary folder that `close` removes
         quota:float|None=None, # MiB the pictures may fill; `None` is the whole disk
@@ -72,6 +70,8 @@ class Camera:
         _cameras.discard(self)
 
 # %% ../../nbs/api/45_cameras.camera.ipynb #e12eda76
+Camera.gimbal_device_id = 0     # which gimbal turns it, by the number that the gimbal has on MAVLink; 0: none
+
 @patch
 def __repr__(self:Camera): return f'{type(self).__name__}({self.information.model!r})'
 
@@ -170,7 +170,9 @@ def _read_watched(self:Camera)->Frame:
         if not isinstance(frame, Frame): raise CameraError(f'read() must return a Frame, not {type(frame).__name__}')
         return frame
 
-# %% ../../nbs/api/45_cameras.camera.ipynb #013025bf
+# %% ../../nbs/api/45_cameras.camera.ipynb #b853d8bf
+Camera.pose = None      # function that gives the `Pose` of a picture whose frame has none
+
 @patch
 def _posed(self:Camera, frame:Frame)->Frame:
     "`frame` with a pose, if it has none and there is a function for it"

@@ -79,10 +79,7 @@ def pose(self:SimCamera,
 )->Pose:
     "Where the camera is and how it is held"
     north,east,altitude,*looks = self.look() if look is None else look
-    lat,lon,alt = self.origin
-    degree = 111319.49     # m, on the equator
-    lat_now,lon_now = lat + north/degree, lon + east/degree/math.cos(math.radians(lat))
-    return Pose(lat_now, lon_now, alt+altitude, altitude, *looks)
+    return Pose(*self.origin, 0., *looks).moved(north, east, altitude)
 
 # %% ../../nbs/api/48_cameras.sim.ipynb #969ed74c
 @patch
