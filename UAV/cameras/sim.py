@@ -6,7 +6,7 @@
 __all__ = ['sim_information', 'SimCamera', 'find_tags', 'locate']
 
 # %% ../../nbs/api/48_cameras.sim.ipynb #027f6259
-import math, threading, time
+import threading, time
 
 from fastcore.basics import patch, store_attr
 from .camera import Camera
