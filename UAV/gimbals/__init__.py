@@ -5,3 +5,5 @@ from UAV.gimbals.vehicle import SimVehicle, circle, hover, line
 from UAV.gimbals.region import Location, PositionUnknown, direction
 from UAV.gimbals.sim import SimGimbal
 from UAV.gimbals.region import Location, PositionUnknown, RegionOfInterest, direction
+from UAV.gimbals.region import Location, PositionUnknown, RegionOfInterest, direction
+from UAV.gimbals.sim import SimGimbal

@@ -91,10 +91,10 @@ def ahead(
     alt,relative_alt = state.alt-down,state.relative_alt-down
     return replace(state, lat=state.lat+north/degree, lon=wrap(lon), alt=alt, relative_alt=relative_alt)
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #1b70300c
+# %% ../../nbs/api/58_gimbals.region.ipynb #03562a2d
 class RegionOfInterest:
     "Keeps a gimbal looking at a place"
-    lead = .05      # s: half of what passes from one `tick` to the next
+    lead = .1       # s that we look ahead: from one `tick` to the next, while the gimbal turns
 
     def __init__(self, gimbal:Gimbal):
         self.gimbal,self.log,self._lock = gimbal,gimbal.log,threading.RLock()
