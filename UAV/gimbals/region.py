@@ -30,10 +30,10 @@ class Location(Value):
         inside('altitude', self.alt)
         one_of('alt_frame', self.alt_frame, ('amsl','relative'))
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #bb14f254
+# %% ../../nbs/api/58_gimbals.region.ipynb #bfb1e937
 degree = 111319.49      # m, of latitude, and of longitude on the equator; our simulated world has the same
 
-class PositionUnknown(GimbalError): "A place is to be looked at, and the vehicle's own is not known"
+class PositionUnknown(GimbalError): "There is no direction to a place: the vehicle's position is not known"
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #ae76e9f4
 def altitude_of(

@@ -8,5 +8,6 @@ from UAV.wire.tlog import ReplayLink
 from UAV.mavlink.component import Component, __getattr__   # mavutil, when it is asked for
 from UAV.mavlink.camera_client import CameraClient
 from UAV.mavlink.camera_server import CameraServer
+from UAV.mavlink.sim_autopilot import SimAutopilot
 
-__all__ = ['MAVCom', 'CameraClient', 'CameraServer', 'Component', 'LossyLink', 'MessageLog', 'ReplayLink', 'mavlink', 'mavutil']
+__all__ = ['MAVCom', 'CameraClient', 'CameraServer', 'Component', 'LossyLink', 'MessageLog', 'ReplayLink', 'SimAutopilot', 'mavlink', 'mavutil']
