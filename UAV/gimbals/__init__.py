@@ -3,3 +3,4 @@ from UAV.gimbals.values import (Axis, GimbalAttitude, GimbalError, GimbalInforma
 from UAV.gimbals.gimbal import Gimbal
 from UAV.gimbals.vehicle import SimVehicle, circle, hover, line
 from UAV.gimbals.region import Location, PositionUnknown, direction
+from UAV.gimbals.sim import SimGimbal
