@@ -70,6 +70,8 @@ class Camera:
         _cameras.discard(self)
 
 # %% ../../nbs/api/45_cameras.camera.ipynb #e12eda76
+Camera.gimbal_device_id = 0     # which gimbal turns it, by the number that the gimbal has on MAVLink; 0: none
+
 @patch
 def __repr__(self:Camera): return f'{type(self).__name__}({self.information.model!r})'
 
@@ -168,6 +170,17 @@ def _read_watched(self:Camera)->Frame:
         if not isinstance(frame, Frame): raise CameraError(f'read() must return a Frame, not {type(frame).__name__}')
         return frame
 
+# %% ../../nbs/api/45_cameras.camera.ipynb #b853d8bf
+Camera.pose = None      # function that gives the `Pose` of a picture whose frame has none
+
+@patch
+def _posed(self:Camera, frame:Frame)->Frame:
+    "`frame` with a pose, if it has none and there is a function for it"
+    if frame.pose is not None or self.pose is None: return frame
+    try: return replace(frame, pose=self.pose())
+    except Exception: self.log.exception('no pose for a picture')
+    return frame
+
 # %% ../../nbs/api/45_cameras.camera.ipynb #5c0a531b
 @patch
 def _encode(self:Camera, frame)->bytes:
@@ -183,7 +196,7 @@ def _take_picture(self:Camera)->Picture|None:
     "Take one picture and keep it; a failure is kept, too. `None`: closed meanwhile, and recorded already"
     started = time.time()
     try:
-        frame,information = self._read_watched(),self.information
+        frame,information = self._posed(self._read_watched()),self.information
         if not self.captures.running: return
         self.captures.progress = time.monotonic()       # the device came back, however late
         if self.lens: information = replace(information, focal_length=self.lens.focal_length)

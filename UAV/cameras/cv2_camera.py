@@ -8,7 +8,6 @@ __all__ = ['source_kind', 'source_name', 'silent_cv2', 'how_to_open', 'open_sour
 # %% ../../nbs/api/48_cameras.cv2.ipynb #0ec04109
 import os, re, threading, time
 from contextlib import contextmanager
-from dataclasses import replace
 
 from fastcore.basics import patch, store_attr
 from .camera import Camera
@@ -282,11 +281,7 @@ def read(self:CV2Camera)->Frame:
     "The newest frame; raises `CameraError` when the source has given none for `read_timeout`, has ended, or is closed"
     return self.next_frame()
 
-# %% ../../nbs/api/48_cameras.cv2.ipynb #52b019e4
 @patch
 def read_still(self:CV2Camera)->Frame:
-    "The newest frame, with its pose"
-    frame = self.read()
-    try: return replace(frame, pose=self.pose()) if self.pose else frame
-    except Exception: self.log.exception('no pose for a picture')
-    return frame
+    "The newest frame, watched or not"
+    return self.read()

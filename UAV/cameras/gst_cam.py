@@ -187,13 +187,9 @@ def on_problem(self:GSTCamera, problem:str|None):
 # %% ../../nbs/api/49_cameras.gst.ipynb #2c6cfe91
 @patch
 def read_still(self:GSTCamera)->Frame:
-    "The newest frame, with its pose"
-    frame = self.read()
-    try: return replace(frame, pose=self.pose()) if self.pose else frame
-    except Exception: self.log.exception('no pose for a picture')
-    return frame
+    "The newest frame, watched or not"
+    return self.read()
 
-# %% ../../nbs/api/49_cameras.gst.ipynb #ce545467
 @patch
 def _read_watched(self:GSTCamera)->Frame:
     "The frame of a picture; the keeper knows better whether the source works"

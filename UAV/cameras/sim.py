@@ -6,7 +6,7 @@
 __all__ = ['sim_information', 'SimCamera', 'find_tags', 'locate']
 
 # %% ../../nbs/api/48_cameras.sim.ipynb #027f6259
-import math, threading, time
+import threading, time
 
 from fastcore.basics import patch, store_attr
 from .camera import Camera
@@ -40,10 +40,11 @@ class SimCamera(Camera):
         seed:int=0, # Which world
         capture_time:float=0., # Seconds that a still picture takes
         clock=time.time, # Gives the time stamps, s since 1970
+        mount=None, # What it hangs on, such as a `SimGimbal`: its `look` says all that `look` below does
     ):
         self.information = sim_information(model, width, height)
         super().__init__(folder, quota)
-        store_attr('north,east,altitude,roll,pitch,yaw,attitude,origin,frame_rate,capture_time,clock')
+        store_attr('north,east,altitude,roll,pitch,yaw,attitude,origin,frame_rate,capture_time,clock,mount')
         self.world,self.plugged_in = sim_world(seed) if world is None else world,True
         self.lens,self.focus = Lens(2.8, 28., 3.2),Focus()
         self.number,self._number_lock = 0,threading.Lock()
@@ -51,24 +52,34 @@ class SimCamera(Camera):
 
 # %% ../../nbs/api/48_cameras.sim.ipynb #0c4239e5
 @patch
-def looks(self:SimCamera)->tuple:
-    "Roll, pitch and yaw now, degrees"
-    return tuple(self.attitude()) if self.attitude else (self.roll, self.pitch, self.yaw)
+def look(self:SimCamera)->tuple:
+    "North, east and altitude (m), and roll, pitch and yaw (degrees), now; all of one moment"
+    if self.mount is not None: return tuple(self.mount.look())
+    looks = self.attitude() if self.attitude else (self.roll, self.pitch, self.yaw)
+    return (self.north, self.east, self.altitude, *looks)
 
 @patch
-def view(self:SimCamera)->View:
-    "What is in the picture now"
-    size = self.information.resolution_h,self.information.resolution_v
-    return View(size, self.lens.horizontal_fov, (self.north, self.east, -self.altitude), self.looks())
+def looks(self:SimCamera)->tuple:
+    "Roll, pitch and yaw now, degrees"
+    return self.look()[3:]
 
 # %% ../../nbs/api/48_cameras.sim.ipynb #5c0a5606
 @patch
-def pose(self:SimCamera)->Pose:
+def view(self:SimCamera,
+    look:tuple|None=None, # As from `look`; `None`: now
+)->View:
+    "What is in the picture"
+    north,east,altitude,*looks = self.look() if look is None else look
+    size = self.information.resolution_h,self.information.resolution_v
+    return View(size, self.lens.horizontal_fov, (north, east, -altitude), looks)
+
+@patch
+def pose(self:SimCamera,
+    look:tuple|None=None, # As from `look`; `None`: now
+)->Pose:
     "Where the camera is and how it is held"
-    lat,lon,alt = self.origin
-    degree = 111319.49     # m, on the equator
-    lat_now,lon_now = lat + self.north/degree, lon + self.east/degree/math.cos(math.radians(lat))
-    return Pose(lat_now, lon_now, alt+self.altitude, self.altitude, *self.looks())
+    north,east,altitude,*looks = self.look() if look is None else look
+    return Pose(*self.origin, 0., *looks).moved(north, east, altitude)
 
 # %% ../../nbs/api/48_cameras.sim.ipynb #969ed74c
 @patch
@@ -78,12 +89,13 @@ def read(self:SimCamera)->Frame:
     if self._closing.is_set(): raise CameraError(f'{self!r} is closed')
     if not self.plugged_in: raise CameraError('unplugged')
     with self._number_lock: number,self.number = self.number,self.number+1
-    pose,view = self.pose(),self.view()
-    image,blur = self.world.render(view, number/self.frame_rate),(90-self.focus.percent)/10
+    taken,look = self.clock(),self.look()
+    view,blur = self.view(look),(90-self.focus.percent)/10
+    image = self.world.render(view, number/self.frame_rate)
     if blur > 0: image = cv2.GaussianBlur(image, (0,0), blur)
     name,corner,white = f'{self.information.model} {number:06}',(6,view.size[1]-8),(255,255,255)
     cv2.putText(image, name, corner, cv2.FONT_HERSHEY_SIMPLEX, .4, white, 1, cv2.LINE_AA)
-    return Frame(image, number, self.clock(), pose)
+    return Frame(image, number, taken, self.pose(look))
 
 # %% ../../nbs/api/48_cameras.sim.ipynb #5c0a5607
 @patch

@@ -10,7 +10,7 @@ __all__ = ['CameraInformation', 'CameraError', 'CameraBusy', 'WrongMode', 'Stora
 
 # %% ../../nbs/api/40_cameras.values.ipynb #c572e020
 import json, math, re
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 
 from fastcore.basics import patch
 from ..utils.rotation import quaternion
@@ -58,6 +58,18 @@ def q(self:Pose)->tuple:
     "Attitude as (w, x, y, z) in the NED frame; (1, 0, 0, 0) when unknown"
     angles = self.roll, self.pitch, self.yaw
     return quaternion(*angles) if all(map(known, angles)) else (1.,0.,0.,0.)
+
+# %% ../../nbs/api/40_cameras.values.ipynb #5ce9ab25
+@patch
+def moved(self:Pose,
+    north:float=0., # m
+    east:float=0., # m
+    up:float=0., # m
+)->Pose:
+    "The same, so much further"
+    degree = 111319.49     # m, of latitude, and of longitude on the equator
+    lon = self.lon + east/degree/math.cos(math.radians(self.lat))
+    return replace(self, lat=self.lat+north/degree, lon=lon, alt=self.alt+up, relative_alt=self.relative_alt+up)
 
 # %% ../../nbs/api/40_cameras.values.ipynb #05780626
 @dataclass(frozen=True, repr=False, eq=False)

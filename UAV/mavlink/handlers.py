@@ -69,14 +69,20 @@ def command(
     return _mark('command', cmd, once=once, slow=slow, **options)
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #72b3cd93
-def message(msg_id:int):
+def message(
+    msg_id:int, # MAVLINK_MSG_ID
+    **options, # What a component wants to know besides
+):
     "Mark a method as the answer to a request for `msg_id`: it returns the encoded message, or a list of them"
-    return _mark('message', msg_id)
+    return _mark('message', msg_id, **options)
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #b0315f71
-def receives(msg_id:int):
+def receives(
+    msg_id:int, # MAVLINK_MSG_ID
+    **options, # What a component wants to know besides
+):
     "Mark a method to be called with each message `msg_id` that arrives for the component"
-    return _mark('receives', msg_id)
+    return _mark('receives', msg_id, **options)
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #5566f874
 class Handler:

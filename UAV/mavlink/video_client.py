@@ -45,6 +45,7 @@ class Stream:
 # %% ../../nbs/api/64_mavlink.video_client.ipynb #d19be5b0
 def _word(words:dict, number:int, default:str)->str: return next((w for w,n in words.items() if n==number), default)
 
+# %% ../../nbs/api/64_mavlink.video_client.ipynb #2e289067
 def stream_of(
     msg, # A VIDEO_STREAM_INFORMATION
 )->Stream:
@@ -91,6 +92,7 @@ def _none(ack)->list:
 # %% ../../nbs/api/64_mavlink.video_client.ipynb #f820349a
 _pushed_to = re.compile(r'(?:\w+://)?@?(?:([^:/@]*):)?(\d{1,5})/?')     # the port, and what may stand before it
 
+# %% ../../nbs/api/64_mavlink.video_client.ipynb #51862feb
 def player_url(
     stream:Stream, # As `streams` gives it
 )->str:

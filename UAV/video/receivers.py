@@ -38,13 +38,6 @@ class Receiver:
         self._selector = selectors.DefaultSelector()
         self._selector.register(self._inside, selectors.EVENT_READ)
 
-    def stop(self):
-        "End what waits, now and later"
-        self._stopped = True
-        if os.getpid()!=self._process: return   # a forked one, and the pipe is the parent's
-        try: self._outside.send(b'.')
-        except OSError: pass                    # it is closed already
-
     def close(self):
         "Let go of all sockets; not while another thread reads"
         self._selector.close()
@@ -53,6 +46,15 @@ class Receiver:
 
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
+
+# %% ../../nbs/api/32_video.receivers.ipynb #cb1b2140
+@patch
+def stop(self:Receiver):
+    "End what waits, now and later"
+    self._stopped = True
+    if os.getpid()!=self._process: return   # a forked one, and the pipe is the parent's
+    try: self._outside.send(b'.')
+    except OSError: pass                    # it is closed already
 
 # %% ../../nbs/api/32_video.receivers.ipynb #f79da70d
 @patch(as_prop=True)
