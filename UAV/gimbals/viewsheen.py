@@ -13,8 +13,8 @@ from .gimbal import Gimbal
 from .values import *
 from .values import Axis, Setpoint
 from .reckoning import Reckoned
-from UAV.gimbals.viewsheen_frames import (AIRFRAME, GEODETIC, FrameReader, Report, parse_report, pitch_frame, rate_frame,
-    yaw_frame)
+from UAV.gimbals.viewsheen_frames import (AIRFRAME, GEODETIC, FrameReader, Report, parse_report, pitch_frame,
+    rate_frame, yaw_frame)
 from ..utils.general import timers
 from ..utils.rotation import quaternion
 from ..utils.tcp_client import TCPClient
@@ -74,9 +74,14 @@ class Viewsheen(Gimbal):
         self._next = -math.inf                              # when the next frame is due
         self.reports,self._reader = {},FrameReader()
         self._lost = self._heard = self.clock()             # when the line was lost; when a report came
+        self._forget()                                      # what it was told before, we do not know
         self.line = TCPClient(host, port) if line is None else line
         self.line.hear,self.line.changed = lambda data: self._hear(data),lambda: self._on_line()
         self.line.start()
+
+    def _forget(self):
+        "Every axis stays where it is"
+        self.setpoint = Setpoint(Axis(), Axis(), Axis())
 
     def close(self):
         "Stop turning, and hang up; may be called twice"
@@ -210,9 +215,9 @@ def drive(self:Viewsheen, setpoint:Setpoint):
 @patch
 def _kept(self:Viewsheen, axis:str, lock:bool)->Axis:
     "As every gimbal does; an axis that turns stands before we say where"
-    if getattr(self.setpoint, axis).turning:
-        self._halt()
-        if axis in self.axes and not self.axes[axis].sure: return Axis()        # it stays, wherever that is
+    old = getattr(self.setpoint, axis)
+    if old.turning: self._halt()
+    if axis in self.axes and not known(old.angle) and not self.axes[axis].sure: return Axis()   # wherever that is
     return Gimbal._kept(self, axis, lock)
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #e2eb5842
@@ -225,7 +230,7 @@ def tick(self:Viewsheen):
         if self._is_silent() and self.line.up: self.line.drop(f'no report for {self.silence:g} s')
         more = [work(self, now) for work in self.with_each_tick]
         if now>=self._next-.001 and self._is_busy(now): self._go_on(now)
-        if self._alarm and (any(more) or self._is_busy(now)): timers.move(self._alarm, max(self._next, now+.01))
+        if self._alarm and (any(more) or self._is_busy(now)): timers.move(self._alarm, max(self._next, now+self.rate_pace))
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #f6c5975b
 @patch
@@ -249,9 +254,6 @@ def _on_line(self:Viewsheen):
         else: self._lost = now
         if self.setpoint.turning: self._forget()
         if self._alarm: timers.move(self._alarm, now+.01)
-
-@patch
-def _forget(self:Viewsheen): self.setpoint = Setpoint(Axis(), Axis(), Axis())
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #4948afc6
 @patch
