@@ -25,7 +25,7 @@ def circle(
         return north+radius*math.cos(angle), east+radius*math.sin(angle), altitude
     return path
 
-# %% ../../nbs/api/53_gimbals.vehicle.ipynb #21e2026b
+# %% ../../nbs/api/53_gimbals.vehicle.ipynb #4ced6f8b
 def line(
     speed:float=5., # m/s over the ground
     heading:float=0., # Degrees from north
@@ -38,6 +38,7 @@ def line(
     def path(t): return north+speed*t*math.cos(turn), east+speed*t*math.sin(turn), altitude+climb*t
     return path
 
+# %% ../../nbs/api/53_gimbals.vehicle.ipynb #7ec29337
 def hover(
     altitude:float=30., # Above the ground, m
     place:tuple=(0.,0.), # North and east of the origin, m
@@ -46,11 +47,11 @@ def hover(
     def path(t): return *place, altitude
     return path
 
-# %% ../../nbs/api/53_gimbals.vehicle.ipynb #f6fa62b4
+# %% ../../nbs/api/53_gimbals.vehicle.ipynb #42cbb92d
 class SimVehicle:
     "Flies a path, exactly, and tells how"
     def __init__(self,
-        path=None, # Function: seconds since the start to north, east and height above the ground, m; `None`: `circle()`
+        path=None, # Function: s since the start to (north, east, height above the ground) in m; `None`: `circle()`
         origin:tuple=(-35.363262,149.165237,584.), # Latitude, longitude, height above sea of the origin
         clock=time.monotonic, # Gives seconds
         heading=None, # Degrees from north, or a function of the seconds; `None`: along the path
@@ -64,9 +65,9 @@ class SimVehicle:
         "North, east (m from the origin) and height above the ground (m)"
         return self.path((self.clock() if t is None else t)-self.began)
 
-    def __repr__(self): return '{}: {:.0f} m north, {:.0f} m east, {:.0f} m up'.format(type(self).__name__, *self.position())
+    def __repr__(self): return f'{type(self).__name__}: %.0f m north, %.0f m east, %.0f m up' % self.position()
 
-# %% ../../nbs/api/53_gimbals.vehicle.ipynb #e03f0fd1
+# %% ../../nbs/api/53_gimbals.vehicle.ipynb #35d623e6
 moment = .05     # s
 
 @patch
@@ -78,6 +79,7 @@ def velocity(self:SimVehicle,
     (n0,e0,a0),(n1,e1,a1) = self.position(t-moment),self.position(t+moment)
     return (n1-n0)/2/moment, (e1-e0)/2/moment, (a0-a1)/2/moment
 
+# %% ../../nbs/api/53_gimbals.vehicle.ipynb #0deece85
 @patch
 def yaw(self:SimVehicle,
     t:float|None=None, # s on its clock; `None`: now
@@ -88,7 +90,16 @@ def yaw(self:SimVehicle,
     north,east,_ = self.velocity(t)
     return math.degrees(math.atan2(east, north)) if math.hypot(north, east)>1e-6 else 0.
 
-# %% ../../nbs/api/53_gimbals.vehicle.ipynb #7c6702c2
+# %% ../../nbs/api/53_gimbals.vehicle.ipynb #77433529
+@patch
+def on_earth(self:SimVehicle,
+    north:float, east:float, up:float, # m from the origin, and above the ground
+)->tuple:
+    "Latitude and longitude (degrees), and height above sea (m) of a place"
+    (lat,lon,alt),degree = self.origin,111319.49        # m, on the equator
+    return lat + north/degree, lon + east/degree/math.cos(math.radians(lat)), alt+up
+
+# %% ../../nbs/api/53_gimbals.vehicle.ipynb #83222b1e
 @patch
 def state(self:SimVehicle,
     t:float|None=None, # s on its clock; `None`: now
@@ -99,6 +110,4 @@ def state(self:SimVehicle,
     speed,yaw_rate = math.hypot(vn, ve),wrap(self.yaw(t+moment)-self.yaw(t-moment))/2/moment
     roll = math.degrees(math.atan(speed*math.radians(yaw_rate)/9.81))
     pitch = math.degrees(math.atan2(0.-vd, speed)) if speed>1e-6 else 0.      # one that hovers is level
-    (lat,lon,alt),degree = self.origin,111319.49        # m, on the equator
-    lat,lon = lat + north/degree, lon + east/degree/math.cos(math.radians(lat))
-    return VehicleState(roll, pitch, self.yaw(t), yaw_rate, lat, lon, alt+up, up, (vn,ve,vd))
+    return VehicleState(roll, pitch, self.yaw(t), yaw_rate, *self.on_earth(north, east, up), up, (vn,ve,vd))

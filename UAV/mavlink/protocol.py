@@ -48,6 +48,7 @@ class Failed(CommandError):      result = mavlink.MAV_RESULT_FAILED
 class Cancelled(CommandError):   result = 6 # MAV_RESULT_CANCELLED, which pymavlink's dialects lack
 
 _errors = {c.result:c for c in (Busy, Denied, Unsupported, Failed, Cancelled)}
+_errors[10] = Denied                        # MAV_RESULT_NOT_IN_CONTROL, which we understand, and do not send
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #dceee784
 @patch

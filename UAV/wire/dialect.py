@@ -65,8 +65,12 @@ class Ack(int):
     __str__ = __repr__
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #025a9204
-_cancelled = mavlink.EnumEntry('MAV_RESULT_CANCELLED', 'Command has been cancelled (COMMAND_CANCEL).')
-mavlink.enums['MAV_RESULT'].setdefault(6, _cancelled);
+_results = {6: ('CANCELLED', 'Command has been cancelled (COMMAND_CANCEL).'),
+            9: ('COMMAND_UNSUPPORTED_MAV_FRAME', 'Command is invalid because its frame is not supported.'),
+            10: ('NOT_IN_CONTROL', 'Command has been rejected because its sender is not in control of the target.')}
+_known = {i for i,e in mavlink.enums['MAV_RESULT'].items() if not e.name.endswith('ENUM_END')}
+for i,(name,text) in _results.items():
+    if i not in _known: mavlink.enums['MAV_RESULT'][i] = mavlink.EnumEntry(f'MAV_RESULT_{name}', text)
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #d89d3214
 _types = dict(B='uint8_t', H='uint16_t', q='int64_t')
