@@ -103,7 +103,7 @@ class Handler:
 def marked(obj, kind:str)->dict:
     "`{value: Handler}` for all methods of `obj` with a mark of this `kind`; a subclass wins over its base"
     methods = [(name, f) for c in reversed(type(obj).__mro__) for name,f in vars(c).items()]
-    marks = [(name, *mark) for name,f in methods for mark in getattr(f,'marks',())]
+    marks = [(name, *mark) for name,f in methods for mark in getattr(f,'marks',()) if not name.startswith('_orig_')]
     return {value:Handler(getattr(obj,name), **options) for name,k,value,options in marks if k==kind}
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #2f5f676a
