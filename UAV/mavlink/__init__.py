@@ -9,7 +9,8 @@ from UAV.wire.tlog import ReplayLink
 from UAV.mavlink.component import Component, __getattr__   # mavutil, when it is asked for
 from UAV.mavlink.camera_client import CameraClient
 from UAV.mavlink.camera_server import CameraServer
+from UAV.mavlink.gimbal_client import GimbalClient
 from UAV.mavlink.gimbal_server import GimbalServer
 from UAV.mavlink.sim_autopilot import SimAutopilot
 
-__all__ = ['MAVCom', 'CameraClient', 'CameraServer', 'Component', 'GimbalServer', 'LossyLink', 'MessageLog', 'ReplayLink', 'SimAutopilot', 'mavlink', 'mavutil']
+__all__ = ['MAVCom', 'CameraClient', 'CameraServer', 'Component', 'GimbalClient', 'GimbalServer', 'LossyLink', 'MessageLog', 'ReplayLink', 'SimAutopilot', 'mavlink', 'mavutil']
