@@ -152,7 +152,9 @@ def follow(self:Gimbal):
 def stop(self:Gimbal):
     "Turn no more, and hold; what is not turning stays as it is"
     with self._lock:
-        if self.setpoint.turning: self.point(lock=self.setpoint.lock)
+        if not self.setpoint.turning: return
+        blind = self.setpoint.yaw.turning and not known(self.heading)       # then yaw can be held from the nose only
+        self.point(lock=self.setpoint.lock and not blind)
 
 @patch
 def tick(self:Gimbal):

@@ -46,13 +46,13 @@ def altitude_of(
     if not known(alt): raise PositionUnknown(f"the vehicle's height above {zero} is not known")
     return alt
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #922c6912
+# %% ../../nbs/api/58_gimbals.region.ipynb #bd44e499
 def offset(
     state:VehicleState, # Where the vehicle is
     location:Location, # Where to look
 )->tuple:
     "`(north, east, down)` from the vehicle to `location`, m; raises `PositionUnknown`"
-    if not (known(state.lat) and known(state.lon)): raise PositionUnknown("the vehicle's position is not known")
+    if not (known(state.lat) and known(state.lon)): raise PositionUnknown('vehicle position unknown')
     east = wrap(location.lon-state.lon)*degree*math.cos(math.radians(state.lat))
     return (location.lat-state.lat)*degree, east, altitude_of(state, location.alt_frame)-location.alt
 
@@ -91,7 +91,7 @@ def ahead(
     alt,relative_alt = state.alt-down,state.relative_alt-down
     return replace(state, lat=state.lat+north/degree, lon=wrap(lon), alt=alt, relative_alt=relative_alt)
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #03562a2d
+# %% ../../nbs/api/58_gimbals.region.ipynb #537b367d
 class RegionOfInterest:
     "Keeps a gimbal looking at a place"
     lead = .1       # s that we look ahead: from one `tick` to the next, while the gimbal turns
@@ -106,13 +106,13 @@ class RegionOfInterest:
 
     def look(self, state:VehicleState):
         "Look there, from where the vehicle is"
-        target = self.target() if callable(self.target) else self.target
+        target = self.target(self.lead) if callable(self.target) else self.target
         self.gimbal.look_at(target, ahead(state, self.lead))
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #7d028817
+# %% ../../nbs/api/58_gimbals.region.ipynb #82e13f08
 @patch
 def set(self:RegionOfInterest,
-    target, # A `Location`, or a function without arguments that gives it or raises `PositionUnknown`
+    target, # A `Location`, or a function that gives it in so many seconds from now, or raises `PositionUnknown`
     state:VehicleState, # Where the vehicle is
 ):
     "Look at `target` from now on; raises what `Gimbal.look_at` raises"
@@ -126,7 +126,7 @@ def set(self:RegionOfInterest,
         self.lost = ''
         if old is None: self.before = setpoint
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #144d6e6d
+# %% ../../nbs/api/58_gimbals.region.ipynb #a94de176
 @patch
 def tick(self:RegionOfInterest,
     state:VehicleState, # Where the vehicle is
@@ -138,8 +138,8 @@ def tick(self:RegionOfInterest,
         try: self.look(state)
         except Exception as e: self.lost = str(e)
         if bool(was)==bool(self.lost): return ''
-        if not self.lost: return 'the region of interest is found again'
-        return f'the region of interest is lost, the gimbal holds: {self.lost}'
+        if not self.lost: return 'ROI found again'
+        return f'ROI lost, gimbal holds: {self.lost}'
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #926cfddf
 @patch
