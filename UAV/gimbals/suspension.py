@@ -67,16 +67,15 @@ def hold(self:Suspension,
         grips = power and axis in self.locks and not motor.stuck
         self.grip[axis] = min(max(self.grip[axis]+(2*dt if grips else -2*dt), 0.), 1.)
 
-# %% ../../nbs/api/53_gimbals.suspension.ipynb #175fb244
+# %% ../../nbs/api/53_gimbals.suspension.ipynb #e6aa890a
 @patch
 def smooth(self:Suspension, dt:float):
     "Let `ahead` come after the nose"
-    tau,behind = self.smoothing,wrap(self.vehicle.yaw-self.ahead)
-    if not tau or 'yaw' not in self.locks:                      # no gyroscope
-        self.ahead = self.vehicle.yaw
-        return
-    self.ahead_rate += behind/tau**2*dt
-    self.ahead = wrap(self.ahead+(self.ahead_rate+2*behind/tau)*dt)
+    part = dt/self.smoothing if self.smoothing and 'yaw' in self.locks else None
+    expected = self.ahead+self.ahead_rate*dt
+    behind = wrap(self.vehicle.yaw-expected)
+    self.ahead = wrap(expected+2*part*behind) if part else self.vehicle.yaw     # without a gyroscope it cannot
+    if part: self.ahead_rate += part*behind/self.smoothing
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #c4eec454
 @patch
