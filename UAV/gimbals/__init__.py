@@ -2,5 +2,5 @@
 from UAV.gimbals.values import (Axis, GimbalAttitude, GimbalError, GimbalInformation, HeadingUnknown, Setpoint, VehicleState)
 from UAV.gimbals.gimbal import Gimbal
 from UAV.gimbals.vehicle import SimVehicle, circle, hover, line
-from UAV.gimbals.region import Location, PositionUnknown, direction
+from UAV.gimbals.region import Location, PositionUnknown, RegionOfInterest, direction
 from UAV.gimbals.sim import SimGimbal

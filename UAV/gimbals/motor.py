@@ -11,7 +11,7 @@ import math
 from fastcore.basics import patch, store_attr
 from .values import *
 
-# %% ../../nbs/api/52_gimbals.motor.ipynb #cf1514c9
+# %% ../../nbs/api/52_gimbals.motor.ipynb #92d2eb50
 class Motor:
     "One axis of a gimbal"
     near = .01                      # degrees that make no difference
@@ -26,7 +26,8 @@ class Motor:
         self.pressing = False       # does it press against a limit?
         self.stuck = False          # set it, to see what happens
 
-    def __repr__(self): return f'Motor: {self.angle:.1f}°, {self.rate:.1f}°/s{", at its limit" if self.pressing else ""}'
+    def __repr__(self):
+        return f'Motor: {self.angle:.1f}°, {self.rate:.1f}°/s' + (', at its limit' if self.pressing else '')
 
 # %% ../../nbs/api/52_gimbals.motor.ipynb #b8d54182
 @patch
@@ -63,17 +64,16 @@ def _wish(self:Motor, target:Axis)->tuple:
     away = wrap(goal-target.angle) if self.wraps else goal-target.angle
     return goal, min(rate or self.speed, self.speed), abs(away)>self.near
 
-# %% ../../nbs/api/52_gimbals.motor.ipynb #26cd536a
+# %% ../../nbs/api/52_gimbals.motor.ipynb #ba52a315
 @patch
 def carry(self:Motor,
     turn:float, # Degrees
 ):
     "Be turned, as far as the limits let it"
-    angle = self.angle+turn
+    angle = self.angle if self.stuck else self.angle+turn
     self.angle = wrap(angle) if math.isinf(self.high) else min(max(angle, self.low), self.high)
-    if self.angle in (self.low, self.high): self.rate = 0.
 
-# %% ../../nbs/api/52_gimbals.motor.ipynb #13c7e5fc
+# %% ../../nbs/api/52_gimbals.motor.ipynb #c85a2818
 @patch
 def step(self:Motor,
     target:Axis, # An angle, an angle at a rate, a rate, or neither
@@ -85,4 +85,6 @@ def step(self:Motor,
     most = self.acceleration*dt
     self.rate = 0. if self.stuck else self.rate + min(max(wanted-self.rate, -most), most)
     self.carry(self.rate*dt)
+    if self.angle==self.low: self.rate = max(self.rate, 0.)
+    if self.angle==self.high: self.rate = min(self.rate, 0.)
     self.pressing = beyond and min(self.angle-self.low, self.high-self.angle)<self.near

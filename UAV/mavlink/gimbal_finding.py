@@ -89,7 +89,7 @@ async def find_gimbals(self:GimbalClient,
     import asyncio
     return list(await asyncio.gather(*(self.remote_gimbal(g) for g in await self._meet(count, timeout))))
 
-# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #afcba714
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #bbf08a4f
 streamed = GIMBAL_MANAGER_STATUS,GIMBAL_DEVICE_ATTITUDE_STATUS
 needed = GIMBAL_MANAGER_INFORMATION,*streamed
 
@@ -99,26 +99,26 @@ def _missing(self:GimbalClient)->list:
     return [i for i in needed if self.newest(i, self.gimbal) is None]
 
 @patch
-async def _get(self:GimbalClient, msg_id:int, gimbal:tuple):
-    "Have a message about a gimbal come: listen, have it streamed (5 times a second when there is no default), ask once"
-    source = gimbal[:2] if msg_id in of_manager else device_address(*gimbal)[:2]
-    def there(msg=None): return self.newest(msg_id, gimbal) is not None
+async def _get(self:GimbalClient, msg_id:int):
+    "Have a message about our gimbal come: listen, have it streamed (5 times a second if there is no default), ask once"
+    source = self.gimbal[:2] if msg_id in of_manager else device_address(*self.gimbal)[:2]
+    def there(msg=None): return self.newest(msg_id, self.gimbal) is not None
     if msg_id in streamed:
         with self.news.add(msg_id, there) as told: there() or await told.wait(.6)
         for interval in (0,200_000):
             if not there(): await self.ask_gimbal(source, msg_id, there, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, interval)
     if not there(): await self.ask_gimbal(source, msg_id, there)
 
-# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #4fa6937f
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #e9f0c092
 @patch
 async def _complete(self:GimbalClient):
     "Get what is missing, and wait for a heartbeat before each new attempt"
     import asyncio
     while missing := self._missing():
-        gimbal = self.gimbal
-        await asyncio.gather(*(self._get(i, gimbal) for i in missing))
+        await asyncio.gather(*map(self._get, missing))
         if not self._missing(): return
-        with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: address(m)==gimbal[:2]) as beat: await beat.wait(1)
+        with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: address(m)==self.target()) as beat:
+            await beat.wait(1)
 
 @patch
 def who_beats(self:GimbalClient)->str:
