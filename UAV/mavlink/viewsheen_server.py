@@ -59,6 +59,7 @@ def _video_start_capture(self:GimbalServerViewsheen, stream_id:int=0, rate:float
     self.for_us(camera_id)
     self.need('video_start_capture')(stream_id)
 
+# %% ../../nbs/api/69_mavlink.viewsheen_server.ipynb #ea5df9e6
 @patch
 @command(mavlink.MAV_CMD_VIDEO_STOP_CAPTURE)
 def _video_stop_capture(self:GimbalServerViewsheen, stream_id:int=0, camera_id:int=0):
@@ -82,6 +83,7 @@ def _camera_track_point(self:GimbalServerViewsheen, x:float, y:float, radius:flo
     self._check_tracking(camera_id, msg)
     self.need('track_point')(x, y, radius)
 
+# %% ../../nbs/api/69_mavlink.viewsheen_server.ipynb #93781ccc
 @patch
 @command(mavlink.MAV_CMD_CAMERA_TRACK_RECTANGLE, once=True, roles=managers)
 def _camera_track_rectangle(self:GimbalServerViewsheen, left:float, top:float, right:float, bottom:float,
@@ -90,6 +92,7 @@ def _camera_track_rectangle(self:GimbalServerViewsheen, left:float, top:float, r
     self._check_tracking(camera_id, msg)
     self.need('track_rectangle')(left, top, right, bottom)
 
+# %% ../../nbs/api/69_mavlink.viewsheen_server.ipynb #88f54fda
 @patch
 @command(mavlink.MAV_CMD_CAMERA_STOP_TRACKING, roles=managers)
 def _camera_stop_tracking(self:GimbalServerViewsheen, camera_id:int=0, *, msg):
