@@ -253,10 +253,13 @@ GimbalServer.with_each_tick.append(GimbalServer.tell_status)
 @receives(GIMBAL_STATE)
 def _hear_vehicle(self:GimbalServer, msg):
     "Take what our vehicle says of itself"
-    if address(msg)[0]!=self.source_system: return
+    if address(msg)[0]!=self.source_system: return self.hear_neighbour(msg)
     try: self.heard.take(msg)
     except ValueError as e: return self.complain(msg.get_type(), e)
     if self.can('set_vehicle'): self.gimbal.set_vehicle(self.heard.state)
+
+@patch
+def hear_neighbour(self:GimbalServer, msg): "Another system tells where it is; for later rooms"
 
 @patch(as_prop=True)
 def vehicle(self:GimbalServer)->VehicleState:
