@@ -70,7 +70,7 @@ class Viewsheen(Gimbal):
         pitch_speed,yaw_speed = self.setup.speeds
         self.axes = dict(pitch=Reckoned(pitch_speed, *self.setup.pitch), yaw=Reckoned(yaw_speed))
         self._asked,self._starts = -math.inf,{}             # when, and from where, we were asked to move
-        self._next = -math.inf                              # when the next frame is due
+        self._next,self._waits = -math.inf,False            # when the next frame may go, and whether one waits
         self.reports,self._reader = {},FrameReader()
         self._lost = self._heard = self.clock()             # when the line was lost; when a report came
         self._forget()                                      # what it was told before, we do not know
@@ -207,7 +207,8 @@ def drive(self:Viewsheen, setpoint:Setpoint):
     now = self.clock()
     if not setpoint.turning: self._halt()
     self._asked,self._starts = now,{name:axis.at(now) for name,axis in self.axes.items()}
-    self._steer(setpoint, now)
+    self._waits = now<self._next and setpoint.turning==self.setpoint.turning
+    if not self._waits: self._steer(setpoint, now)
     self._wake(self._next)
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #61fb1a9b
@@ -240,7 +241,7 @@ def _go_on(self:Viewsheen, now:float):
 def _is_busy(self:Viewsheen, now:float)->bool:
     "Is there anything to say soon?"
     led = any(getattr(self.setpoint, a).rate>0 for a in self.axes)
-    return self.setpoint.turning or led or self.setup.feedback or self._needs_heading(self.setpoint)
+    return self._waits or self.setpoint.turning or led or self.setup.feedback or self._needs_heading(self.setpoint)
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #46ac930d
 @patch

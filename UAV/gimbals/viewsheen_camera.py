@@ -129,6 +129,7 @@ def _let_go(self:Viewsheen):
     "The camera turns the gimbal from here on"
     with self._lock:
         self._forget()
+        self._next = self.clock()
         for axis in self.axes.values(): axis.goal,axis.sure = None,False
 
 # %% ../../nbs/api/57_gimbals.viewsheen_camera.ipynb #796a5cbf

@@ -17,7 +17,6 @@ from .camera_server import CameraServer
 from . import camera_commands
 from .gimbal_options import managers
 from .gimbal_server import GimbalServer
-from . import gimbal_commands, gimbal_setpoints
 
 # %% auto #0
 __all__ = ['GimbalServerViewsheen']
