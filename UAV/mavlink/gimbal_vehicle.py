@@ -34,10 +34,10 @@ def _from_position(msg)->dict:
     return dict(lat=msg.lat/1e7, lon=msg.lon/1e7, alt=msg.alt/1e3, relative_alt=msg.relative_alt/1e3,
                 velocity=(msg.vx/100, msg.vy/100, msg.vz/100))
 
-# %% ../../nbs/api/67_mavlink.gimbal_vehicle.ipynb #607a8d9d
+# %% ../../nbs/api/67_mavlink.gimbal_vehicle.ipynb #e163ad5c
 POSITION,ATTITUDE = mavlink.MAVLINK_MSG_ID_GLOBAL_POSITION_INT,mavlink.MAVLINK_MSG_ID_ATTITUDE
 GIMBAL_STATE,HOME = mavlink.MAVLINK_MSG_ID_AUTOPILOT_STATE_FOR_GIMBAL_DEVICE,mavlink.MAVLINK_MSG_ID_HOME_POSITION
-_readers = {POSITION:_from_position, ATTITUDE:_from_attitude, GIMBAL_STATE:_from_gimbal_state}    # believed most: the last
+_readers = {POSITION:_from_position, ATTITUDE:_from_attitude, GIMBAL_STATE:_from_gimbal_state}    # the last counts most
 
 # %% ../../nbs/api/67_mavlink.gimbal_vehicle.ipynb #36d3c3a5
 class VehicleHeard:
