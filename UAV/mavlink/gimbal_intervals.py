@@ -14,12 +14,10 @@ from .gimbal_server import GIMBAL_DEVICE_ATTITUDE_STATUS, GIMBAL_MANAGER_STATUS,
 # %% auto #0
 __all__ = ['usual', 'to_asker']
 
-# %% ../../nbs/api/69_mavlink.gimbal_intervals.ipynb #0874c8e1
-usual = {GIMBAL_DEVICE_ATTITUDE_STATUS:100_000, GIMBAL_MANAGER_STATUS:200_000}    # µs, as in the specification
+# %% ../../nbs/api/69_mavlink.gimbal_intervals.ipynb #8b725fde
+usual = {GIMBAL_DEVICE_ATTITUDE_STATUS:100_000, GIMBAL_MANAGER_STATUS:200_000}  # µs, as in the specification
 to_asker = 1        # in `response_target`, parameter 7 of a request
-
-# %% ../../nbs/api/69_mavlink.gimbal_intervals.ipynb #675c4e90
-GimbalServer.paced_by = {}      # `{message id: (system, component)}` that has changed what all get; each server has its own
+GimbalServer.paced_by = {}      # `{message id: (system, component)}`: who has changed what all get
 
 @patch
 def set_pace(self:GimbalServer,
