@@ -17,14 +17,16 @@ __all__ = ['managers', 'devices', 'RoleTables', 'GimbalOptions', 'checked_device
 managers,devices = ('both','manager'),('both','device')
 
 class RoleTables(Tables):
-    "The marked methods of a component, without those that belong to other roles"
+    "The marked methods of a component, without those of other roles, or that need an option which is off"
     def __init__(self, component, role:str):
         super().__init__(component)
         self.role = role
 
-    def __getitem__(self, kind):
-        ours = lambda handler: self.role in handler.options.get('roles', (self.role,))
-        return {number:h for number,h in super().__getitem__(kind).items() if ours(h)}
+    def ours(self, roles=(), needs=None, **options)->bool:
+        "Is a method with these options in its mark ours?"
+        return (not roles or self.role in roles) and (needs is None or getattr(self.component.options, needs))
+
+    def find(self, kind): return {number:h for number,h in super().find(kind).items() if self.ours(**h.options)}
 
 # %% ../../nbs/api/67_mavlink.gimbal_options.ipynb #cf340114
 @dataclass

@@ -252,7 +252,7 @@ def tell_status(self:GimbalServer):
 
 GimbalServer.with_each_tick.append(GimbalServer.tell_status)
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #0bd1a362
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #884be1e9
 @patch
 @receives(HOME)
 @receives(POSITION)
@@ -260,10 +260,13 @@ GimbalServer.with_each_tick.append(GimbalServer.tell_status)
 @receives(GIMBAL_STATE)
 def _hear_vehicle(self:GimbalServer, msg):
     "Take what our vehicle says of itself"
-    if address(msg)[0]!=self.source_system: return
+    if address(msg)[0]!=self.source_system: return self.hear_neighbour(msg)
     try: self.heard.take(msg)
     except ValueError as e: return self.complain(msg.get_type(), e)
     if self.can('set_vehicle'): self.gimbal.set_vehicle(self.heard.state)
+
+@patch
+def hear_neighbour(self:GimbalServer, msg): "Another system tells where it is; for later rooms"
 
 # %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #111d8b64
 @patch(as_prop=True)

@@ -118,9 +118,11 @@ class Tables:
         if self._made!=_made.marks: self._make()
         return self._tables[kind]
 
+    def find(self, kind:str)->dict: return marked(self.component, kind)     # subclasses leave some out
+
     def _make(self):
         made = _made.marks
-        self._tables = {k:marked(self.component, k) for k in ('command','message','receives')}
+        self._tables = {k:self.find(k) for k in ('command','message','receives')}
         self._made = made                       # only now: other threads look here
         if self.wanted is not None: self.want(*self._tables['receives'])
 
