@@ -49,12 +49,12 @@ def checked_gimbal(gimbal):
     if gimbal is not None and not hasattr(gimbal,'information'): raise TypeError(f'{gimbal!r} has no `information`')
     return FakeGimbal() if gimbal is None else gimbal
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #03d698b4
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #69a9ed9d
 class GimbalServer(Component):
     "Serves a gimbal object as a MAVLink gimbal"
     results = {**Component.results, **results}
-    with_each_tick,on_setpoint = [],[]  # functions of the server, which later rooms add: ten times a second, before a setpoint
-    tick_period = .1                    # s
+    with_each_tick,tick_period = [],.1  # functions of the server that later rooms add, and s between two calls
+    on_setpoint = []                    # such functions, to be called before a new setpoint
 
     @delegates(GimbalOptions)
     def __init__(self,
@@ -101,43 +101,6 @@ def need(self:GimbalServer, verb:str):
     if not self.can(verb): raise Unsupported(f'{self.gimbal.information.model} has no {verb}')
     return getattr(self.gimbal, verb)
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #11e414da
-@patch
-def complain(self:GimbalServer, about:str, error:Exception):
-    "Log an error, once a minute for what it is `about`"
-    if not self._said.again((about, type(error))): self.log.warning('%s: %s', about, error)
-
-@patch
-def tick(self:GimbalServer):
-    "What is done ten times a second"
-    for look in self.with_each_tick:
-        try: self.mav_com and not self._closed and look(self)
-        except Exception as e: self.complain(look.__name__, e)
-
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #95c7db8f
-@patch
-def stop_turning(self:GimbalServer):
-    "Have the gimbal turn no more; never raises"
-    try:
-        if self.can('stop'): self.gimbal.stop()
-    except Exception as e: self.complain('stop', e)
-
-@patch
-def beat(self:GimbalServer):
-    "Our heartbeat, which says how the gimbal is"
-    news = self.health.look()
-    Component.beat(self)
-    if news: self.say(*news)
-
-@patch
-def _see_gimbal(self:GimbalServer):
-    "Tell of its health, and end rates that are over; all of them when the link is down"
-    if self.health.is_news: self.beat()
-    if self.can('tick'): self.gimbal.tick()
-    if not any(channel.up for channel in self.mav_com.channels): self.stop_turning()
-
-GimbalServer.with_each_tick.append(GimbalServer._see_gimbal)
-
 # %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #b518f50c
 @patch
 def is_ours(self:GimbalServer, device_id:float)->bool:
@@ -166,6 +129,45 @@ def check_control(self:GimbalServer, msg):
     "Raise `Denied` when the sender of `msg` may not move the gimbal"
     if not self.control.allows(address(msg)): raise Denied('{}/{} may not: '.format(*address(msg))+self.control.owner)
 
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #897edf92
+@patch
+def complain(self:GimbalServer, about:str, error:Exception):
+    "Log an error, once a minute for what it is `about`"
+    if not self._said.again((about, type(error))): self.log.warning('%s: %s', about, error)
+
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #b409109d
+@patch
+def tick(self:GimbalServer):
+    "What is done ten times a second"
+    for look in self.with_each_tick:
+        try: self.mav_com and not self._closed and look(self)
+        except Exception as e: self.complain(look.__name__, e)
+
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #58766128
+@patch
+def stop_turning(self:GimbalServer):
+    "Have the gimbal turn no more; never raises"
+    try:
+        if self.can('stop'): self.gimbal.stop()
+    except Exception as e: self.complain('stop', e)
+
+@patch
+def beat(self:GimbalServer):
+    "Our heartbeat, which says how the gimbal is"
+    news = self.health.look()
+    Component.beat(self)
+    if news: self.say(*news)
+
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #b4932440
+@patch
+def _see_gimbal(self:GimbalServer):
+    "Tell of its health, and end rates that are over; all of them when the link is down"
+    if self.health.is_news: self.beat()
+    if self.can('tick'): self.gimbal.tick()
+    if not any(channel.up for channel in self.mav_com.channels): self.stop_turning()
+
+GimbalServer.with_each_tick.append(GimbalServer._see_gimbal)
+
 # %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #d5c675b6
 @patch
 @message(GIMBAL_MANAGER_INFORMATION, roles=managers)
@@ -177,7 +179,7 @@ def _gimbal_manager_information(self:GimbalServer):
     return self.mav.gimbal_manager_information_encode(time_since_boot_ms(), flags, self.gimbal_device_id,
                                                       *limits(self.gimbal.information))
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #42d7b4ba
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #caa1f347
 @patch(as_prop=True)
 def device_id(self:GimbalServer)->int:
     "The number in the messages of the device: 0 means its component"
@@ -185,6 +187,7 @@ def device_id(self:GimbalServer)->int:
 
 def _text(text:str)->bytes: return text.encode()[:31]       # a 0 must follow: others read C strings
 
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #47e28d66
 @patch
 @message(GIMBAL_DEVICE_INFORMATION, roles=devices)
 def _gimbal_device_information(self:GimbalServer):
@@ -194,13 +197,13 @@ def _gimbal_device_information(self:GimbalServer):
         _text(i.custom_name), packed(i.firmware_version), packed(i.hardware_version), i.uid, flags&0xffff, 0,
         *limits(i), self.device_id, flags)
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #965eaad0
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #5ac15ce7
 @patch
 def attitude_now(self:GimbalServer)->GimbalAttitude:
     "Where the gimbal points; nothing but COMMS_ERROR when it does not say"
     try: return self.gimbal.attitude()
     except Exception as e: self.complain('attitude', e)
-    return GimbalAttitude(vehicle_yaw=self.vehicle.yaw, failures=('COMMS_ERROR',))
+    return GimbalAttitude(failures=('COMMS_ERROR',))
 
 # %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #b0c9e05d
 @patch
@@ -211,32 +214,36 @@ def _gimbal_device_attitude_status(self:GimbalServer):
     return self.mav.gimbal_device_attitude_status_encode(0, 0, time_since_boot_ms(), **fields,
                                                          gimbal_device_id=self.device_id)
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #46b07a6c
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #64f1ba9a
 @patch
 def _status(self:GimbalServer)->tuple:
     "What GIMBAL_MANAGER_STATUS tells: flags, and the two pairs"
     a = self.attitude_now()
     return report_flags(a.mode, a.lock, self.options.yaw_frame),self.control.primary,self.control.secondary
 
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #0012712f
 @patch
 @message(GIMBAL_MANAGER_STATUS, roles=managers)
 def _gimbal_manager_status(self:GimbalServer):
     "GIMBAL_MANAGER_STATUS: who is in control"
     flags,primary,secondary = self._told = self._status()
-    return self.mav.gimbal_manager_status_encode(time_since_boot_ms(), flags, self.gimbal_device_id, *primary, *secondary)
+    return self.mav.gimbal_manager_status_encode(time_since_boot_ms(), flags, self.gimbal_device_id,
+                                                 *primary, *secondary)
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #09715528
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #110ddecc
 @patch(as_prop=True)
 def default_streams(self:GimbalServer)->dict:
     "What goes to all unasked: `{message id: µs}`"
     rates = {GIMBAL_DEVICE_ATTITUDE_STATUS:self.options.attitude_rate, GIMBAL_MANAGER_STATUS:self.options.status_rate}
     return {i: 1e6/rate for i,rate in rates.items() if rate and i in self.messages}
 
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #506765d9
 @patch
 def start_streams(self:GimbalServer):
     "Begin to send what goes out unasked"
     for msg_id,period in self.default_streams.items(): self.start_stream(msg_id, period)
 
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #6ea8c5a1
 @patch
 def tell_status(self:GimbalServer):
     "Send GIMBAL_MANAGER_STATUS to all when it has changed"
@@ -245,7 +252,7 @@ def tell_status(self:GimbalServer):
 
 GimbalServer.with_each_tick.append(GimbalServer.tell_status)
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #da578b66
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #884be1e9
 @patch
 @receives(HOME)
 @receives(POSITION)
@@ -261,6 +268,7 @@ def _hear_vehicle(self:GimbalServer, msg):
 @patch
 def hear_neighbour(self:GimbalServer, msg): "Another system tells where it is; for later rooms"
 
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #111d8b64
 @patch(as_prop=True)
 def vehicle(self:GimbalServer)->VehicleState:
     "What is known of the vehicle: from what we hear, else from what the gimbal knows"
@@ -298,7 +306,7 @@ def apply(self:GimbalServer,
     else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, lasts)
     self.tell_status()
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #178f4b5c
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #b8983a03
 @patch
 def release(self:GimbalServer, why:str):
     "Nobody steers any more"
@@ -306,6 +314,7 @@ def release(self:GimbalServer, why:str):
     self.stop_turning()
     self.tell_status()
 
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #448715a8
 @patch
 def lose(self:GimbalServer, source:tuple, why:str):
     "As every component does; and one that is silent controls nothing"
