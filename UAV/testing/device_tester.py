@@ -157,7 +157,7 @@ def _off(self:DeviceTester, pitch, yaw):
     turn = 0 if abs(pitch)>80 else abs((looks[1]-yaw+180)%360-180)
     return max(abs(looks[0]-pitch), turn)
 
-# %% ../../nbs/api/98_testing.device_tester.ipynb #0a75ad2f
+# %% ../../nbs/api/98_testing.device_tester.ipynb #5f847cd6
 @patch
 def _look(self:DeviceTester, pitch, yaw, lock=False, margin=None, seconds=None):
     "Have it look there: what is wrong, or `None`"
@@ -166,7 +166,7 @@ def _look(self:DeviceTester, pitch, yaw, lock=False, margin=None, seconds=None):
     if not play(self, until=there, seconds=seconds or self.settle): return self._says()
 
 @patch
-def _says(self:DeviceTester)->str: return 'it looks to pitch {:.0f}°, yaw {:.0f}°'.format(*self.looks)
+def _says(self:DeviceTester)->str: return 'it looks to pitch {}°, yaw {}°'.format(*map(round, self.looks))
 
 # %% ../../nbs/api/98_testing.device_tester.ipynb #741d155a
 @patch
