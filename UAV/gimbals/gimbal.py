@@ -12,6 +12,7 @@ from .values import *
 from .values import Setpoint
 from ..logging import get_logger
 from ..utils.general import timers
+from ..utils.values import inside
 
 # %% auto #0
 __all__ = ['Gimbal']
@@ -29,7 +30,7 @@ class Gimbal:
         clock=time.monotonic, # Gives seconds; with another one, call `tick` yourself
     ):
         self.clock,self.log = clock,get_logger(f'gimbal.{self.information.model}')
-        self.setpoint,self._lock = Setpoint(),threading.RLock()
+        self.setpoint,self.closed,self._lock = Setpoint(),False,threading.RLock()
         self._vehicle,self._told = None,-math.inf       # what we were told last, and when
         self._alarm = timers.alarm(self.tick) if clock is time.monotonic else None
 
@@ -45,8 +46,10 @@ class Gimbal:
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
     def close(self):
-        "Stop turning; may be called twice"
-        self.stop()
+        "Stop turning, and take no more setpoints; may be called twice"
+        with self._lock:
+            if not self.closed: self._try_to_stop()
+            self.closed = True
         if self._alarm: timers.cancel(self._alarm)
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #87959083
@@ -57,6 +60,7 @@ def set_vehicle(self:Gimbal,
     "Tell the gimbal what it hangs from"
     with self._lock: self._vehicle,self._told = state,self.clock()
 
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #9fac4763
 @patch(as_prop=True)
 def vehicle(self:Gimbal)->VehicleState|None:
     "What is known of the vehicle; `None` when nothing is, or no longer"
@@ -65,7 +69,8 @@ def vehicle(self:Gimbal)->VehicleState|None:
 @patch(as_prop=True)
 def heading(self:Gimbal)->float:
     "Where the vehicle's nose points, degrees from north; NaN when that is not known"
-    return self.vehicle.yaw if self.vehicle else NAN
+    vehicle = self.vehicle
+    return vehicle.yaw if vehicle else NAN
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #c084059c
 @patch
@@ -77,13 +82,33 @@ def _turned_yaw(self:Gimbal, axis:Axis, frame:str, lock:bool)->Axis:
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #e05456f3
 @patch
+def _held(self:Gimbal, axis:str, lock:bool)->Axis:
+    "The target that keeps an axis where it is; a gimbal that cannot say where it is stays there by itself"
+    try: now = Axis(getattr(self.attitude(), axis))
+    except GimbalError: now = Axis()
+    return self._turned_yaw(now, 'vehicle', lock) if axis=='yaw' else now
+
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #c6610a9f
+@patch
 def _kept(self:Gimbal, axis:str, lock:bool)->Axis:
     "The target of an axis that nothing new was said of"
     old = self.setpoint
-    target,frame = getattr(old, axis),'earth' if old.lock else 'vehicle'
-    if old.mode!='point' or not known(target.angle):        # it was retracted or is turning: hold it where it is
-        target,frame = Axis(getattr(self.attitude(), axis)),'vehicle'
-    return self._turned_yaw(target, frame, lock) if axis=='yaw' else target
+    target,folded = getattr(old, axis),old.mode=='retract'
+    if folded and axis=='roll': return Axis(0.)
+    if folded or not known(target.angle): return self._held(axis, lock)
+    if axis!='yaw' or lock==old.lock: return target
+    if not (lock or known(self.heading)): return self._held(axis, lock)     # let go, and north is not known
+    return self._turned_yaw(target, 'earth' if old.lock else 'vehicle', lock)
+
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #6c4da6c2
+@patch
+def _checked(self:Gimbal, targets:dict, lock:bool, lasts:float):
+    "Raises `ValueError` for a number that makes no sense, and `GimbalError` for what it cannot do"
+    if self.closed: raise GimbalError(f'{self!r} is closed')
+    if lock and 'yaw' not in self.locks: raise GimbalError(f'{self!r} cannot hold a direction on earth')
+    if not lasts>=0: raise ValueError(f'rates must last some seconds, not {lasts}')
+    for axis,target in targets.items():
+        for number in filter(known, (target.angle, target.rate)): inside(axis, number)
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #7d174588
 @patch
@@ -93,24 +118,32 @@ def point(self:Gimbal,
     lock:bool|None=None, # Does yaw hold its direction on earth? `None`: as it was
     lasts:float|None=None, # s until rates end; `None`: `rate_lasts`
 ):
-    "Take a new target for some axes, or all; raises `ValueError`, `HeadingUnknown` and what `drive` raises"
+    "Take a new target for some axes, or all; raises `ValueError`, `HeadingUnknown` and `GimbalError`"
     with self._lock:
-        lock = self.setpoint.lock if lock is None else lock
+        lock,lasts = self.setpoint.lock if lock is None else lock,self.rate_lasts if lasts is None else lasts
         frame = one_of('frame', frame or ('earth' if lock else 'vehicle'), ('vehicle','earth'))
-        given = dict(roll=roll, pitch=pitch, yaw=self._turned_yaw(yaw, frame, lock))
-        for axis,target in given.items():
-            if not known(target.angle) and not known(target.rate): given[axis] = self._kept(axis, lock)
-        new = Setpoint(**given, lock=lock)
-        until = self.clock()+(self.rate_lasts if lasts is None else lasts) if new.turning else math.inf
-        self._take(replace(new, until=until))
+        given = dict(roll=roll, pitch=pitch, yaw=yaw)
+        self._checked(given, lock, lasts)
+        given['yaw'] = self._turned_yaw(yaw, frame, lock)
+        kept = {axis: self._kept(axis, lock) for axis,t in given.items() if not (known(t.angle) or known(t.rate))}
+        new = Setpoint(**{**given, **kept}, lock=lock)
+        self._take(replace(new, until=self.clock()+lasts) if new.turning else new)
 
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #78d7b12a
 @patch
 def _take(self:Gimbal, setpoint:Setpoint):
     "Drive to `setpoint`"
     with self._lock:
+        if self.closed: raise GimbalError(f'{self!r} is closed')
         self.drive(setpoint)
         self.setpoint = setpoint
-        if self._alarm and setpoint.until<math.inf: timers.move(self._alarm, setpoint.until)
+        self._wake(setpoint.until)
+
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #210390fc
+@patch
+def _wake(self:Gimbal, due:float):
+    "Call `tick` when it is `due`, s on the gimbal's clock"
+    if self._alarm and due<math.inf: timers.move(self._alarm, due)
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #df0ff105
 @patch
@@ -122,6 +155,7 @@ def set_angles(self:Gimbal,
     "Point there"
     self.point(Axis(roll), Axis(pitch), Axis(yaw), frame, lock)
 
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #e3e260fd
 @patch
 def set_rates(self:Gimbal,
     pitch:float=0., yaw:float=0., roll:float=NAN, # Degrees a second; NaN keeps
@@ -137,6 +171,7 @@ def center(self:Gimbal):
     "Look straight ahead"
     self._take(Setpoint(mode='center', lock=False))
 
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #5bce2e46
 @patch
 def lock(self:Gimbal):
     "Hold the direction on earth; raises `HeadingUnknown`"
@@ -152,11 +187,23 @@ def follow(self:Gimbal):
 def stop(self:Gimbal):
     "Turn no more, and hold; what is not turning stays as it is"
     with self._lock:
-        if self.setpoint.turning: self.point(lock=self.setpoint.lock)
+        now = self.setpoint
+        lost = now.yaw.turning and not known(self.heading)      # we cannot hold a direction we do not know
+        if now.turning: self.point(lock=now.lock and not lost)
 
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #e861844c
 @patch
 def tick(self:Gimbal):
     "End rates that are over"
     with self._lock:
-        if self.clock()>=self.setpoint.until: self.stop()
-        elif self._alarm and self.setpoint.until<math.inf: timers.move(self._alarm, self.setpoint.until)
+        over = self.clock()>=self.setpoint.until
+        if not over: self._wake(self.setpoint.until)
+        elif not self._try_to_stop(): self._wake(self.clock()+1)
+
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #59b3ee04
+@patch
+def _try_to_stop(self:Gimbal)->bool:
+    "Has the device heard that it is to stop?"
+    try: self.stop()
+    except GimbalError as e: self.log.warning('cannot stop: %s', e)
+    return not self.setpoint.turning

@@ -46,13 +46,13 @@ def altitude_of(
     if not known(alt): raise PositionUnknown(f"the vehicle's height above {zero} is not known")
     return alt
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #922c6912
+# %% ../../nbs/api/58_gimbals.region.ipynb #bd44e499
 def offset(
     state:VehicleState, # Where the vehicle is
     location:Location, # Where to look
 )->tuple:
     "`(north, east, down)` from the vehicle to `location`, m; raises `PositionUnknown`"
-    if not (known(state.lat) and known(state.lon)): raise PositionUnknown("the vehicle's position is not known")
+    if not (known(state.lat) and known(state.lon)): raise PositionUnknown('vehicle position unknown')
     east = wrap(location.lon-state.lon)*degree*math.cos(math.radians(state.lat))
     return (location.lat-state.lat)*degree, east, altitude_of(state, location.alt_frame)-location.alt
 
@@ -91,28 +91,32 @@ def ahead(
     alt,relative_alt = state.alt-down,state.relative_alt-down
     return replace(state, lat=state.lat+north/degree, lon=wrap(lon), alt=alt, relative_alt=relative_alt)
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #03562a2d
+# %% ../../nbs/api/58_gimbals.region.ipynb #56f77686
 class RegionOfInterest:
     "Keeps a gimbal looking at a place"
     lead = .1       # s that we look ahead: from one `tick` to the next, while the gimbal turns
 
     def __init__(self, gimbal:Gimbal):
-        self.gimbal,self.log,self._lock = gimbal,gimbal.log,threading.RLock()
+        self.gimbal,self._lock = gimbal,threading.RLock()
         self.target = None          # `None`: there is no region of interest
-        self.before = Setpoint()    # Where the gimbal pointed when it was set
+        self.before = Setpoint()    # Where the gimbal was to point when it was set
+        self.ours = None            # Where we told it to point last
         self.lost = ''              # Why we cannot look there now; empty: we can
 
-    def __repr__(self): return f'{type(self).__name__}: {self.target or "none"}{", held: "*bool(self.lost)}{self.lost}'
+    def __repr__(self):
+        held = f', held: {self.lost}' if self.lost else ''
+        return f'{type(self).__name__}: {self.target or "none"}{held}'
 
     def look(self, state:VehicleState):
         "Look there, from where the vehicle is"
-        target = self.target() if callable(self.target) else self.target
+        target = self.target(self.lead) if callable(self.target) else self.target
         self.gimbal.look_at(target, ahead(state, self.lead))
+        self.ours = self.gimbal.setpoint
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #7d028817
+# %% ../../nbs/api/58_gimbals.region.ipynb #82e13f08
 @patch
 def set(self:RegionOfInterest,
-    target, # A `Location`, or a function without arguments that gives it or raises `PositionUnknown`
+    target, # A `Location`, or a function that gives it in so many seconds from now, or raises `PositionUnknown`
     state:VehicleState, # Where the vehicle is
 ):
     "Look at `target` from now on; raises what `Gimbal.look_at` raises"
@@ -126,7 +130,7 @@ def set(self:RegionOfInterest,
         self.lost = ''
         if old is None: self.before = setpoint
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #144d6e6d
+# %% ../../nbs/api/58_gimbals.region.ipynb #3843189b
 @patch
 def tick(self:RegionOfInterest,
     state:VehicleState, # Where the vehicle is
@@ -134,17 +138,20 @@ def tick(self:RegionOfInterest,
     "Look there again; the news, when we cannot any more, or can again"
     with self._lock:
         if self.target is None: return ''
+        if self.gimbal.setpoint is not self.ours:       # it was told something else meanwhile
+            self.target = None
+            return ''
         was,self.lost = self.lost,''
         try: self.look(state)
         except Exception as e: self.lost = str(e)
         if bool(was)==bool(self.lost): return ''
-        if not self.lost: return 'the region of interest is found again'
-        return f'the region of interest is lost, the gimbal holds: {self.lost}'
+        if not self.lost: return 'ROI found again'
+        return f'ROI lost, gimbal holds: {self.lost}'
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #926cfddf
+# %% ../../nbs/api/58_gimbals.region.ipynb #0a15fc35
 @patch
 def cancel(self:RegionOfInterest):
-    "Forget it, because the gimbal was told something else; no `tick` comes after this"
+    "Forget it, because the gimbal is told something else; a `tick` that is under way ends before"
     with self._lock: self.target,self.lost = None,''
 
 @patch

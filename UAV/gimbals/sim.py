@@ -53,7 +53,7 @@ class Delayed:
         while self.coming and self.coming[0][0]<=t: self.value = self.coming.popleft()[1]
         return self.value
 
-# %% ../../nbs/api/54_gimbals.sim.ipynb #803372ba
+# %% ../../nbs/api/54_gimbals.sim.ipynb #e46c2244
 class SimGimbal(Gimbal):
     "A gimbal with three axes that is worked out when it is asked"
     breaks = dict(motor='MOTOR_ERROR', comms='COMMS_ERROR', encoder='ENCODER_ERROR')
@@ -61,7 +61,7 @@ class SimGimbal(Gimbal):
         vehicle=None, # The `SimVehicle` it hangs from; `None`: it hangs still, until `set_vehicle` tells it more
         model:str='SimGimbal', # As in `GimbalInformation`
         roll:tuple|None=(-30.,30.), pitch:tuple|None=(-90.,30.), yaw:tuple|None=(-160.,160.), # Limits, degrees
-        stowed:tuple=(0.,-90.,0.), # Roll, pitch and yaw when it is retracted, degrees
+        stowed:tuple=(0.,30.,0.), # Roll, pitch and yaw when it is retracted, degrees
         delay:float=0., # s from a setpoint until it counts
         locks:tuple=axes, # Axes that hold their direction on earth; the others lean with the vehicle
         clock=time.monotonic, # Gives seconds; with another one, call `tick` yourself
@@ -69,17 +69,18 @@ class SimGimbal(Gimbal):
     ):
         self.information = GimbalInformation(model=model, roll=roll, pitch=pitch, yaw=yaw)
         super().__init__(clock)
-        self.mount,self.stowed,self.locks,self.faults = vehicle,stowed,locks,set()
+        self.mount,self.locks,self.faults = vehicle,locks,set()
+        self.stowed = [self.information.limited(axis, angle) for axis,angle in zip(axes, stowed)]
         self.steps,self.driven = Steps(clock, .02),Delayed(self.setpoint, delay)
         self.suspension = Suspension(self.information, locks, **motor)
         if vehicle: self.suspension.hang(vehicle.state())
 
-# %% ../../nbs/api/54_gimbals.sim.ipynb #c83d97cc
+# %% ../../nbs/api/54_gimbals.sim.ipynb #1d12a11b
 @patch
 def in_effect(self:SimGimbal, t:float)->Setpoint:
     "What the motors are told at `t`"
     setpoint = self.driven.at(t)
-    if setpoint.mode=='retract': return Setpoint(*(Axis(angle) for angle in self.stowed), mode='retract')
+    if setpoint.mode=='retract': return Setpoint(*map(Axis, self.stowed), mode='retract')
     if t<setpoint.until: return setpoint
     return replace(setpoint, **{axis: Axis() for axis in axes if getattr(setpoint, axis).turning})
 
@@ -145,3 +146,24 @@ def look(self:SimGimbal)->tuple:
         self.advance()
         place,there = self.mount.position(self.steps.time) if self.mount else (0.,0.,30.),self.suspension
         return *place, *euler(product(quaternion(yaw=there.vehicle.yaw), there.q))
+
+# %% ../../nbs/api/54_gimbals.sim.ipynb #a3601276
+@patch
+def retract(self:SimGimbal):
+    "Fold away, and switch the motors off"
+    self._take(Setpoint(mode='retract'))
+
+# %% ../../nbs/api/54_gimbals.sim.ipynb #a9b11f3d
+@patch
+def break_down(self:SimGimbal,
+    part:str, # 'motor', 'comms' or 'encoder', or the axis that gets stuck
+    broken:bool=True, # False: it is mended
+):
+    "Break a part: no motor turns, the cable is cut, the angles are not known, or one axis is stuck"
+    one_of('part', part, (*self.breaks, *axes))
+    with self._lock:
+        self.advance()
+        for axis in axes:
+            if part in (axis, 'motor'): self.suspension.motors[axis].stuck = broken
+        (self.faults.add if broken else self.faults.discard)(part)
+        self.fault = ', '.join(f'{f} error' for f in self.breaks if f in self.faults) or None

@@ -52,7 +52,7 @@ def limited(self:GimbalInformation,
 class Axis(Value):
     "The target of one axis"
     angle:float=NAN # Degrees
-    rate:float=NAN # Degrees a second; with an angle: how fast to go there
+    rate:float=NAN # Degrees a second; with an angle: how fast to go there, and 0 is NaN
 
     @property
     def turning(self)->bool: return known(self.rate) and not known(self.angle)
@@ -90,7 +90,7 @@ class VehicleState(Value):
 class GimbalAttitude(Value):
     "Where a gimbal points, at one moment"
     q:tuple=(NAN,)*4 # (w, x, y, z); yaw from the vehicle's nose
-    rates:tuple=(NAN,)*3 # Roll, pitch and yaw, degrees a second
+    rates:tuple=(NAN,)*3 # Roll, pitch and yaw, degrees a second; yaw from the nose
     vehicle_yaw:float=NAN # Where the nose points, degrees from north
     vehicle_yaw_rate:float=NAN # Degrees a second
     lock:bool=False # Does yaw hold its direction on earth?
@@ -108,6 +108,6 @@ class GimbalAttitude(Value):
 @patch
 def __repr__(self:GimbalAttitude):
     north = f', {self.earth_yaw%360:.1f}° from north' if known(self.vehicle_yaw) else ''
-    said = [f'pitch {self.pitch:.1f}°, yaw {self.yaw:.1f}°{north}', 'locked' if self.lock else 'follows', *self.failures]
-    if self.mode!='point': said.insert(1, self.mode)
-    return f'{type(self).__name__}: {", ".join(said)}'
+    mode = [] if self.mode=='point' else [self.mode]
+    said = [f'pitch {self.pitch:.1f}°, yaw {self.yaw:.1f}°{north}', *mode, 'locked' if self.lock else 'follows']
+    return f'{type(self).__name__}: {", ".join([*said, *self.failures])}'

@@ -11,19 +11,19 @@ from ..utils.values import known
 from .protocol import Denied
 
 # %% auto #0
-__all__ = ['nobody', 'Control', 'changed_pair']
+__all__ = ['no_owner', 'Control', 'changed_pair']
 
-# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #cc1adb0f
-nobody = 0,0
+# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #7545f511
+no_owner = 0,0
 
 class Control:
     "Who is in control of a gimbal"
     def __init__(self,
-        strict:bool=False, # Deny what comes while nobody is in control? By default it is accepted then
+        strict:bool=False, # Deny what comes while no client is in control? By default it is accepted then
         px4_release:bool=False, # Is "put me in control" from the one who is in control its release? PX4 sends that
     ):
         store_attr()
-        self.primary = self.secondary = nobody      # `(system, component)`
+        self.primary = self.secondary = no_owner      # `(system, component)`
         self._lock = threading.Lock()
 
     def __repr__(self): return f'Control: {self.owner}'
@@ -31,9 +31,9 @@ class Control:
     @property
     def owner(self)->str:
         "Who is in control, in words"
-        return 'nobody is in control' if self.primary==nobody else '{}/{} is in control'.format(*self.primary)
+        return 'no client is in control' if self.primary==no_owner else '{}/{} is in control'.format(*self.primary)
 
-# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #0b938668
+# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #527db67a
 def _half(value:float, old:int, own:int, removed:bool)->int:
     "One half of a pair; raises `Denied` for what is no id"
     if not known(value) or value==-1: return old
@@ -50,7 +50,7 @@ def changed_pair(
     "The new pair; raises `Denied` when it would be half a pair"
     removed = pair==sender
     new = tuple(_half(v, old, own, removed) for v,old,own in zip((system,component), pair, sender))
-    if 0 in new and new!=nobody: raise Denied(f'{new[0]}/{new[1]} is half a pair')
+    if 0 in new and new!=no_owner: raise Denied(f'{new[0]}/{new[1]} is half a pair')
     return new
 
 # %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #e6944ad5
@@ -68,17 +68,17 @@ def configure(self:Control,
         self.primary,self.secondary = pairs
         return pairs!=before
 
-# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #5adc9034
+# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #7ea5b36d
 @patch
 def allows(self:Control, sender:tuple)->bool:
     "May `sender` move the gimbal now?"
     primary = self.primary
-    return sender==primary or primary==nobody and not self.strict
+    return sender==primary or primary==no_owner and not self.strict
 
 @patch
 def lose(self:Control, address:tuple)->bool:
     "`address` has fallen silent, and controls nothing any more; did it?"
     with self._lock:
         before = self.primary,self.secondary
-        self.primary,self.secondary = (nobody if pair==address else pair for pair in before)
+        self.primary,self.secondary = (no_owner if pair==address else pair for pair in before)
         return before!=(self.primary,self.secondary)

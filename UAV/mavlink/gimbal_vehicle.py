@@ -49,6 +49,10 @@ class VehicleHeard:
         if msg.get_msgId()==HOME: self.home_alt = msg.altitude/1e3     # m above mean sea level
         else: self._heard[msg.get_msgId()] = _readers[msg.get_msgId()](msg),self.clock()
 
+    def age(self, msg_id)->float:
+        "s since this message came; infinite when it never did"
+        return self.clock()-self._heard[msg_id][1] if msg_id in self._heard else math.inf
+
     def fresh(self, *msg_ids)->bool:
         "Has one of these messages come lately?"
         now = self.clock()

@@ -103,7 +103,7 @@ class Handler:
 def marked(obj, kind:str)->dict:
     "`{value: Handler}` for all methods of `obj` with a mark of this `kind`; a subclass wins over its base"
     methods = [(name, f) for c in reversed(type(obj).__mro__) for name,f in vars(c).items()]
-    marks = [(name, *mark) for name,f in methods for mark in getattr(f,'marks',())]
+    marks = [(name, *mark) for name,f in methods for mark in getattr(f,'marks',()) if not name.startswith('_orig_')]
     return {value:Handler(getattr(obj,name), **options) for name,k,value,options in marks if k==kind}
 
 # %% ../../nbs/api/21_mavlink.handlers.ipynb #2f5f676a
@@ -118,9 +118,11 @@ class Tables:
         if self._made!=_made.marks: self._make()
         return self._tables[kind]
 
+    def find(self, kind:str)->dict: return marked(self.component, kind)     # subclasses leave some out
+
     def _make(self):
         made = _made.marks
-        self._tables = {k:marked(self.component, k) for k in ('command','message','receives')}
+        self._tables = {k:self.find(k) for k in ('command','message','receives')}
         self._made = made                       # only now: other threads look here
         if self.wanted is not None: self.want(*self._tables['receives'])
 

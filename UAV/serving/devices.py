@@ -16,6 +16,7 @@ __all__ = ['make_camera', 'add_streams', 'serving']
 def make_camera(
     text:str, # 'sim', 0, /dev/video0, FILE, URL, PIPELINE.toml or 'source ! …'
     size:tuple|None=None, # (width, height) in px, of the simulated camera and of a device
+    mount=None, # What the simulated camera hangs on, such as a `SimGimbal`
     **storage, # `folder` and `quota`, as for `Camera`
 )->Camera:
     "The camera that `text` means; raises `CameraError` when it cannot be opened"
@@ -23,9 +24,14 @@ def make_camera(
         from UAV.cameras.gst_cam import GSTCamera
         return GSTCamera(text, **storage)
     width,height = size or (None,None)
-    if text=='sim': return SimCamera(width or 640, height or 480, **storage)
+    if text=='sim': return SimCamera(width or 640, height or 480, mount=mount, **storage)
     own_size = dict(width=width, height=height) if text.isdigit() or text.startswith('/dev/') else {}
     return CV2Camera(text, **own_size, **storage)
+
+# %% ../../nbs/api/80_serving.devices.ipynb #48dc5830
+def _why(error:OSError)->str:
+    "What the system says, without what Python adds in brackets"
+    return (error.strerror or str(error)).partition(' (')[0]
 
 # %% ../../nbs/api/80_serving.devices.ipynb #f1bec6c7
 def add_streams(
@@ -36,9 +42,7 @@ def add_streams(
     "Give the camera these streams; raises `CameraError` for one that cannot be had"
     for kind,host,port in wanted:
         try: camera.add_stream(kind=kind, host=host, port=port, **how)
-        except OSError as e:
-            reason = (e.strerror or str(e)).partition(' (')[0]
-            raise CameraError(f'no {kind} stream at {host}:{port}: {reason}') from e
+        except OSError as e: raise CameraError(f'no {kind} stream at {host}:{port}: {_why(e)}') from e
 
 # %% ../../nbs/api/80_serving.devices.ipynb #e308caa4
 @contextmanager
@@ -48,6 +52,7 @@ def serving(
     system:int=1, # The vehicle's system id
     component:int=100, # 100 … 105
     host:str|None=None, # Our address for viewers; `None`: where each of them reaches us
+    components=(), # What else the vehicle has on MAVLink
     **how, # `signing` and `forward`, as for `MAVCom`
 ):
     "For a `with`: `camera` on these links; gives their `MAVCom`"
@@ -55,4 +60,5 @@ def serving(
     with MAVCom(first, source_system=system, **how) as com:
         for connection in others: com.add_link(connection)
         com.add_component(CameraServer(component, camera=camera, video_host=host))
+        for other in components: com.add_component(other)
         yield com

@@ -10,12 +10,14 @@ from types import SimpleNamespace
 import signal
 
 from .devices import add_streams, make_camera, serving
+from .gimbals import Aboard
 from .options import address, camera_id, links, or_exit, video_format, wanted_streams
 from .status import Teller, log_to, statuses
+from ..mavlink import CameraServer
 from ..wire.signing import secret_key
 
 # %% auto #0
-__all__ = ['opened', 'introduce', 'serve', 'serve_camera']
+__all__ = ['opened', 'name_of', 'introduce', 'serve', 'serve_camera']
 
 # %% ../../nbs/api/81_serving.program.ipynb #ae733aee
 def opened(
@@ -26,16 +28,25 @@ def opened(
     video = video_format(typed.codec, typed.size, typed.rate, typed.bitrate)
     streams,connections = wanted_streams(typed.rtsp, typed.rtp, typed.mpegts, typed.tcp),links(typed.connection)
     component,host,key = camera_id(typed.component),address(typed.host),typed.sign and secret_key(Path(typed.sign))
-    camera = stack.enter_context(make_camera(typed.camera, video['size'], folder=typed.folder, quota=typed.quota))
+    aboard = stack.enter_context(Aboard(typed.gimbal, typed.path, typed.autopilot, typed.camera))
+    storage = dict(folder=typed.folder, quota=typed.quota)
+    camera = stack.enter_context(make_camera(typed.camera, video['size'], aboard.mount, **storage))
+    if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
     add_streams(camera, streams, **video)
-    on_links = serving(camera, connections, typed.system, component, host, signing=key, forward=typed.forward)
-    return camera,stack.enter_context(on_links)
+    how = dict(host=host, components=aboard.components, signing=key, forward=typed.forward)
+    return camera,stack.enter_context(serving(camera, connections, typed.system, component, **how))
+
+# %% ../../nbs/api/81_serving.program.ipynb #cb7f2cc5
+def name_of(component)->str:
+    "What a component is, for people"
+    device = getattr(component, 'camera', None) or getattr(component, 'gimbal', None)
+    return f'{device.information.vendor} {device.information.model}' if device else type(component).__name__
 
 # %% ../../nbs/api/81_serving.program.ipynb #3fa5d9e4
 def introduce(camera, com, teller:Teller):
     "Tell what is served, and where"
-    information,(server,) = camera.information,com.component.values()
-    teller.say(f'{information.vendor} {information.model} is {com.source_system}/{server.source_component}')
+    for number,component in com.component.items(): teller.say(f'{name_of(component)} is {com.source_system}/{number}')
+    server = next(c for c in com.component.values() if isinstance(c, CameraServer))
     for channel in com.channels: teller.say(f'  on {channel.name}')
     for stream in camera.streams: teller.say(f'  {stream.kind}: {stream.uri(server.host_for())}, {stream.format}')
 
@@ -73,9 +84,13 @@ def serve_camera(
     bitrate:float=None, # Mbit/s; without it: what suits size and rate
     sign:str=None, # File with the key of a signed link
     forward:bool=False, # Pass MAVLink on from link to link
+    gimbal:str=None, # sim, or viewsheen://HOST[:PORT]: a gimbal at component 154; the simulated camera hangs from sim
+    path:str=None, # hover or circle: what a simulated vehicle flies, from which the gimbal hangs
+    autopilot:bool=False, # Beat as the autopilot of that vehicle, too: QGroundControl shows no gimbal without one
 ):
     """Serve a camera to ground stations until Ctrl-C, with stills, video and storage. Examples:
     `uav-camera-server` is a simulated camera for QGroundControl on this machine;
     `uav-camera-server --camera 0 --connection /dev/serial0,921600` is a USB camera behind an autopilot;
-    `uav-camera-server --camera flight.mp4 --rtp 192.168.1.10:5600 --rtsp -1` plays a file, and sends RTP"""
+    `uav-camera-server --camera flight.mp4 --rtp 192.168.1.10:5600 --rtsp -1` plays a file, and sends RTP;
+    `uav-camera-server --gimbal sim --path circle --autopilot` is an aircraft with a camera that can be turned"""
     serve(SimpleNamespace(**locals()))

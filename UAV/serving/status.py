@@ -11,7 +11,7 @@ from fastcore.basics import patch
 from ..video.stream import senders
 
 # %% auto #0
-__all__ = ['Status', 'status_of', 'statuses', 'Teller', 'log_to']
+__all__ = ['Status', 'gimbal_of', 'status_of', 'statuses', 'Teller', 'log_to']
 
 # %% ../../nbs/api/80_serving.status.ipynb #d6250a5f
 @dataclass(frozen=True)
@@ -24,6 +24,7 @@ class Status:
     free:float=0. # MiB
     heard:tuple=() # Names of those that beat on MAVLink
     fault:str|None=None # What is wrong with the camera
+    gimbal:tuple|None=None # Its pitch and yaw (degrees), and who is in control; `None`: there is none
 
 # %% ../../nbs/api/80_serving.status.ipynb #34bc1278
 def _count(number:int, what:str)->str: return f'{number} {what}{"" if number==1 else "s"}'
@@ -44,6 +45,7 @@ def __str__(self:Status):
     parts += [_viewers(*s) for s in self.streams]
     parts += [_count(self.pictures, 'picture'), _count(self.recordings, 'recording')]
     if self.recording is not None: parts.append(f'REC {_clock(self.recording)}')
+    if self.gimbal: parts.append('gimbal {:.0f}° {:.0f}°, {}'.format(*self.gimbal))
     return ' | '.join([*parts, f'{_size(self.free)} free', f'hears {", ".join(self.heard) or "nothing"}'])
 
 # %% ../../nbs/api/80_serving.status.ipynb #c4e30922
@@ -51,9 +53,21 @@ def __str__(self:Status):
 def is_news(self:Status,
     last:Status|None, # What was told before
 )->bool:
-    "Does it tell more than that a recording goes on?"
-    def steady(status): return replace(status, free=0., recording=None if status.recording is None else 0.)
+    "Does it tell more than that a recording goes on, and that a gimbal turns?"
+    def steady(s):
+        recording,gimbal = s.recording and 0.,s.gimbal and s.gimbal[2]
+        return replace(s, free=0., recording=recording, gimbal=gimbal)
     return last is None or steady(self)!=steady(last)
+
+# %% ../../nbs/api/80_serving.status.ipynb #5cc43a1f
+def gimbal_of(
+    com, # A `MAVCom`
+)->tuple|None:
+    "Pitch, yaw and who is in control of the gimbal that it serves; `None`: it serves none"
+    for server in com.component.values():
+        if not hasattr(server, 'gimbal'): continue
+        attitude = server.attitude_now()
+        return attitude.pitch,attitude.yaw,server.control.owner
 
 # %% ../../nbs/api/80_serving.status.ipynb #3ffc6ab0
 def status_of(
@@ -66,7 +80,7 @@ def status_of(
     streams = tuple((s.kind, s.viewers if s.running else None) for s in camera.streams)
     recording = camera.recording_time if camera.recording else None
     return Status(streams, len(camera.pictures), len(camera.storage.recordings), recording,
-                  camera.storage.information().available, tuple(sorted(heard)), camera.fault)
+                  camera.storage.information().available, tuple(sorted(heard)), camera.fault, gimbal_of(com))
 
 # %% ../../nbs/api/80_serving.status.ipynb #2605d907
 def statuses(

@@ -15,7 +15,8 @@ def quaternion(
     yaw:float=0., # Degrees, clockwise as seen from above
 )->tuple:
     "`(w, x, y, z)` of an attitude"
-    (cr,sr),(cp,sp),(cy,sy) = ((math.cos(half), math.sin(half)) for half in (math.radians(a)/2 for a in (roll, pitch, yaw)))
+    halves = (math.radians(angle)/2 for angle in (roll, pitch, yaw))
+    (cr,sr),(cp,sp),(cy,sy) = ((math.cos(half), math.sin(half)) for half in halves)
     return (cr*cp*cy + sr*sp*sy, sr*cp*cy - cr*sp*sy, cr*sp*cy + sr*cp*sy, cr*cp*sy - sr*sp*cy)
 
 # %% ../../nbs/api/02_utils.rotation.ipynb #4c255287

@@ -48,7 +48,7 @@ class TCPClient:
         changed=lambda: None, # Called when it is there, and when it is lost
     ):
         store_attr()
-        self.error,self._up,self._lock = 'not connected yet',threading.Event(),threading.RLock()
+        self.error,self.up,self._lock = 'not connected yet',False,threading.Condition()
         self._sock,self._since,self._due,self._attempt = None,0.,0.,0
         self._loop = Loop(f'tcp {host}:{port}')
         self._alarm = timers.alarm(lambda: self._loop.call(self._ring))
@@ -62,15 +62,16 @@ class TCPClient:
     def __exit__(self, *args): self.close()
 
 # %% ../../nbs/api/04_utils.tcp_client.ipynb #88e06f07
-@patch(as_prop=True)
-def up(self:TCPClient)->bool:
-    "Is it connected?"
-    return self._up.is_set()
+@patch
+def _set_up(self:TCPClient, up:bool):
+    with self._lock:                            # no thread is sending now
+        self.up = up
+        self._lock.notify_all()
 
 @patch
-def wait_up(self:TCPClient, timeout:float=10.)->bool:
-    "Wait until it is connected, `timeout` seconds at most"
-    return self._up.wait(timeout)
+def wait_up(self:TCPClient, up:bool=True, timeout:float=10.)->bool:
+    "Wait until it is connected, or is not, `timeout` seconds at most"
+    with self._lock: return self._lock.wait_for(lambda: self.up==up, timeout)
 
 # %% ../../nbs/api/04_utils.tcp_client.ipynb #30335218
 @patch
@@ -92,7 +93,7 @@ def _lose(self:TCPClient, sock, why):
     "This socket is of no more use; try again later"
     if sock is not self._sock: return
     was_up,self._sock = self.error is None,None
-    with self._lock: self._up.clear()           # from here on no thread sends
+    self._set_up(False)
     self._forget(sock)
     if was_up or str(why)!=self.error: log.warning('%s:%s: %s', self.host, self.port, why)
     lasted = was_up and time.monotonic()-self._since>=self.steady
@@ -139,7 +140,7 @@ def _ready(self:TCPClient, events):
     if code: return self._lose(self._sock, os.strerror(code))
     self._loop.watch(self._sock, self._read)
     self.error,self._since = None,time.monotonic()
-    self._up.set()
+    self._set_up(True)
     log.info('connected to %s:%s', self.host, self.port)
     self.changed()
 
@@ -173,7 +174,7 @@ def drop(self:TCPClient,
 )->bool: # False
     "Give this connection up, and make a new one"
     with self._lock:
-        self._up.clear()
+        self._set_up(False)
         sock = self._sock
     self._loop.call(lambda: self._lose(sock, why))
     return False
@@ -188,6 +189,6 @@ def close(self:TCPClient):
 
 @patch
 def _end(self:TCPClient):
-    with self._lock: self._up.clear()
+    self._set_up(False)
     self._forget(self._sock)
     self.error,self._sock = 'closed',None
