@@ -64,6 +64,7 @@ async def _give_back(self:GimbalClient, gimbal:tuple):
 @asynccontextmanager
 async def control(self:GimbalClient,
     take_over:bool=False, # Take it from another, too
+    keep:bool=False, # Stay in control at the end
 ):
     "For `async with`, also inside itself: be in control of our gimbal. Raises `Denied` when another is, and `NoAnswer`"
     gimbal = self.gimbal
@@ -74,4 +75,4 @@ async def control(self:GimbalClient,
         yield self
     finally:
         self.holds[gimbal] -= 1
-        if not self.holds[gimbal]: await self._give_back(gimbal)
+        if not self.holds[gimbal] and not keep: await self._give_back(gimbal)
