@@ -20,14 +20,16 @@ def _angles(roll:float, pitch:float, yaw:float)->dict:
     "Degrees of three angles in rad; raises `ValueError`"
     return {a: math.degrees(inside(a, v, -7, 7)) for a,v in dict(roll=roll, pitch=pitch, yaw=yaw).items()}
 
+def _finite(value:float)->float: return value if math.isfinite(value) else NAN
+
 def _from_attitude(msg)->dict:
-    return dict(_angles(msg.roll, msg.pitch, msg.yaw), yaw_rate=math.degrees(msg.yawspeed))
+    return dict(_angles(msg.roll, msg.pitch, msg.yaw), yaw_rate=math.degrees(_finite(msg.yawspeed)))
 
 # %% ../../nbs/api/67_mavlink.gimbal_vehicle.ipynb #a1e1e2b1
 def _from_gimbal_state(msg)->dict:
-    rate = msg.angular_velocity_z or NAN
+    rate = _finite(msg.angular_velocity_z) or NAN
     angles = dict(zip(('roll','pitch','yaw'), euler(unit(msg.q))))
-    return dict(angles, yaw_rate=math.degrees(rate), velocity=(msg.vx, msg.vy, msg.vz))
+    return dict(angles, yaw_rate=math.degrees(rate), velocity=tuple(map(_finite, (msg.vx, msg.vy, msg.vz))))
 
 def _from_position(msg)->dict:
     if not (msg.lat or msg.lon): return {}
