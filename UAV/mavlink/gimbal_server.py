@@ -49,7 +49,7 @@ def checked_gimbal(gimbal):
     if gimbal is not None and not hasattr(gimbal,'information'): raise TypeError(f'{gimbal!r} has no `information`')
     return FakeGimbal() if gimbal is None else gimbal
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #69a9ed9d
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #672879a8
 class GimbalServer(Component):
     "Serves a gimbal object as a MAVLink gimbal"
     results = {**Component.results, **results}
@@ -70,13 +70,15 @@ class GimbalServer(Component):
         super().__init__(source_component, mav_type, loglevel)
         if gimbal is None: self.log.warning('no gimbal given: serving one that only describes itself')
         self.gimbal,self.options = checked_gimbal(gimbal),GimbalOptions(**kwargs)
-        self.role = one_of('role', role, ('both','manager','device'))
+        self.tables = RoleTables(self, one_of('role', role, ('both','manager','device')))
         self.gimbal_device_id = checked_device_id(gimbal_device_id, source_component, role)
-        self.tables,self.health = RoleTables(self, role),Health(self, self.gimbal)
+        self.health = Health(self, self.gimbal)
         self.control = Control(self.options.strict, self.options.px4_release)
         self.heard = VehicleHeard(getattr(gimbal, 'clock', time.monotonic))
         self._told,self._ticks = None,None      # the last status, and the timer
         self._said,self._asked = Seen(60.),Seen(10.)    # what we complained about, and asked the autopilot for
+
+    role = property(lambda self: self.tables.role, doc="'both', 'manager' or 'device'")
 
     def on_mav_connection(self):
         self._ticks = timers.every(self.tick_period, self.tick, delay=self.tick_period)
@@ -101,7 +103,7 @@ def need(self:GimbalServer, verb:str):
     if not self.can(verb): raise Unsupported(f'{self.gimbal.information.model} has no {verb}')
     return getattr(self.gimbal, verb)
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #97db9f13
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #656b6692
 @patch
 def is_ours(self:GimbalServer, device_id:float)->bool:
     "Does this number mean our gimbal? 0 and NaN mean all"
@@ -121,6 +123,8 @@ def _means_us(self:GimbalServer, handler, msg)->bool:
     place,values = handler.options.get('device'),parameters(msg)
     if msg.command in _about_messages: return values[0] in self.messages
     return place is None or self.is_ours(values[place])
+
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #6db4a409
 @patch
 def on_command(self:GimbalServer, msg):
     "As every component does, but a broadcast to another gimbal is not for us"
@@ -310,10 +314,10 @@ def apply(self:GimbalServer,
     else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, lasts)
     self.tell_status()
 
-# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #b8983a03
+# %% ../../nbs/api/68_mavlink.gimbal_server.ipynb #1df6b7a2
 @patch
 def release(self:GimbalServer, why:str):
-    "Nobody steers any more"
+    "No client steers any more"
     self.log.info(why)
     self.stop_turning()
     self.tell_status()
