@@ -58,7 +58,7 @@ async def give_back(self:GimbalClient, gimbal:tuple)->GimbalAck:
     if ack: await self._wait_status(gimbal, lambda status: status is None or status.primary!=self.us)
     return ack
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #c04f9f19
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #8c72347d
 @patch
 async def _let_go(self:GimbalClient, gimbal:tuple):
     "At the end of `control`: what goes wrong is logged, for it must not hide the error that may be under way"
@@ -69,6 +69,7 @@ async def _let_go(self:GimbalClient, gimbal:tuple):
 @asynccontextmanager
 async def control(self:GimbalClient,
     take_over:bool=False, # Take it from another, too
+    keep:bool=False, # Stay in control at the end
 ):
     "For `async with`, also inside itself: be in control of our gimbal. Raises `Denied` when another is, and `NoAnswer`"
     gimbal = self.gimbal
@@ -79,4 +80,4 @@ async def control(self:GimbalClient,
         yield self
     finally:
         self.holds[gimbal] -= 1
-        if not self.holds[gimbal]: await self._let_go(gimbal)
+        if not self.holds[gimbal] and not keep: await self._let_go(gimbal)
