@@ -112,6 +112,6 @@ def _degrees(angle:float)->str:
 @patch
 def __repr__(self:GimbalAttitude):
     north = f', {_degrees(self.earth_yaw%360)} from north' if known(self.vehicle_yaw) else ''
-    mode = [] if self.mode=='point' else [self.mode]
-    said = [f'pitch {_degrees(self.pitch)}, yaw {_degrees(self.yaw)}{north}', *mode, 'locked' if self.lock else 'follows']
-    return f'{type(self).__name__}: {", ".join([*said, *self.failures])}'
+    said = [f'pitch {_degrees(self.pitch)}, yaw {_degrees(self.yaw)}{north}', self.mode]
+    said = [*said, 'locked' if self.lock else 'follows', *self.failures]
+    return f'{type(self).__name__}: {", ".join(word for word in said if word!="point")}'
