@@ -195,7 +195,7 @@ def _steer(self:Viewsheen, setpoint:Setpoint, now:float):
     goals = self._goals(setpoint, now)
     if setpoint.turning: self._send_rates(*(self._rate(a, setpoint, goals, now) for a in ('pitch','yaw')))
     else: self._send_angles(goals, now)
-    self._next = now+(self.rate_pace if setpoint.turning else self.angle_pace)
+    self._next,self._waits = now+(self.rate_pace if setpoint.turning else self.angle_pace),False
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #729f614a
 @patch

@@ -54,6 +54,7 @@ class ViewsheenSimulator:
         self.port = self._listener.getsockname()[1]
         self._loop.serve(self._listener, lambda sock, address: self._welcome(sock))
 
+    skipped = property(lambda self: sum(r.skipped for r in self.clients.values()), doc='Bytes that were no commands')
     def __repr__(self): return f'{type(self).__name__}({self.host}:{self.port}, {len(self.clients)} clients)'
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
