@@ -72,7 +72,7 @@ class Viewsheen(Gimbal):
         self._asked,self._starts = -math.inf,{}             # when, and from where, we were asked to move
         self._next,self._waits = -math.inf,False            # when the next frame may go, and whether one waits
         self.reports,self._reader = {},FrameReader()
-        self._lost = self._heard = self.clock()             # when the line was lost; when a report came
+        self._heard,self._delivered = self.clock(),True     # when a report came; was the setpoint sent?
         self._forget()                                      # what it was told before, we do not know
         self.line = TCPClient(host, port) if line is None else line
         self.line.hear,self.line.changed = lambda data: self._hear(data),lambda: self._on_line()
@@ -162,7 +162,9 @@ def _send_angles(self:Viewsheen, goals:dict, now:float):
     frames = dict(pitch=pitch_frame, yaw=lambda angle: yaw_frame(angle, self.setup.frame_byte))
     for name,axis in self.axes.items():
         if not known(goals[name]) or abs(wrap(goals[name]-axis.aim(now)))<.05: continue
-        if self.line.send(frames[name](goals[name])): axis.go(goals[name], now)
+        if not self.line.send(frames[name](goals[name])): return
+        axis.go(goals[name], now)
+    self._delivered = True
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #a4aa6bbc
 @patch
@@ -207,6 +209,7 @@ def drive(self:Viewsheen, setpoint:Setpoint):
     now = self.clock()
     if not setpoint.turning: self._halt()
     self._asked,self._starts = now,{name:axis.at(now) for name,axis in self.axes.items()}
+    self._delivered = False
     self._waits = now<self._next and setpoint.turning==self.setpoint.turning
     if not self._waits: self._steer(setpoint, now)
     self._wake(self._next)
@@ -250,7 +253,6 @@ def _on_line(self:Viewsheen):
     with self._lock:
         now = self.clock()
         if self.line.up: self._resume(now)
-        else: self._lost = now
         if self.setpoint.turning: self._forget()
         self._wake(now+.01)
 
@@ -260,9 +262,15 @@ def _resume(self:Viewsheen, now:float):
     "The line is back: nothing keeps turning, and what is out of date is forgotten"
     self._reader,self._heard = FrameReader(),now
     self._halt()
-    if self.setpoint.turning or self._asked<self._lost: return
-    if now-self._asked>self.fresh: self._forget()
-    else: self._go_on(now)
+    if self.setpoint.turning: return
+    if now-self._asked<=self.fresh: return self._say_again(now)
+    if not self._delivered: self._forget()
+
+@patch
+def _say_again(self:Viewsheen, now:float):
+    "Say the angles again: what was said last may be lost with the line"
+    for axis in self.axes.values(): axis.told = axis.told and axis.goal is None
+    self._go_on(now)
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #d174ba43
 @patch
