@@ -9,7 +9,7 @@ import re
 from fastcore.basics import basic_repr
 from ..gimbals import Gimbal, SimGimbal, SimVehicle, circle, hover
 from ..gimbals.viewsheen import Viewsheen
-from ..mavlink import GimbalServer, SimAutopilot
+from ..mavlink import GimbalServer, GimbalServerViewsheen, SimAutopilot
 from ..utils.values import inside, one_of
 
 # %% auto #0
@@ -53,9 +53,8 @@ class Aboard:
 
     def _server(self):
         "A server for the gimbal, with what its maker adds"
-        if not isinstance(self.gimbal, Viewsheen): return GimbalServer(gimbal=self.gimbal)
-        from UAV.mavlink.viewsheen_server import GimbalServerViewsheen
-        return GimbalServerViewsheen(gimbal=self.gimbal)
+        server = GimbalServerViewsheen if isinstance(self.gimbal, Viewsheen) else GimbalServer
+        return server(gimbal=self.gimbal)
 
     components = property(lambda self: [c for c in (self.server, self.pilot) if c], doc="What goes on MAVLink")
     __repr__ = basic_repr('vehicle,gimbal')
