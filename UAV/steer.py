@@ -33,7 +33,7 @@ def attitude_numbers(
               for name in ('roll', 'pitch', 'yaw', 'earth_yaw')}
     return {**angles, 'lock':a.lock, 'mode':a.mode, 'failures':list(a.failures)}
 
-# %% ../nbs/api/82_steer.ipynb #a641e583
+# %% ../nbs/api/82_steer.ipynb #dac1a7c4
 def gimbal_facts(
     client:GimbalClient,
     g:RemoteGimbal,
@@ -41,11 +41,13 @@ def gimbal_facts(
     "What is known of a gimbal, for JSON"
     status = client.status_of((g.system, g.component, g.gimbal_device_id))
     holder = '{}/{}'.format(*status.primary) if status and status.primary else None
-    return dict(gimbal=f'{g.system}/{g.component}/{g.gimbal_device_id}', name=g.name, can=list(g.can), in_control=holder)
+    address = f'{g.system}/{g.component}/{g.gimbal_device_id}'
+    return dict(gimbal=address, name=g.name, can=list(g.can), in_control=holder)
 
-# %% ../nbs/api/82_steer.ipynb #65e42fb8
+# %% ../nbs/api/82_steer.ipynb #1432106e
 verbs = {}      # `{word: function}`
 
+# %% ../nbs/api/82_steer.ipynb #d37ce6cc
 def steers(
     *examples:str, # Of its arguments
     control:bool=True, # Must we be in control for it?
@@ -57,7 +59,7 @@ def steers(
         return f
     return _f
 
-# %% ../nbs/api/82_steer.ipynb #09867b4f
+# %% ../nbs/api/82_steer.ipynb #4ce7ba1b
 @steers('', '--timeout 10', control=False)
 async def list_(client):
     "Gimbals that are there"
@@ -65,6 +67,7 @@ async def list_(client):
     if not found: raise NoAnswer(f'no gimbal answers; {client.who_beats()}')
     return dict(gimbals=[gimbal_facts(client, g) for g in found]),'\n'.join(map(str, found))
 
+# %% ../nbs/api/82_steer.ipynb #4ed005b8
 @steers('', '--json', control=False)
 async def status(client):
     "Where it points, and who is in control"
@@ -72,7 +75,7 @@ async def status(client):
     facts = gimbal_facts(client, ready)|dict(attitude=attitude_numbers(client.attitude))
     return facts,f'{ready}\n{client.attitude}\n{client.status}'
 
-# %% ../nbs/api/82_steer.ipynb #5684f074
+# %% ../nbs/api/82_steer.ipynb #cd3429fd
 @steers('-45 0', '-30 120 --frame earth', '-90 nan --wait')
 async def angle(client,
     pitch:float, # Degrees; -90 looks down, nan leaves it as it is
@@ -88,7 +91,8 @@ async def angle(client,
         raise GimbalError(f'it was not reached: {client.attitude}')
     return ack
 
-@steers('0 10 --seconds 2', '-- -5 0')
+# %% ../nbs/api/82_steer.ipynb #9aa010a2
+@steers('0 10 --seconds 2', '-5 0')
 async def rate(client,
     pitch:float, yaw:float, # Degrees a second
     seconds:float=None, # How long; without it: until Ctrl-C
@@ -96,7 +100,7 @@ async def rate(client,
     "Turn, then stop"
     async with client.keep_turning(pitch, yaw): await asyncio.sleep(1e9 if seconds is None else seconds)
 
-# %% ../nbs/api/82_steer.ipynb #819e07d0
+# %% ../nbs/api/82_steer.ipynb #db184df9
 @steers('')
 async def center(client): "Look straight ahead"; return await client.center()
 
@@ -109,7 +113,7 @@ async def lock(client): "Hold the direction on earth"; return await client.lock(
 @steers('')
 async def follow(client): "Let yaw follow the nose"; return await client.follow()
 
-# %% ../nbs/api/82_steer.ipynb #0da149e8
+# %% ../nbs/api/82_steer.ipynb #120ebfe5
 @steers('-35.363262 149.165237 584 --frame amsl', '47.3977 8.5456 0')
 async def roi(client,
     lat:float, lon:float, # Degrees
@@ -119,23 +123,24 @@ async def roi(client,
     "Look at a place"
     return await client.point_at(lat, lon, alt, frame)
 
+# %% ../nbs/api/82_steer.ipynb #0fa50267
 @steers('')
 async def roi_none(client): "Look at the place no longer"; return await client.point_at_none()
 
 @steers('2')
 async def roi_system(client,
-    system:int, # Its system id
+    sysid:int, # Its system id
 ):
     "Look at another vehicle"
-    return await client.follow_system(system)
+    return await client.follow_system(sysid)
 
-# %% ../nbs/api/82_steer.ipynb #a94c747d
+# %% ../nbs/api/82_steer.ipynb #5be9ea61
 @steers('', control=False)
 async def release(client):
-    "Give control back, if it is still ours; stops what turns"
+    "Give control back, if it is still ours; what turns stops"
     return await client.give_back(client.gimbal)
 
-# %% ../nbs/api/82_steer.ipynb #658e588a
+# %% ../nbs/api/82_steer.ipynb #bdcd21c0
 def add_arguments(
     parser:argparse.ArgumentParser,
     f, # A function; its first argument is left out
@@ -146,6 +151,7 @@ def add_arguments(
         param.set_default(v.default)
         parser.add_argument(f'{param.pre}{name}', **param.kwargs)
 
+# %% ../nbs/api/82_steer.ipynb #7504a1ea
 def common(client,
     connection:str='udpin:0.0.0.0:14550', # MAVLink link, such as /dev/ttyUSB0 or udpout:192.168.1.20:14550
     gimbal:str='', # SYSTEM/COMPONENT or SYSTEM/COMPONENT/ID; without it: the only one
@@ -186,7 +192,7 @@ def gimbal_address(
         raise ValueError(f'--gimbal is SYSTEM/COMPONENT or SYSTEM/COMPONENT/ID, such as 1/154, not {text!r}')
     return tuple(map(int, parts))
 
-# %% ../nbs/api/82_steer.ipynb #4af8d210
+# %% ../nbs/api/82_steer.ipynb #d531272e
 async def _do(client, verb:str, take:bool, own:dict)->tuple:
     "Do one thing: `(facts, text)`"
     f = verbs[verb]
@@ -197,6 +203,7 @@ async def _do(client, verb:str, take:bool, own:dict)->tuple:
         ack = said.check() if said is not None else 'stopped'
         return dict(gimbal='/'.join(map(str, client.gimbal)), result='ACCEPTED'),str(ack)
 
+# %% ../nbs/api/82_steer.ipynb #442bafcc
 async def _steer(verb:str, connection:str, gimbal:str, timeout:float, take:bool, json:bool, system:int, component:int,
                  sign:str|None, **own)->tuple:
     "Open the link, do one thing, and close it: `(facts, text)`"
@@ -215,7 +222,7 @@ def exit_code(
     if isinstance(error, NoAnswer): return 3
     return 1 if isinstance(error, (CommandError,GimbalError)) else 130 if isinstance(error, KeyboardInterrupt) else 2
 
-# %% ../nbs/api/82_steer.ipynb #9e2ccefb
+# %% ../nbs/api/82_steer.ipynb #ec4f3f34
 def _why(error:BaseException)->str:
     "An error in one line; a refusal begins with its MAV_RESULT"
     text = ' '.join(str(error).split()) or type(error).__name__
@@ -223,6 +230,7 @@ def _why(error:BaseException)->str:
     result = enum_name('MAV_RESULT', error.result, 'MAV_RESULT_')
     return text if ' from ' in text else f'{result}: {text}'
 
+# %% ../nbs/api/82_steer.ipynb #848b0fe9
 def uav_gimbal(
     args=None, # Words; `None`: those of the command line
 ):
