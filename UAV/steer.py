@@ -163,9 +163,11 @@ def common(client,
     sign:str=None, # File with the key of a signed link
 ): "The options of all verbs"
 
-# %% ../nbs/api/82_steer.ipynb #c33dde52
+# %% ../nbs/api/82_steer.ipynb #50f6c111
+def _help(prog): return argparse.RawDescriptionHelpFormatter(prog, max_help_position=28, width=110)
+
 def _parser()->argparse.ArgumentParser:
-    how = dict(formatter_class=lambda prog: argparse.RawDescriptionHelpFormatter(prog, 28, 28, 110))
+    how = dict(formatter_class=_help)
     parser = argparse.ArgumentParser(prog='uav-gimbal', description='Steer a MAVLink gimbal.', epilog=_epilog, **how)
     words = parser.add_subparsers(dest='verb', metavar='VERB', required=True)
     for word,f in verbs.items():
