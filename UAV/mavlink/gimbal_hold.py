@@ -16,14 +16,14 @@ from .gimbal_client import GIMBAL_MANAGER_STATUS, GimbalAck, GimbalClient
 # %% auto #0
 __all__ = []
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #16eef78f
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #6ffff135
 @patch
 async def _configure(self:GimbalClient, gimbal:tuple, system:int, component:int)->GimbalAck:
     "Ask the manager for this primary control; the secondary one stays"
     params = [system, component, -1, -1, NAN, NAN, gimbal[2]]
     return await self.gimbal_command(gimbal, mavlink.MAV_CMD_DO_GIMBAL_MANAGER_CONFIGURE, params)
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #a41ed786
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #e7d935ca
 @patch
 async def _wait_status(self:GimbalClient, gimbal:tuple, test)->bool:
     "Wait until the status of a gimbal passes `test`, ask for it when it does not come; does it pass?"
@@ -32,20 +32,20 @@ async def _wait_status(self:GimbalClient, gimbal:tuple, test)->bool:
         if not fits() and await told.wait(.5) is None: await self.ask_gimbal(gimbal[:2], GIMBAL_MANAGER_STATUS, fits)
     return fits()
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #84a5ee73
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #a67c9f4b
 @patch
 def _holder(self:GimbalClient, gimbal:tuple)->str:
     "Who is in control of a gimbal, as text"
     return f'gimbal {gimbal[2]} of {self.mav_com.name_of(gimbal[:2])}: {self.status_of(gimbal)}'
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #80f328d0
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #62b91266
 @patch
 async def _check_free(self:GimbalClient, gimbal:tuple):
     "Raise `Denied` when another is in control of a gimbal"
     await self._wait_status(gimbal, lambda status: status is not None)
     if self.held_by_other(gimbal): raise Denied(self._holder(gimbal))
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #5db81c70
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #57a1bf3d
 @patch
 async def _take(self:GimbalClient, gimbal:tuple):
     "Take control; raises what `Ack.check` raises, and `Denied` when the manager accepts and shows another"
@@ -54,7 +54,7 @@ async def _take(self:GimbalClient, gimbal:tuple):
     if self.status_of(gimbal) is not None: raise Denied(self._holder(gimbal))
     self.log.warning('gimbal %s of %s/%s does not say who is in control', gimbal[2], *gimbal[:2])
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #525c5b4f
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #000c624d
 @patch
 async def give_back(self:GimbalClient, gimbal:tuple)->GimbalAck:
     "Let go of `(system, component, gimbal_device_id)`, if it is ours"
@@ -62,18 +62,19 @@ async def give_back(self:GimbalClient, gimbal:tuple)->GimbalAck:
     if ack: await self._wait_status(gimbal, lambda status: status is None or status.primary!=self.us)
     return ack
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #b7ddaa54
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #77178022
 @patch
 async def _let_go(self:GimbalClient, gimbal:tuple):
     "At the end of `control`: what goes wrong is logged, for it must not hide the error that may be under way"
     try: (await self.give_back(gimbal)).check()
     except MAVError as e: self.log.warning('control was not given back: %s', e)
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #b3113c05
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #261b6b6e
 @patch
 @asynccontextmanager
 async def control(self:GimbalClient,
     take_over:bool=False, # Take it from another, too
+    keep:bool=False, # Stay in control at the end
 ):
     "For `async with`, also inside itself: be in control of our gimbal. Raises `Denied` when another is, and `NoAnswer`"
     gimbal = self.gimbal
@@ -84,4 +85,4 @@ async def control(self:GimbalClient,
         yield self
     finally:
         self.holds[gimbal] -= 1
-        if not self.holds[gimbal]: await self._let_go(gimbal)
+        if not self.holds[gimbal] and not keep: await self._let_go(gimbal)
