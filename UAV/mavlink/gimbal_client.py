@@ -142,10 +142,10 @@ def attitude(self:GimbalClient)->GimbalAttitude|None:
     try: return attitude_of(msg, self.heading_of(address(msg)[0]), msg.time_boot_ms/1000)
     except ValueError: return None      # it claims two frames
 
-# %% ../../nbs/api/68_mavlink.gimbal_client.ipynb #36342be7
+# %% ../../nbs/api/68_mavlink.gimbal_client.ipynb #863cbdc6
 @patch
 async def attitudes(self:GimbalClient):
-    "For `async for`: where our gimbal points, each time it tells; what it tells while you work is skipped. Raises `Lost`"
+    "For `async for`: where our gimbal points, each time it tells; not what it tells while you work. Raises `Lost`"
     device = device_address(*self.gimbal)
     with self.news.add(GIMBAL_DEVICE_ATTITUDE_STATUS, lambda m: about(m)==device, device[:2]) as told:
         while True:

@@ -33,23 +33,25 @@ class RemoteGimbal:
     def __repr__(self):
         return f'{self.system}/{self.component} gimbal {self.gimbal_device_id}, {self.name}: {" ".join(self.can)}'
 
-# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #eedc824e
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #cb748120
 @patch(as_prop=True)
 def name(self:RemoteGimbal)->str:
     "Vendor and model"
     return ' '.join(filter(None, (self.information.vendor, self.information.model))) if self.information else 'unknown'
 
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #82677f6d
 @patch(as_prop=True)
 def can(self:RemoteGimbal)->tuple:
     "Names of its GIMBAL_MANAGER_CAP_FLAGS"
     return flag_names('GIMBAL_MANAGER_CAP_FLAGS', caps(self.manager_information)) if self.manager_information else ()
 
-# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #aa9b27ca
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #50053b8a
 @patch
 def _may_manage(self:GimbalClient, since:float)->list:
     "Addresses of components that beat after `since` (monotonic time), and are no ground stations"
     return sorted(s for s,r in list(self.remotes.items()) if r.heard>=since and r.type!=mavlink.MAV_TYPE_GCS)
 
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #0c5f7020
 @patch
 def _managed_by(self:GimbalClient, sources)->list:
     "The gimbals of these managers, as far as they were heard of"
@@ -71,7 +73,7 @@ async def _meet(self:GimbalClient, count:int|None, timeout:float)->list:
         with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: address(m) not in asked) as beat:
             if not new(): await beat.wait(left)
 
-# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #ca8beba7
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #f52e6492
 @patch
 async def remote_gimbal(self:GimbalClient, gimbal:tuple)->RemoteGimbal:
     "What is known of `(system, component, gimbal_device_id)`; its device is asked what it is, if it has not said so"
@@ -80,6 +82,7 @@ async def remote_gimbal(self:GimbalClient, gimbal:tuple)->RemoteGimbal:
     if info is None: info = await self.ask_gimbal(device[:2], GIMBAL_DEVICE_INFORMATION, lambda m: about(m)==device)
     return RemoteGimbal(*gimbal, info and information_of(info), self.newest(GIMBAL_MANAGER_INFORMATION, gimbal))
 
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #c74fa77e
 @patch
 async def find_gimbals(self:GimbalClient,
     count:int|None=None, # Return as soon as so many have been found
@@ -89,7 +92,7 @@ async def find_gimbals(self:GimbalClient,
     import asyncio
     return list(await asyncio.gather(*(self.remote_gimbal(g) for g in await self._meet(count, timeout))))
 
-# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #bbf08a4f
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #49af7d0b
 streamed = GIMBAL_MANAGER_STATUS,GIMBAL_DEVICE_ATTITUDE_STATUS
 needed = GIMBAL_MANAGER_INFORMATION,*streamed
 
@@ -98,6 +101,7 @@ def _missing(self:GimbalClient)->list:
     "What has not been heard of our gimbal"
     return [i for i in needed if self.newest(i, self.gimbal) is None]
 
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #a3a3644a
 @patch
 async def _get(self:GimbalClient, msg_id:int):
     "Have a message about our gimbal come: listen, have it streamed (5 times a second if there is no default), ask once"
@@ -109,7 +113,7 @@ async def _get(self:GimbalClient, msg_id:int):
             if not there(): await self.ask_gimbal(source, msg_id, there, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, interval)
     if not there(): await self.ask_gimbal(source, msg_id, there)
 
-# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #e9f0c092
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #20a495d8
 @patch
 async def _complete(self:GimbalClient):
     "Get what is missing, and wait for a heartbeat before each new attempt"
@@ -120,13 +124,14 @@ async def _complete(self:GimbalClient):
         with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: address(m)==self.target()) as beat:
             await beat.wait(1)
 
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #78e72379
 @patch
 def who_beats(self:GimbalClient)->str:
     "The other components that are there, as text"
     there = [s for s in sorted(self.remotes) if s not in self.mav_com._here and not self.mav_com.lost(s)]
     return f'heard {", ".join(map(self.mav_com.name_of, there))}' if there else 'nothing was heard'
 
-# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #1554d801
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #24c34987
 @patch
 async def any_gimbals(self:GimbalClient,
     timeout:float=5., # Seconds until one must have been heard
@@ -134,6 +139,7 @@ async def any_gimbals(self:GimbalClient,
     "As `find_gimbals`; where there is none at first, it waits for one"
     return await self.find_gimbals(timeout=min(timeout, 1.5)) or await self.find_gimbals(1, timeout-1.5)
 
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #f4e0029e
 @patch
 async def choose(self:GimbalClient,
     timeout:float=5., # Seconds until one must have been heard

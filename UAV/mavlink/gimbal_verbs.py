@@ -30,9 +30,10 @@ def pointing_flags(
     lock = earth if lock is None else lock
     return LEVEL | (YAW_LOCK if lock else 0) | (EARTH_FRAME if earth else VEHICLE_FRAME)
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #7c322424
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #be1f5654
 pitchyaw = mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #964ae1b7
 def sends(
     cmd:int, # A MAV_CMD
 ):
@@ -42,13 +43,14 @@ def sends(
         return f
     return _f
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #add5d421
 @patch
 async def _pitchyaw(self:GimbalClient, gimbal:tuple, angles:tuple, rates:tuple, flags:int)->Ack:
     "Send the command; `angles` and `rates` are of pitch and yaw"
     self.asked.pop(gimbal, None)
     return await self.gimbal_command(gimbal, pitchyaw, [*angles, *rates, flags, NAN, gimbal[2]])
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #5512af98
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #95febcdf
 old_managers = mavlink.MAV_AUTOPILOT_PX4,mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
 
 @patch
@@ -58,6 +60,7 @@ def _turned_yaw(self:GimbalClient, yaw:float, lock:bool)->float:
     if not known(heading): raise HeadingUnknown("the vehicle's heading is not known")
     return wrap(yaw+heading if lock else yaw-heading)
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #e699afa0
 @patch
 def _for_autopilot(self:GimbalClient, gimbal:tuple, pitch:float, yaw:float, flags:int)->tuple:
     "Pitch and yaw as this manager understands them; raises `HeadingUnknown`"
@@ -118,7 +121,7 @@ async def set_attitude(self:GimbalClient,
     "Point there"
     return await self.set_angles(pitch, yaw, pitch_rate=pitchspeed, yaw_rate=yawspeed)
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #0ab51288
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #8efcac59
 @patch
 @sends(pitchyaw)
 async def center(self:GimbalClient)->Ack:
@@ -127,19 +130,21 @@ async def center(self:GimbalClient)->Ack:
     if ack: self.asked[gimbal] = 0.,0.,'vehicle'
     return ack
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #ad916b62
 @patch
 @sends(pitchyaw)
 async def retract(self:GimbalClient)->Ack:
     "Fold away; the motors may be off then"
     return await self._pitchyaw(self.gimbal, (NAN,NAN), (NAN,NAN), RETRACT)
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #a7da65ee
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #0c03473b
 @patch
 @sends(pitchyaw)
 async def lock(self:GimbalClient)->Ack:
     "Hold the direction on earth, whatever the vehicle does"
     return await self._pitchyaw(self.gimbal, (NAN,NAN), (NAN,NAN), pointing_flags('earth', True))
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #ba599253
 @patch
 @sends(pitchyaw)
 async def follow(self:GimbalClient)->Ack:
@@ -166,9 +171,10 @@ async def set_rates(self:GimbalClient,
     "Turn; most gimbals stop after three seconds, unless they are told again"
     return await self._turn(self.gimbal, pitch, yaw, self._lock_now(lock))
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #5cee2113
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #9e9c4a7d
 GimbalClient.refresh = .5 # s between two messages of `keep_turning`
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #780f375f
 @patch
 def send_rates(self:GimbalClient, gimbal:tuple,
     pitch:float, yaw:float, # Degrees a second
@@ -178,7 +184,7 @@ def send_rates(self:GimbalClient, gimbal:tuple,
     rates,flags = (0., math.radians(pitch), math.radians(yaw)),pointing_flags('vehicle', lock)
     self.send_message(self.mav.gimbal_manager_set_attitude_encode(*gimbal[:2], flags, gimbal[2], [NAN]*4, *rates))
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #48be07ed
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #eac0d5b2
 @patch
 async def _keep_sending(self:GimbalClient, gimbal:tuple, *turning)->str:
     "Send rates until another is in control; says who"
@@ -187,6 +193,7 @@ async def _keep_sending(self:GimbalClient, gimbal:tuple, *turning)->str:
         await asyncio.sleep(self.refresh)
     return f'gimbal {gimbal[2]} of {self.mav_com.name_of(gimbal[:2])}: {self.status_of(gimbal)}'
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #b9563ce9
 @patch
 async def _stop(self:GimbalClient, gimbal:tuple, lock:bool, sending:asyncio.Task):
     "Stop turning: at once, and then with a command, which is sent until it is answered"
@@ -196,14 +203,14 @@ async def _stop(self:GimbalClient, gimbal:tuple, lock:bool, sending:asyncio.Task
         (await self._turn(gimbal, 0., 0., lock)).check()
     except MAVError as e: self.log.warning('the gimbal was not stopped: %s', e)
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #a3247e97
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #44ac505c
 @patch
 @asynccontextmanager
 async def keep_turning(self:GimbalClient,
     pitch:float=0., yaw:float=0., # Degrees a second
     lock:bool|None=None, # Does yaw hold its direction on earth? `None`: as it is
 ):
-    "For `async with`: turn until its end. Raises what `Ack.check` raises, and `Denied` at the end when another took over"
+    "For `async with`: turn until its end. Raises what `Ack.check` raises, and at the end `Denied` if another took over"
     gimbal,turning = self.gimbal,(pitch, yaw, self._lock_now(lock))
     (await self._turn(gimbal, *turning)).check()
     sending = asyncio.create_task(self._keep_sending(gimbal, *turning))
@@ -213,9 +220,10 @@ async def keep_turning(self:GimbalClient,
         if not taken: await self._stop(gimbal, turning[2], sending)
     if taken: raise Denied(sending.result())
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #8e18ef57
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #fdfcedc8
 alt_frames = dict(amsl=mavlink.MAV_FRAME_GLOBAL, relative=mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT)
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #9e1b207d
 @patch
 @sends(mavlink.MAV_CMD_DO_SET_ROI_LOCATION)
 async def point_at(self:GimbalClient,
@@ -231,7 +239,7 @@ async def point_at(self:GimbalClient,
     params = [gimbal[2], NAN, NAN, NAN, x, y, inside('alt', alt)]
     return await self.gimbal_command(gimbal, mavlink.MAV_CMD_DO_SET_ROI_LOCATION, params, frame)
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #94fefabe
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #e9c1691d
 @patch
 @sends(mavlink.MAV_CMD_DO_SET_ROI_NONE)
 async def point_at_none(self:GimbalClient)->Ack:
@@ -239,6 +247,7 @@ async def point_at_none(self:GimbalClient)->Ack:
     gimbal = self.gimbal
     return await self.gimbal_command(gimbal, mavlink.MAV_CMD_DO_SET_ROI_NONE, [gimbal[2]])
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #55d2682b
 @patch
 @sends(mavlink.MAV_CMD_DO_SET_ROI_SYSID)
 async def follow_system(self:GimbalClient,
@@ -249,11 +258,12 @@ async def follow_system(self:GimbalClient,
     self.asked.pop(gimbal, None)
     return await self.gimbal_command(gimbal, mavlink.MAV_CMD_DO_SET_ROI_SYSID, [sysid, gimbal[2]])
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #b3580b8f
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #9a75e142
 @patch
 async def _camera(self:GimbalClient, camera:tuple|None, command_id:int, params)->Ack:
     return await self.send_command(*(camera or self.target()), command_id, params)
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #38167f96
 @patch
 @sends(mavlink.MAV_CMD_SET_CAMERA_ZOOM)
 async def set_zoom(self:GimbalClient,
@@ -264,7 +274,7 @@ async def set_zoom(self:GimbalClient,
     params = [mavlink.ZOOM_TYPE_RANGE, inside('value', value, 0, 100)]
     return await self._camera(camera, mavlink.MAV_CMD_SET_CAMERA_ZOOM, params)
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #65ff71e6
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #6d038760
 @patch
 @sends(mavlink.MAV_CMD_IMAGE_START_CAPTURE)
 async def start_capture(self:GimbalClient,
@@ -276,6 +286,7 @@ async def start_capture(self:GimbalClient,
     number = random.randrange(1, 2**24) if count==1 else 0      # so that a copy of the command takes no second picture
     return await self._camera(camera, mavlink.MAV_CMD_IMAGE_START_CAPTURE, [0, interval, count, number])
 
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #4204aa88
 @patch
 @sends(mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
 async def stop_capture(self:GimbalClient,
