@@ -33,13 +33,13 @@ seconds = between(.1, 3600)
 degrees,speed = between(-360, 360, nan=True),between(-400, 400)
 latitude,longitude,metres = between(-90, 90),between(-180, 180),between(-1000, 100_000)
 
-# %% ../../nbs/api/81_steering.verbs.ipynb #55be15ed
+# %% ../../nbs/api/81_steering.verbs.ipynb #533b058f
 def options(
     connection:str='udpin:0.0.0.0:14550', # MAVLink links, with commas between them
     system:number=None, # System id of the gimbal; needed when there are several
     component:number=None, # Component id of the gimbal, or of its manager
     gimbal:number=None, # Number of the gimbal at its manager
-    timeout:seconds=5., # s to wait for a gimbal, and for an answer
+    timeout:seconds=5., # s to look for a gimbal; an answer may take up to 10 s
     force:bool=False, # Take control away from another ground station
     keep:bool=False, # Keep control; without it, control is given back at the end
     sign:str=None, # File with the key of a signed link
@@ -124,7 +124,7 @@ async def newest(self:Steering):
         try: return await asyncio.wait_for(anext(attitudes), 1.)
         except (asyncio.TimeoutError, NoAnswer): return None
 
-# %% ../../nbs/api/81_steering.verbs.ipynb #685ea4b9
+# %% ../../nbs/api/81_steering.verbs.ipynb #a8dd1043
 @patch
 async def tell(self:Steering,
     text:str='', # What went well, before where it points
@@ -133,8 +133,8 @@ async def tell(self:Steering,
     "Say where the gimbal points"
     (system,component,number),there = self.client.gimbal,await self.newest()
     said = '; '.join(filter(None, (text, attitude_text(there))))
-    self.reporter.say(f'{system}/{component} gimbal {number}: {said}', system=system, component=component, gimbal=number,
-                      verb=self.verb, **fields, control=self.owner, **attitude_object(there))
+    self.reporter.say(f'{system}/{component} gimbal {number}: {said}', system=system, component=component,
+                      gimbal=number, verb=self.verb, **fields, control=self.owner, **attitude_object(there))
 
 # %% ../../nbs/api/81_steering.verbs.ipynb #832e4231
 verbs = {}
