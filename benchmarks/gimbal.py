@@ -169,6 +169,7 @@ class Process(Worker):
 
 RUNS = [('bare pymavlink, recv_match', 'bare', {}), ('bare pymavlink, a socket', 'tight', {}),
         ('device, a gimbal without motors', 'server', dict(role='device', sim=False)), ('device, SimGimbal', 'server', dict(role='device')),
+        ('both, a gimbal without motors, idle', 'server', dict(role='both', sim=False)),
         ('both, SimGimbal, idle', 'server', dict(role='both')), ('both, SimGimbal, a QGroundControl', 'server', dict(role='both'))]
 
 def wait_found(peers, seconds=20):

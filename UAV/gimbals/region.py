@@ -69,14 +69,16 @@ def direction(
     pitch = -math.degrees(math.atan2(down, away)) if math.hypot(away, down)>=near else NAN
     return pitch, math.degrees(math.atan2(east, north)) if away>=near else NAN
 
-# %% ../../nbs/api/58_gimbals.region.ipynb #521702f9
+# %% ../../nbs/api/58_gimbals.region.ipynb #66fde7bd
 @patch
 def look_at(self:Gimbal,
     location:Location, # Where to look
     state:VehicleState|None=None, # Where the vehicle is; `None`: as the gimbal was told
 ):
     "Point at a place, once; raises `PositionUnknown`, `HeadingUnknown` and what `drive` raises"
-    pitch,yaw = direction(state or self.vehicle or VehicleState(), location)
+    state = state or self.vehicle or VehicleState()
+    pitch,yaw = direction(state, location)
+    if known(yaw) and not (known(state.yaw) or known(self.heading)): raise HeadingUnknown('vehicle heading unknown')
     self.set_angles(pitch, yaw, 0., frame='earth', lock='yaw' in self.locks)
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #fce5b689

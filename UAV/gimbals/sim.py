@@ -53,7 +53,7 @@ class Delayed:
         while self.coming and self.coming[0][0]<=t: self.value = self.coming.popleft()[1]
         return self.value
 
-# %% ../../nbs/api/54_gimbals.sim.ipynb #e46c2244
+# %% ../../nbs/api/54_gimbals.sim.ipynb #7189ec4d
 class SimGimbal(Gimbal):
     "A gimbal with three axes that is worked out when it is asked"
     breaks = dict(motor='MOTOR_ERROR', comms='COMMS_ERROR', encoder='ENCODER_ERROR')
@@ -69,7 +69,7 @@ class SimGimbal(Gimbal):
     ):
         self.information = GimbalInformation(model=model, roll=roll, pitch=pitch, yaw=yaw)
         super().__init__(clock)
-        self.mount,self.locks,self.faults = vehicle,locks,set()
+        self.mount,self.locks,self.faults = vehicle,locks,{}       # what is broken, and its flag
         self.stowed = [self.information.limited(axis, angle) for axis,angle in zip(axes, stowed)]
         self.steps,self.driven = Steps(clock, .02),Delayed(self.setpoint, delay)
         self.suspension = Suspension(self.information, locks, **motor)
@@ -103,12 +103,12 @@ def drive(self:SimGimbal,
     self.advance()
     self.driven.set(setpoint, self.clock())
 
-# %% ../../nbs/api/54_gimbals.sim.ipynb #9c488451
+# %% ../../nbs/api/54_gimbals.sim.ipynb #10306338
 @patch(as_prop=True)
 def failures(self:SimGimbal)->tuple:
     "What is wrong, as GIMBAL_DEVICE_ERROR_FLAGS names it"
     pressing = [f'AT_{axis.upper()}_LIMIT' for axis,motor in self.suspension.motors.items() if motor.pressing]
-    return *pressing, *(flag for fault,flag in self.breaks.items() if fault in self.faults)
+    return *pressing, *filter(None, self.faults.values())
 
 # %% ../../nbs/api/54_gimbals.sim.ipynb #65d028ef
 @patch
@@ -153,7 +153,7 @@ def retract(self:SimGimbal):
     "Fold away, and switch the motors off"
     self._take(Setpoint(mode='retract'))
 
-# %% ../../nbs/api/54_gimbals.sim.ipynb #a9b11f3d
+# %% ../../nbs/api/54_gimbals.sim.ipynb #d7804324
 @patch
 def break_down(self:SimGimbal,
     part:str, # 'motor', 'comms' or 'encoder', or the axis that gets stuck
@@ -165,5 +165,6 @@ def break_down(self:SimGimbal,
         self.advance()
         for axis in axes:
             if part in (axis, 'motor'): self.suspension.motors[axis].stuck = broken
-        (self.faults.add if broken else self.faults.discard)(part)
-        self.fault = ', '.join(f'{f} error' for f in self.breaks if f in self.faults) or None
+        self.faults.pop(part, None)
+        if broken: self.faults[part] = self.breaks.get(part)
+        self.fault = ', '.join(f'{f} error' for f,flag in self.faults.items() if flag) or None

@@ -15,13 +15,13 @@ from .values import *
 from .values import axes
 from ..utils.rotation import euler, product, quaternion
 
-# %% ../../nbs/api/53_gimbals.suspension.ipynb #1bb8d97e
+# %% ../../nbs/api/53_gimbals.suspension.ipynb #957d5905
 class Suspension:
     "Three motors between a vehicle and its camera"
     def __init__(self,
         information:GimbalInformation, # Has the limits
         locks:tuple=axes, # Axes that hold their direction on earth; the others lean with the vehicle
-        smoothing:float=.3, # s that yaw lags behind the nose
+        smoothing:float=.3, # s over which the nose is smoothed; 0: not at all
         **motor, # As for `Motor`
     ):
         store_attr('locks,smoothing')
@@ -37,7 +37,8 @@ class Suspension:
     def hang(self, vehicle:VehicleState):
         "Put it below `vehicle`, as it is turned"
         self.vehicle = VehicleState(*(a if known(a) else 0. for a in (vehicle.roll, vehicle.pitch, vehicle.yaw)))
-        self.ahead,self.q = self.vehicle.yaw,self.attitude()
+        self.ahead,self.ahead_rate = self.vehicle.yaw,0.        # the smoothed nose; degrees, degrees a second
+        self.q = self.attitude()
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #58bfbbda
 @patch
@@ -66,13 +67,23 @@ def hold(self:Suspension,
         grips = power and axis in self.locks and not motor.stuck
         self.grip[axis] = min(max(self.grip[axis]+(2*dt if grips else -2*dt), 0.), 1.)
 
+# %% ../../nbs/api/53_gimbals.suspension.ipynb #e6aa890a
+@patch
+def smooth(self:Suspension, dt:float):
+    "Let `ahead` come after the nose"
+    part = dt/self.smoothing if self.smoothing and 'yaw' in self.locks else None
+    expected = self.ahead+self.ahead_rate*dt
+    behind = wrap(self.vehicle.yaw-expected)
+    self.ahead = wrap(expected+2*part*behind) if part else self.vehicle.yaw     # without a gyroscope it cannot
+    if part: self.ahead_rate += part*behind/self.smoothing
+
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #c4eec454
 @patch
 def zero(self:Suspension, lock:bool)->float:
     "Where yaw is measured from, degrees from the nose"
     return wrap((0. if lock else self.ahead)-self.vehicle.yaw)
 
-# %% ../../nbs/api/53_gimbals.suspension.ipynb #911872c7
+# %% ../../nbs/api/53_gimbals.suspension.ipynb #e66137d2
 @patch
 def carry(self:Suspension,
     vehicle:VehicleState, # How the vehicle is held now; what is not known stays as it was
@@ -83,8 +94,7 @@ def carry(self:Suspension,
     zero,old = self.zero(lock),self.vehicle
     now = {axis: getattr(vehicle if known(getattr(vehicle, axis)) else old, axis) for axis in axes}
     self.vehicle = VehicleState(**now)
-    part = 1-math.exp(-dt/self.smoothing) if self.smoothing and 'yaw' in self.locks else 1.
-    self.ahead = wrap(self.ahead+wrap(self.vehicle.yaw-self.ahead)*part)
+    self.smooth(dt)
     self.motors['yaw'].carry(wrap(self.zero(lock)-zero))
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #78f85185

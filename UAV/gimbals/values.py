@@ -105,9 +105,13 @@ class GimbalAttitude(Value):
     earth_q = property(lambda self: product(quaternion(yaw=self.vehicle_yaw), self.q), doc='(w, x, y, z), from north')
 
 # %% ../../nbs/api/50_gimbals.values.ipynb #ae04053f
+def _degrees(angle:float)->str:
+    "An angle with a tenth of a degree, and without a minus for zero"
+    return f'{round(angle, 1)+0.:.1f}°'
+
 @patch
 def __repr__(self:GimbalAttitude):
-    north = f', {self.earth_yaw%360:.1f}° from north' if known(self.vehicle_yaw) else ''
-    mode = [] if self.mode=='point' else [self.mode]
-    said = [f'pitch {self.pitch:.1f}°, yaw {self.yaw:.1f}°{north}', *mode, 'locked' if self.lock else 'follows']
-    return f'{type(self).__name__}: {", ".join([*said, *self.failures])}'
+    north = f', {_degrees(self.earth_yaw%360)} from north' if known(self.vehicle_yaw) else ''
+    said = [f'pitch {_degrees(self.pitch)}, yaw {_degrees(self.yaw)}{north}', self.mode]
+    said = [*said, 'locked' if self.lock else 'follows', *self.failures]
+    return f'{type(self).__name__}: {", ".join(word for word in said if word!="point")}'

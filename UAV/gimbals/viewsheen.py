@@ -15,7 +15,6 @@ from .values import Axis, Setpoint
 from .reckoning import Reckoned
 from UAV.gimbals.viewsheen_frames import (AIRFRAME, GEODETIC, FrameReader, Report, parse_report, pitch_frame,
     rate_frame, yaw_frame)
-from ..utils.general import timers
 from ..utils.rotation import quaternion
 from ..utils.tcp_client import TCPClient
 from ..utils.values import Value
@@ -71,7 +70,7 @@ class Viewsheen(Gimbal):
         pitch_speed,yaw_speed = self.setup.speeds
         self.axes = dict(pitch=Reckoned(pitch_speed, *self.setup.pitch), yaw=Reckoned(yaw_speed))
         self._asked,self._starts = -math.inf,{}             # when, and from where, we were asked to move
-        self._next = -math.inf                              # when the next frame is due
+        self._next,self._waits = -math.inf,False            # when the next frame may go, and whether one waits
         self.reports,self._reader = {},FrameReader()
         self._lost = self._heard = self.clock()             # when the line was lost; when a report came
         self._forget()                                      # what it was told before, we do not know
@@ -196,7 +195,7 @@ def _steer(self:Viewsheen, setpoint:Setpoint, now:float):
     goals = self._goals(setpoint, now)
     if setpoint.turning: self._send_rates(*(self._rate(a, setpoint, goals, now) for a in ('pitch','yaw')))
     else: self._send_angles(goals, now)
-    self._next = now+(self.rate_pace if setpoint.turning else self.angle_pace)
+    self._next,self._waits = now+(self.rate_pace if setpoint.turning else self.angle_pace),False
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #729f614a
 @patch
@@ -208,17 +207,17 @@ def drive(self:Viewsheen, setpoint:Setpoint):
     now = self.clock()
     if not setpoint.turning: self._halt()
     self._asked,self._starts = now,{name:axis.at(now) for name,axis in self.axes.items()}
-    self._steer(setpoint, now)
-    if self._alarm: timers.move(self._alarm, self._next)
+    self._waits = now<self._next and setpoint.turning==self.setpoint.turning
+    if not self._waits: self._steer(setpoint, now)
+    self._wake(self._next)
 
-# %% ../../nbs/api/56_gimbals.viewsheen.ipynb #cbc22825
+# %% ../../nbs/api/56_gimbals.viewsheen.ipynb #61fb1a9b
 @patch
-def _kept(self:Viewsheen, axis:str, lock:bool)->Axis:
-    "As every gimbal does; an axis that turns stands before we say where"
-    old = getattr(self.setpoint, axis)
-    if old.turning: self._halt()
-    if axis in self.axes and not known(old.angle) and not self.axes[axis].sure: return Axis()   # wherever that is
-    return Gimbal._kept(self, axis, lock)
+def _held(self:Viewsheen, axis:str, lock:bool)->Axis:
+    "As every gimbal does; an axis that turns stands first, and one of which nothing is known stays there"
+    if getattr(self.setpoint, axis).turning: self._halt()
+    if axis in self.axes and not self.axes[axis].sure: return Axis()
+    return Gimbal._held(self, axis, lock)
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #e2eb5842
 @patch
@@ -230,7 +229,7 @@ def tick(self:Viewsheen):
         if self._is_silent() and self.line.up: self.line.drop(f'no report for {self.silence:g} s')
         more = [work(self, now) for work in self.with_each_tick]
         if now>=self._next-.001 and self._is_busy(now): self._go_on(now)
-        if self._alarm and (any(more) or self._is_busy(now)): timers.move(self._alarm, max(self._next, now+self.rate_pace))
+        if any(more) or self._is_busy(now): self._wake(max(self._next, now+self.rate_pace))
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #f6c5975b
 @patch
@@ -242,7 +241,7 @@ def _go_on(self:Viewsheen, now:float):
 def _is_busy(self:Viewsheen, now:float)->bool:
     "Is there anything to say soon?"
     led = any(getattr(self.setpoint, a).rate>0 for a in self.axes)
-    return self.setpoint.turning or led or self.setup.feedback or self._needs_heading(self.setpoint)
+    return self._waits or self.setpoint.turning or led or self.setup.feedback or self._needs_heading(self.setpoint)
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #46ac930d
 @patch
@@ -253,7 +252,7 @@ def _on_line(self:Viewsheen):
         if self.line.up: self._resume(now)
         else: self._lost = now
         if self.setpoint.turning: self._forget()
-        if self._alarm: timers.move(self._alarm, now+.01)
+        self._wake(now+.01)
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #4948afc6
 @patch

@@ -11,7 +11,6 @@ from fastcore.basics import patch
 from .values import GimbalError, one_of
 from .viewsheen import Viewsheen
 from .viewsheen_frames import STOP_TRACKING, action_frame, tap_zoom_frame, track_frame, zoom_frame
-from ..utils.general import timers
 from ..utils.values import inside
 
 # %% auto #0
@@ -92,7 +91,7 @@ def _begin_series(self:Viewsheen, interval:float, count:int):
     self._order(action_frame('snapshot', 'single'))
     interval = max(interval, self.least_interval)
     self.series = Series(interval, count-1 if count else math.inf, self.clock()+interval)
-    if self._alarm: timers.move(self._alarm, self.series.due)
+    self._wake(self.series.due)
 
 # %% ../../nbs/api/57_gimbals.viewsheen_camera.ipynb #04f10609
 @patch
@@ -130,6 +129,7 @@ def _let_go(self:Viewsheen):
     "The camera turns the gimbal from here on"
     with self._lock:
         self._forget()
+        self._next = self.clock()
         for axis in self.axes.values(): axis.goal,axis.sure = None,False
 
 # %% ../../nbs/api/57_gimbals.viewsheen_camera.ipynb #796a5cbf

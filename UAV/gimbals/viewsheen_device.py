@@ -46,17 +46,7 @@ class ViewsheenDevice:
         self._now = self._until = clock()
         self._lock = threading.RLock()
 
-# %% ../../nbs/api/56_gimbals.viewsheen_device.ipynb #41ea08a0
-@patch
-def advance(self:ViewsheenDevice):
-    "Move on to now"
-    with self._lock:
-        while self._now+self.step<=self.clock()+1e-9:
-            self._now += self.step
-            if self._now>self._until: self._stand()
-            for name,motor in self.motors.items(): motor.step(self._target(name), self.step)
-            self._advance_camera(self.camera)
-
+# %% ../../nbs/api/56_gimbals.viewsheen_device.ipynb #d1f362d7
 @patch
 def _stand(self:ViewsheenDevice):
     "No rate has come for a while: turn no more"
@@ -67,6 +57,17 @@ def _stand(self:ViewsheenDevice):
 def _target(self:ViewsheenDevice, name:str)->Axis:
     target = self.targets[name]
     return Axis(wrap(target.angle-self.heading)) if name=='yaw' and self.earth and not target.turning else target
+
+# %% ../../nbs/api/56_gimbals.viewsheen_device.ipynb #41ea08a0
+@patch
+def advance(self:ViewsheenDevice):
+    "Move on to now"
+    with self._lock:
+        while self._now+self.step<=self.clock()+1e-9:
+            self._now += self.step
+            if self._now>self._until: self._stand()
+            for name,motor in self.motors.items(): motor.step(self._target(name), self.step)
+            self._advance_camera(self.camera)
 
 # %% ../../nbs/api/56_gimbals.viewsheen_device.ipynb #a511ea97
 @patch
@@ -88,15 +89,7 @@ def turning(self:ViewsheenDevice)->bool:
     self.advance()
     return any(motor.rate for motor in self.motors.values())
 
-# %% ../../nbs/api/56_gimbals.viewsheen_device.ipynb #97e9c224
-@patch
-def obey(self:ViewsheenDevice, command:Command):
-    "Do as told; unknown commands are passed over"
-    with self._lock:
-        self.advance()
-        self.heard.append(command)
-        if command.sensor==MAIN and command.number in self.orders: self.orders[command.number](self, command.data)
-
+# %% ../../nbs/api/56_gimbals.viewsheen_device.ipynb #750b759d
 def point(device, **angles):
     "Go to these angles"
     device.mode = 3
@@ -115,7 +108,6 @@ def _absolute(device, data):
         point(device, yaw=wrap(unsigned/10))
     elif kind==2: point(device, pitch=value/10)
     elif kind==3: device.camera.zoom,device.camera.zooming = min(max(unsigned/100, 1.), device.zoom),0
-
 def _forward(device, data):
     device.earth,device.mode = False,2
     device.targets['yaw'] = Axis(0.)
@@ -131,6 +123,7 @@ def _zoom(device, data):
     camera.zooming = {1:1, 2:-1}.get(data[0], 0)
     camera.zoom = min(max(camera.zoom*steps.get(data[0], 1.), 1.), device.zoom)
 
+# %% ../../nbs/api/56_gimbals.viewsheen_device.ipynb #077e99e4
 def _tap_zoom(device, data):
     x,y = (n/10_000 for n in struct.unpack('<hh', data[:4]))
     pitch,yaw = device.angles
@@ -147,6 +140,15 @@ ViewsheenDevice.orders = {
     0x07:lambda device, data: point(device, pitch=-90.),
     0x11:lambda device, data: setattr(device.camera, 'recording', data[0]==1),
     0x13:lambda device, data: setattr(device.camera, 'focus', {1:'+', 2:'-', 3:'stop'}.get(data[0], 'auto'))}
+
+# %% ../../nbs/api/56_gimbals.viewsheen_device.ipynb #97e9c224
+@patch
+def obey(self:ViewsheenDevice, command:Command):
+    "Do as told; unknown commands are passed over"
+    with self._lock:
+        self.advance()
+        self.heard.append(command)
+        if command.sensor==MAIN and command.number in self.orders: self.orders[command.number](self, command.data)
 
 # %% ../../nbs/api/56_gimbals.viewsheen_device.ipynb #c4d219aa
 @patch

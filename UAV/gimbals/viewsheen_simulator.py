@@ -29,7 +29,7 @@ class DirectLine:
         for body in self._reader.feed(frame) if self.up else (): self.device.obey(parse_command(body))
         return self.up
 
-# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #c53cd465
+# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #b4a00f03
 class ViewsheenSimulator:
     "A Viewsheen gimbal camera, behind a TCP port; `with` closes it"
     report_period = .5              # s
@@ -44,39 +44,31 @@ class ViewsheenSimulator:
         self.host,self.port,self._listener = host,port,None
         self.clients,self._changed = {},threading.Condition()       # `{socket: FrameReader}`
         self._loop = Loop('viewsheen simulator')
+        self._reports = timers.every(self.report_period, lambda: self.tell(), delay=self.report_period)
         self.listen()
-        self._reports = timers.every(self.report_period, self.tell, delay=self.report_period)
 
+    def listen(self):
+        "Let clients come"
+        if self._listener: return
+        self._listener = listen_tcp(self.host, self.port)
+        self.port = self._listener.getsockname()[1]
+        self._loop.serve(self._listener, lambda sock, address: self._welcome(sock))
+
+    skipped = property(lambda self: sum(r.skipped for r in self.clients.values()), doc='Bytes that were no commands')
     def __repr__(self): return f'{type(self).__name__}({self.host}:{self.port}, {len(self.clients)} clients)'
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
-# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #75250d7b
+# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #0d131ef1
 @patch
-def listen(self:ViewsheenSimulator):
-    "Let clients come"
-    if self._listener: return
-    self._listener = listen_tcp(self.host, self.port)
-    self.port = self._listener.getsockname()[1]
-    self._loop.serve(self._listener, self._welcome)
-
-@patch
-def refuse(self:ViewsheenSimulator):
-    "Refuse all who come, and drop those who are here"
-    listener,self._listener = self._listener,None
-    self._loop.ask(lambda: self._loop.forget(listener) if listener else None)
-    if listener: listener.close()
-    self.drop()
-
-# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #6d726755
-@patch
-def _welcome(self:ViewsheenSimulator, sock, address):
+def _welcome(self:ViewsheenSimulator, sock):
     sock.setblocking(False)
     self._loop.watch(sock, lambda events: self._read(sock))
     with self._changed:
         self.clients[sock] = FrameReader()
         self._changed.notify_all()
 
+# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #b562c02d
 @patch
 def _part(self:ViewsheenSimulator, sock):
     self._loop.forget(sock)
@@ -98,12 +90,16 @@ def _read(self:ViewsheenSimulator, sock):
         for command in filter(None, map(parse_command, self.clients[sock].feed(data))): self.device.obey(command)
         self._changed.notify_all()
 
-# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #b71baede
+# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #54e33459
 @patch
-def drop(self:ViewsheenSimulator):
-    "Close all connections"
-    self._loop.ask(lambda: [self._part(sock) for sock in list(self.clients)])
+def wait(self:ViewsheenSimulator,
+    true, # A function of the simulator
+    timeout:float=10., # s
+)->bool:
+    "Wait until something is so, for example until a command was heard"
+    with self._changed: return self._changed.wait_for(lambda: true(self), timeout)
 
+# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #a7b1c1c1
 @patch
 def send(self:ViewsheenSimulator,
     data:bytes, # Anything
@@ -117,19 +113,26 @@ def send(self:ViewsheenSimulator,
 @patch
 def tell(self:ViewsheenSimulator):
     "Report how it is held, when it reports at all"
-    if not self.feedback: return
     frame = report_frame(self.device.report())
-    for piece in (frame[:9],frame[9:]) if self.split else (frame,): self.send(piece)
+    cut = 9 if self.split else len(frame)
+    for piece in filter(None, (frame[:cut], frame[cut:]) if self.feedback else ()): self.send(piece)
 
-# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #a11454fe
+# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #da3c7ea3
 @patch
-def wait(self:ViewsheenSimulator,
-    true, # A function of the simulator
-    timeout:float=10., # s
-)->bool:
-    "Wait until something is so, for example until a command was heard"
-    with self._changed: return self._changed.wait_for(lambda: true(self), timeout)
+def drop(self:ViewsheenSimulator):
+    "Close all connections"
+    self._loop.ask(lambda: [self._part(sock) for sock in list(self.clients)])
 
+@patch
+def refuse(self:ViewsheenSimulator):
+    "Refuse all who come, and drop those who are here"
+    listener,self._listener = self._listener,None
+    if listener:
+        self._loop.ask(lambda: self._loop.forget(listener))
+        listener.close()
+    self.drop()
+
+# %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #2702d564
 @patch
 def close(self:ViewsheenSimulator):
     "Close the port and all connections; may be called twice"

@@ -12,6 +12,7 @@ from UAV.mavlink.camera_client import CameraClient
 from UAV.mavlink.camera_server import CameraServer
 from UAV.mavlink.gimbal_client import GimbalClient
 from UAV.mavlink.gimbal_server import GimbalServer
+from UAV.mavlink.viewsheen_server import GimbalServerViewsheen
 from UAV.mavlink.sim_autopilot import SimAutopilot
 
-__all__ = ['MAVCom', 'CameraClient', 'CameraServer', 'Component', 'GimbalClient', 'GimbalServer', 'LossyLink', 'MessageLog', 'ReplayLink', 'SimAutopilot', 'mavlink', 'mavutil']
+__all__ = ['MAVCom', 'CameraClient', 'CameraServer', 'Component', 'GimbalClient', 'GimbalServer', 'GimbalServerViewsheen', 'LossyLink', 'MessageLog', 'ReplayLink', 'SimAutopilot', 'mavlink', 'mavutil']

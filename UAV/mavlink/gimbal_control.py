@@ -33,7 +33,7 @@ class Control:
         "Who is in control, in words"
         return 'no client is in control' if self.primary==no_owner else '{}/{} is in control'.format(*self.primary)
 
-# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #527db67a
+# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #7f04e7aa
 def _half(value:float, old:int, own:int, removed:bool)->int:
     "One half of a pair; raises `Denied` for what is no id"
     if not known(value) or value==-1: return old
@@ -42,6 +42,7 @@ def _half(value:float, old:int, own:int, removed:bool)->int:
     if not 0<=value<=255 or value!=int(value): raise Denied(f'{value:g} is no system or component')
     return int(value)
 
+# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #fa63fb4f
 def changed_pair(
     pair:tuple, # `(system, component)` that is in control
     sender:tuple, # Who wants to change it
@@ -68,13 +69,14 @@ def configure(self:Control,
         self.primary,self.secondary = pairs
         return pairs!=before
 
-# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #7ea5b36d
+# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #aa412c95
 @patch
 def allows(self:Control, sender:tuple)->bool:
     "May `sender` move the gimbal now?"
     primary = self.primary
     return sender==primary or primary==no_owner and not self.strict
 
+# %% ../../nbs/api/67_mavlink.gimbal_control.ipynb #ff3ffe15
 @patch
 def lose(self:Control, address:tuple)->bool:
     "`address` has fallen silent, and controls nothing any more; did it?"

@@ -126,19 +126,26 @@ def who_beats(self:GimbalClient)->str:
     there = [s for s in sorted(self.remotes) if s not in self.mav_com._here and not self.mav_com.lost(s)]
     return f'heard {", ".join(map(self.mav_com.name_of, there))}' if there else 'nothing was heard'
 
-# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #2730102b
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #1554d801
+@patch
+async def any_gimbals(self:GimbalClient,
+    timeout:float=5., # Seconds until one must have been heard
+)->list:
+    "As `find_gimbals`; where there is none at first, it waits for one"
+    return await self.find_gimbals(timeout=min(timeout, 1.5)) or await self.find_gimbals(1, timeout-1.5)
+
 @patch
 async def choose(self:GimbalClient,
-    timeout:float=1.5, # Seconds to listen
+    timeout:float=5., # Seconds until one must have been heard
 )->RemoteGimbal:
     "Make the only gimbal there is our target; raises `NoAnswer` when there is none, `MAVError` when there are several"
-    found = await self.find_gimbals(timeout=timeout)
+    found = await self.any_gimbals(timeout)
     if not found: raise NoAnswer(f'no gimbal answers; {self.who_beats()}')
     if len(found)>1: raise MAVError(f'which gimbal? Name one with set_target: {"; ".join(map(str, found))}')
     self.set_target(found[0].system, found[0].component, found[0].gimbal_device_id)
     return found[0]
 
-# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #d110f86e
+# %% ../../nbs/api/69_mavlink.gimbal_finding.ipynb #d584ea6e
 @patch
 async def wait_ready(self:GimbalClient,
     timeout:float=5., # Seconds
@@ -146,7 +153,7 @@ async def wait_ready(self:GimbalClient,
     "Wait until our gimbal is complete; without a target, take the only one. `NoAnswer` says what is missing"
     import asyncio
     end = time.monotonic()+timeout
-    if self.target_system is None: await self.choose(min(timeout, 1.5))
+    if self.target_system is None: await self.choose(timeout)
     try: await asyncio.wait_for(self._complete(), max(end-time.monotonic(), .1))
     except asyncio.TimeoutError: pass
     missing = ' and no '.join(f'{message_name(i)} ({i})' for i in self._missing())

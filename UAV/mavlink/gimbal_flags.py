@@ -17,17 +17,18 @@ from .protocol import Unsupported
 # %% auto #0
 __all__ = ['RETRACT', 'NEUTRAL', 'ROLL_LOCK', 'PITCH_LOCK', 'YAW_LOCK', 'VEHICLE_FRAME', 'EARTH_FRAME', 'ACCEPTS_EARTH', 'RC',
            'LEVEL', 'most_angle', 'most_rate', 'modes', 'results', 'yaw_frame', 'Target', 'axis_target', 'flags_target',
-           'pitchyaw_target', 'attitude_target', 'stick_axis', 'stick_target', 'capabilities', 'flag_names', 'limits',
+           'pitchyaw_target', 'attitude_target', 'stick_axis', 'stick_target', 'flag_names', 'capabilities', 'limits',
            'packed', 'unpacked', 'caps', 'information_of', 'failure_flags', 'report_flags', 'attitude_fields',
            'attitude_of']
 
-# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #ba5217ca
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #5f81ebc3
 (RETRACT,NEUTRAL,ROLL_LOCK,PITCH_LOCK,YAW_LOCK,VEHICLE_FRAME,EARTH_FRAME,ACCEPTS_EARTH) = (
     enum_value('GIMBAL_DEVICE_FLAGS', name, 'GIMBAL_DEVICE_FLAGS_') for name in ('RETRACT', 'NEUTRAL', 'ROLL_LOCK',
         'PITCH_LOCK', 'YAW_LOCK', 'YAW_IN_VEHICLE_FRAME', 'YAW_IN_EARTH_FRAME', 'ACCEPTS_YAW_IN_EARTH_FRAME'))
 RC = mavlink.GIMBAL_DEVICE_FLAGS_RC_EXCLUSIVE|mavlink.GIMBAL_DEVICE_FLAGS_RC_MIXED
 LEVEL = ROLL_LOCK|PITCH_LOCK            # roll and pitch from the horizon, as nearly all gimbals have it
 
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #a3c71b6a
 def yaw_frame(
     flags:int, # GIMBAL_DEVICE_FLAGS or GIMBAL_MANAGER_FLAGS: the values are the same
 )->str:
@@ -48,13 +49,14 @@ class Target(Value):
     lock:bool=False # Shall yaw hold its direction on earth?
     mode:str='point' # 'point', 'center' or 'retract'
 
-# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #db1ed2e0
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #e08fd7a8
 most_angle,most_rate = 360.,1000. # degrees, degrees a second: more is a mistake
 
 def _given(what:str, value:float, most:float)->float:
     "`value`, which may be NaN; raises `ValueError` when it is more than `most`"
     return inside(what, value, -most, most) if known(value) else NAN
 
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #e40f723a
 def axis_target(
     what:str, # One of `axes`
     angle:float=NAN, # Degrees
@@ -64,7 +66,7 @@ def axis_target(
     angle,rate = _given(what, angle, most_angle),_given(f'{what} rate', rate, most_rate)
     return Axis(angle, NAN if known(angle) and rate==0 else rate)
 
-# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #30dc3b78
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #28ca68c6
 def flags_target(
     flags:int, # GIMBAL_DEVICE_FLAGS or GIMBAL_MANAGER_FLAGS
     roll:Axis=Axis(), pitch:Axis=Axis(), yaw:Axis=Axis(),
@@ -76,6 +78,7 @@ def flags_target(
     mode = 'retract' if flags&RETRACT else 'center' if flags&NEUTRAL else 'point'
     return Target(roll, pitch, yaw, yaw_frame(flags), bool(flags&YAW_LOCK), mode)
 
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #71f14703
 def pitchyaw_target(flags:int, pitch:float=NAN, yaw:float=NAN, pitch_rate:float=NAN, yaw_rate:float=NAN)->Target:
     "What DO_GIMBAL_MANAGER_PITCHYAW and its kin want, degrees and degrees a second; raises `ValueError`, `Unsupported`"
     return flags_target(flags, pitch=axis_target('pitch', pitch, pitch_rate), yaw=axis_target('yaw', yaw, yaw_rate))
@@ -91,7 +94,7 @@ def attitude_target(
     turning = (math.degrees(r) for r in rates)
     return flags_target(flags, *(axis_target(*three) for three in zip(axes, angles, turning)))
 
-# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #844ee0d4
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #2483279a
 def stick_axis(
     information:GimbalInformation,
     axis:str, # One of `axes`
@@ -105,11 +108,21 @@ def stick_axis(
     if known(angle): return Axis(inside(axis, angle, -1, 1)*(high if angle>0 else -low))
     return Axis(rate=inside(f'{axis} rate', rate, -1, 1)*most) if known(rate) else Axis()
 
-def stick_target(flags:int, information:GimbalInformation, pitch:Axis, yaw:Axis)->Target:
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #06dae710
+def stick_target(flags:int, pitch:Axis, yaw:Axis)->Target:
     "What GIMBAL_MANAGER_SET_MANUAL_CONTROL wants; raises `ValueError`, `Unsupported`"
     return replace(flags_target(flags, pitch=pitch, yaw=yaw), frame='vehicle')
 
-# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #f0b18580
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #29473ec4
+def flag_names(
+    enum:str, # Such as 'GIMBAL_DEVICE_CAP_FLAGS'
+    flags:int,
+)->tuple:
+    "The dialect's names of the bits in `flags`"
+    bits = {i:e.name for i,e in mavlink.enums[enum].items() if i and not i&(i-1)}
+    return tuple(name.removeprefix(f'{enum}_') for i,name in sorted(bits.items()) if flags&i)
+
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #765c32ee
 def capabilities(
     gimbal, # A `Gimbal`, or any object with `information` and some of its verbs
 )->int:
@@ -124,15 +137,7 @@ def capabilities(
     if gimbal.information.yaw and math.inf in gimbal.information.yaw: names.add('SUPPORTS_INFINITE_YAW')
     return sum(enum_value('GIMBAL_DEVICE_CAP_FLAGS', n, 'GIMBAL_DEVICE_CAP_FLAGS_') for n in names)
 
-def flag_names(
-    enum:str, # Such as 'GIMBAL_DEVICE_CAP_FLAGS'
-    flags:int,
-)->tuple:
-    "The dialect's names of the bits in `flags`"
-    bits = {i:e.name for i,e in mavlink.enums[enum].items() if i and not i&(i-1)}
-    return tuple(name.removeprefix(f'{enum}_') for i,name in sorted(bits.items()) if flags&i)
-
-# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #f016f6cc
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #e7206059
 def limits(
     information:GimbalInformation,
 )->list:
@@ -140,6 +145,7 @@ def limits(
     ends = [end for axis in axes for end in getattr(information, axis) or (0.,0.)]
     return [math.radians(min(max(end, -180.), 180.)) for end in ends]
 
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #1c31ae6f
 def packed(
     version:tuple, # major, minor, patch, dev
 )->int:
@@ -150,33 +156,39 @@ def unpacked(version:int)->tuple:
     "(major, minor, patch, dev)"
     return tuple(version>>8*n&0xff for n in range(4))
 
-# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #c2607352
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #8bbd0122
 def caps(msg)->int:
     "All the capability bits of a GIMBAL_DEVICE_INFORMATION or a GIMBAL_MANAGER_INFORMATION"
     return getattr(msg, 'cap_flags2', 0) or msg.cap_flags
 
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #efd6eb73
 def _reach(msg, axis:str, has:bool)->tuple|None:
     "How far an axis goes, degrees, as a message of information says it"
     ends = tuple(round(math.degrees(getattr(msg, f'{axis}_{end}')), 3) for end in ('min','max'))
     return ends if has or any(known(e) and e for e in ends) else None
 
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #c62a8199
+def _text(field)->str:
+    "The characters of a field before its first 0"
+    return field if isinstance(field, str) else bytes(field).partition(b'\0')[0].decode(errors='replace')
+
 def information_of(msg)->GimbalInformation:
     "What a GIMBAL_DEVICE_INFORMATION says"
     names = flag_names('GIMBAL_DEVICE_CAP_FLAGS', caps(msg))
-    vendor,model,custom = (n if isinstance(n, str) else bytes(n).partition(b'\0')[0].decode(errors='replace')
-                           for n in (msg.vendor_name, msg.model_name, msg.custom_name))
+    vendor,model,custom = map(_text, (msg.vendor_name, msg.model_name, msg.custom_name))
     reach = {a: _reach(msg, a, f'HAS_{a.upper()}_AXIS' in names) for a in axes}
     if 'SUPPORTS_INFINITE_YAW' in names: reach['yaw'] = -math.inf,math.inf
     return GimbalInformation(vendor, model, custom, unpacked(msg.firmware_version), unpacked(msg.hardware_version),
                              msg.uid, **reach)
 
-# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #50bd5a0b
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #e08be054
 def failure_flags(
     names:tuple, # Such as 'AT_PITCH_LIMIT'
 )->int:
     "GIMBAL_DEVICE_ERROR_FLAGS"
     return sum(enum_value('GIMBAL_DEVICE_ERROR_FLAGS', n, 'GIMBAL_DEVICE_ERROR_FLAGS_') for n in set(names))
 
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #92f67a01
 modes = dict(point=0, center=NEUTRAL, retract=RETRACT)
 
 def report_flags(
@@ -200,13 +212,14 @@ def attitude_fields(
         failure_flags=failure_flags(a.failures), delta_yaw=math.radians(wrap(a.vehicle_yaw)),
         delta_yaw_velocity=math.radians(a.vehicle_yaw_rate))
 
-# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #2f349926
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #a4a4627d
 def _vehicle_q(q:tuple, frame:str, heading:float)->tuple:
     "An attitude off the wire, as seen from the nose; NaN when that cannot be known"
     try: q = unit(q)
     except ValueError: return (NAN,)*4
     return q if frame=='vehicle' else product(inverse(quaternion(yaw=heading)), q)
 
+# %% ../../nbs/api/67_mavlink.gimbal_flags.ipynb #2b3e33ce
 def attitude_of(
     msg, # GIMBAL_DEVICE_ATTITUDE_STATUS
     heading:float=NAN, # Where the vehicle's nose points, degrees, when the message does not say it

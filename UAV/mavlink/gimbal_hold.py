@@ -31,7 +31,7 @@ async def _wait_status(self:GimbalClient, gimbal:tuple, test)->bool:
         if not fits() and await told.wait(.5) is None: await self.ask_gimbal(gimbal[:2], GIMBAL_MANAGER_STATUS, fits)
     return fits()
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #31400f99
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #4489cbc0
 @patch
 def _holder(self:GimbalClient, gimbal:tuple)->str:
     "Who is in control of a gimbal, as text"
@@ -52,14 +52,19 @@ async def _take(self:GimbalClient, gimbal:tuple):
     self.log.warning('gimbal %s of %s/%s does not say who is in control', gimbal[2], *gimbal[:2])
 
 @patch
-async def _give_back(self:GimbalClient, gimbal:tuple):
-    "Let go; what goes wrong is logged, for it must not hide the error that may be under way"
-    try:
-        (await self._configure(gimbal, -3, -3)).check()
-        await self._wait_status(gimbal, lambda status: status is None or status.primary!=self.us)
+async def give_back(self:GimbalClient, gimbal:tuple)->GimbalAck:
+    "Let go of `(system, component, gimbal_device_id)`, if it is ours"
+    ack = await self._configure(gimbal, -3, -3)
+    if ack: await self._wait_status(gimbal, lambda status: status is None or status.primary!=self.us)
+    return ack
+
+# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #8c72347d
+@patch
+async def _let_go(self:GimbalClient, gimbal:tuple):
+    "At the end of `control`: what goes wrong is logged, for it must not hide the error that may be under way"
+    try: (await self.give_back(gimbal)).check()
     except MAVError as e: self.log.warning('control was not given back: %s', e)
 
-# %% ../../nbs/api/69_mavlink.gimbal_hold.ipynb #958c0f4a
 @patch
 @asynccontextmanager
 async def control(self:GimbalClient,
@@ -75,4 +80,4 @@ async def control(self:GimbalClient,
         yield self
     finally:
         self.holds[gimbal] -= 1
-        if not self.holds[gimbal] and not keep: await self._give_back(gimbal)
+        if not self.holds[gimbal] and not keep: await self._let_go(gimbal)

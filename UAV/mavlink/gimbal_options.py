@@ -28,13 +28,13 @@ class RoleTables(Tables):
 
     def find(self, kind): return {number:h for number,h in super().find(kind).items() if self.ours(**h.options)}
 
-# %% ../../nbs/api/67_mavlink.gimbal_options.ipynb #2caa3bee
+# %% ../../nbs/api/67_mavlink.gimbal_options.ipynb #cf340114
 @dataclass
 class GimbalOptions:
     "How a `GimbalServer` reads the gimbal protocol where it leaves a choice"
     strict:bool=False # Deny commands while no client is in control?
     px4_release:bool=False # Is "put me in control" from the one in control its release? PX4 sends that
-    roi_long_alt:str='amsl' # What the altitude of a place is in a COMMAND_LONG, which has no frame: or 'relative' to home
+    roi_long_alt:str='amsl' # An altitude in a COMMAND_LONG, which has no frame; or 'relative' to home
     mount_control:bool=False # Answer the older MAV_CMD_DO_MOUNT_CONTROL as well?
     yaw_frame:str='vehicle' # What the yaw we report is measured from: or 'earth'
     attitude_rate:float=10. # GIMBAL_DEVICE_ATTITUDE_STATUS a second, to all; 0: only when asked
@@ -49,7 +49,7 @@ class GimbalOptions:
         one_of('yaw_frame', self.yaw_frame, ('vehicle','earth'))
         for name in ('attitude_rate','status_rate'): inside(name, getattr(self, name), 0, 50)
 
-# %% ../../nbs/api/67_mavlink.gimbal_options.ipynb #3cf67f34
+# %% ../../nbs/api/67_mavlink.gimbal_options.ipynb #79d05e1e
 def checked_device_id(
     number:int|None, # What the manager calls the device; `None`: what fits the role
     component:int, # Our component id
@@ -58,5 +58,5 @@ def checked_device_id(
     "The number of the device; raises `ValueError` when ground stations would not find it"
     if number is None: number = dict(both=1, manager=mavlink.MAV_COMP_ID_GIMBAL, device=component)[role]
     fits = dict(both=number in (*range(1, 7), component), manager=1<=number<=255, device=number==component)
-    if not fits[role]: raise ValueError(f'gimbal_device_id cannot be {number} for role {role!r} in component {component}')
+    if not fits[role]: raise ValueError(f'gimbal_device_id cannot be {number}, role {role!r}, component {component}')
     return number

@@ -19,7 +19,7 @@ from .gimbal_server import GimbalServer, managers
 # %% auto #0
 __all__ = ['rates_of']
 
-# %% ../../nbs/api/69_mavlink.gimbal_setpoints.ipynb #d186c6d8
+# %% ../../nbs/api/69_mavlink.gimbal_setpoints.ipynb #bbe398ca
 GimbalServer.dropped = 0        # streamed setpoints that made no sense, or could not be done
 
 GimbalServer._driven = None,None # the last target, and the setpoint that came of it
@@ -33,6 +33,7 @@ def _drive_to(self:GimbalServer, target:Target):
     self.apply(target, self.options.stream_lasts)
     self._driven = target,getattr(self.gimbal, 'setpoint', None)
 
+# %% ../../nbs/api/69_mavlink.gimbal_setpoints.ipynb #32385a99
 @patch
 def _take_setpoint(self:GimbalServer, msg, target):
     "Do what `target()` says; when that cannot be, count it, and complain once"
@@ -47,7 +48,7 @@ def _take_stream(self:GimbalServer, msg, target):
     "Do what the streamed message `msg` wants, if its sender may; `target()` reads it"
     if self.is_ours(msg.gimbal_device_id) and self.control.allows(address(msg)): self._take_setpoint(msg, target)
 
-# %% ../../nbs/api/69_mavlink.gimbal_setpoints.ipynb #bd709fa7
+# %% ../../nbs/api/69_mavlink.gimbal_setpoints.ipynb #2d0b6386
 def rates_of(msg)->tuple: return msg.angular_velocity_x,msg.angular_velocity_y,msg.angular_velocity_z
 
 @patch
@@ -56,6 +57,7 @@ def _set_attitude(self:GimbalServer, msg):
     "GIMBAL_MANAGER_SET_ATTITUDE: a quaternion, or rates"
     self._take_stream(msg, lambda: attitude_target(msg.flags, msg.q, rates_of(msg)))
 
+# %% ../../nbs/api/69_mavlink.gimbal_setpoints.ipynb #ac1bdb49
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_GIMBAL_MANAGER_SET_PITCHYAW, roles=managers)
 def _set_pitchyaw(self:GimbalServer, msg):
@@ -63,14 +65,15 @@ def _set_pitchyaw(self:GimbalServer, msg):
     numbers = map(math.degrees, (msg.pitch, msg.yaw, msg.pitch_rate, msg.yaw_rate))
     self._take_stream(msg, lambda: pitchyaw_target(msg.flags, *numbers))
 
+# %% ../../nbs/api/69_mavlink.gimbal_setpoints.ipynb #e7987f4e
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_GIMBAL_MANAGER_SET_MANUAL_CONTROL, roles=managers)
 def _set_manual_control(self:GimbalServer, msg):
     "GIMBAL_MANAGER_SET_MANUAL_CONTROL: how far a stick is pushed"
     def target():
         reach,most = self.gimbal.information,self.options.max_rate
-        axes = [stick_axis(reach, *stick, most) for stick in (('pitch', msg.pitch, msg.pitch_rate), ('yaw', msg.yaw, msg.yaw_rate))]
-        return stick_target(msg.flags, reach, *axes)
+        sticks = ('pitch', msg.pitch, msg.pitch_rate),('yaw', msg.yaw, msg.yaw_rate)
+        return stick_target(msg.flags, *(stick_axis(reach, *stick, most) for stick in sticks))
     self._take_stream(msg, target)
 
 # %% ../../nbs/api/69_mavlink.gimbal_setpoints.ipynb #ae11f5e8

@@ -15,28 +15,31 @@ from ..utils.values import NAN, inside, known
 # %% auto #0
 __all__ = ['POSITION', 'ATTITUDE', 'GIMBAL_STATE', 'HOME', 'VehicleHeard']
 
-# %% ../../nbs/api/67_mavlink.gimbal_vehicle.ipynb #49291e43
+# %% ../../nbs/api/67_mavlink.gimbal_vehicle.ipynb #b0bf8fe8
 def _angles(roll:float, pitch:float, yaw:float)->dict:
     "Degrees of three angles in rad; raises `ValueError`"
     return {a: math.degrees(inside(a, v, -7, 7)) for a,v in dict(roll=roll, pitch=pitch, yaw=yaw).items()}
 
-def _from_attitude(msg)->dict:
-    return dict(_angles(msg.roll, msg.pitch, msg.yaw), yaw_rate=math.degrees(msg.yawspeed))
+def _finite(value:float)->float: return value if math.isfinite(value) else NAN
 
+def _from_attitude(msg)->dict:
+    return dict(_angles(msg.roll, msg.pitch, msg.yaw), yaw_rate=math.degrees(_finite(msg.yawspeed)))
+
+# %% ../../nbs/api/67_mavlink.gimbal_vehicle.ipynb #a1e1e2b1
 def _from_gimbal_state(msg)->dict:
-    rate = msg.angular_velocity_z or NAN
+    rate = _finite(msg.angular_velocity_z) or NAN
     angles = dict(zip(('roll','pitch','yaw'), euler(unit(msg.q))))
-    return dict(angles, yaw_rate=math.degrees(rate), velocity=(msg.vx, msg.vy, msg.vz))
+    return dict(angles, yaw_rate=math.degrees(rate), velocity=tuple(map(_finite, (msg.vx, msg.vy, msg.vz))))
 
 def _from_position(msg)->dict:
     if not (msg.lat or msg.lon): return {}
     return dict(lat=msg.lat/1e7, lon=msg.lon/1e7, alt=msg.alt/1e3, relative_alt=msg.relative_alt/1e3,
                 velocity=(msg.vx/100, msg.vy/100, msg.vz/100))
 
-# %% ../../nbs/api/67_mavlink.gimbal_vehicle.ipynb #f2f0cb3a
+# %% ../../nbs/api/67_mavlink.gimbal_vehicle.ipynb #faa50f56
 POSITION,ATTITUDE = mavlink.MAVLINK_MSG_ID_GLOBAL_POSITION_INT,mavlink.MAVLINK_MSG_ID_ATTITUDE
 GIMBAL_STATE,HOME = mavlink.MAVLINK_MSG_ID_AUTOPILOT_STATE_FOR_GIMBAL_DEVICE,mavlink.MAVLINK_MSG_ID_HOME_POSITION
-_readers = {POSITION:_from_position, ATTITUDE:_from_attitude, GIMBAL_STATE:_from_gimbal_state}    # the last is believed most
+_readers = {POSITION:_from_position, ATTITUDE:_from_attitude, GIMBAL_STATE:_from_gimbal_state}
 
 class VehicleHeard:
     "What was heard of one vehicle"

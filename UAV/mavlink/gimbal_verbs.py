@@ -178,25 +178,25 @@ def send_rates(self:GimbalClient, gimbal:tuple,
     rates,flags = (0., math.radians(pitch), math.radians(yaw)),pointing_flags('vehicle', lock)
     self.send_message(self.mav.gimbal_manager_set_attitude_encode(*gimbal[:2], flags, gimbal[2], [NAN]*4, *rates))
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #a31bd3f1
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #48be07ed
 @patch
-async def _keep_sending(self:GimbalClient, gimbal:tuple, *turning):
-    "Send rates until another is in control"
-    while True:
-        await asyncio.sleep(self.refresh)
-        status = self.status_of(gimbal)
-        if status and status.primary not in (None, self.us): return
+async def _keep_sending(self:GimbalClient, gimbal:tuple, *turning)->str:
+    "Send rates until another is in control; says who"
+    while not self.held_by_other(gimbal):
         self.send_rates(gimbal, *turning)
+        await asyncio.sleep(self.refresh)
+    return f'gimbal {gimbal[2]} of {self.mav_com.name_of(gimbal[:2])}: {self.status_of(gimbal)}'
 
 @patch
-async def _stop(self:GimbalClient, gimbal:tuple, lock:bool):
+async def _stop(self:GimbalClient, gimbal:tuple, lock:bool, sending:asyncio.Task):
     "Stop turning: at once, and then with a command, which is sent until it is answered"
+    sending.cancel()
     try:
         self.send_rates(gimbal, 0., 0., lock)
         (await self._turn(gimbal, 0., 0., lock)).check()
     except MAVError as e: self.log.warning('the gimbal was not stopped: %s', e)
 
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #d7ddc6e4
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #a3247e97
 @patch
 @asynccontextmanager
 async def keep_turning(self:GimbalClient,
@@ -206,13 +206,12 @@ async def keep_turning(self:GimbalClient,
     "For `async with`: turn until its end. Raises what `Ack.check` raises, and `Denied` at the end when another took over"
     gimbal,turning = self.gimbal,(pitch, yaw, self._lock_now(lock))
     (await self._turn(gimbal, *turning)).check()
-    sending = asyncio.ensure_future(self._keep_sending(gimbal, *turning))
+    sending = asyncio.create_task(self._keep_sending(gimbal, *turning))
     try: yield self
     finally:
-        over = sending.done()
-        sending.cancel()
-        if not over: await self._stop(gimbal, turning[2])
-    if over: raise Denied(f'gimbal {gimbal[2]} of {self.mav_com.name_of(gimbal[:2])}: {self.status_of(gimbal)}')
+        taken = sending.done()
+        if not taken: await self._stop(gimbal, turning[2], sending)
+    if taken: raise Denied(sending.result())
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #8e18ef57
 alt_frames = dict(amsl=mavlink.MAV_FRAME_GLOBAL, relative=mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT)

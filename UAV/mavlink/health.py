@@ -11,22 +11,27 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from .component import Component
 
 # %% auto #0
-__all__ = ['Health']
+__all__ = ['pieces_of', 'Health']
 
-# %% ../../nbs/api/29_mavlink.health.ipynb #25798a84
+# %% ../../nbs/api/29_mavlink.health.ipynb #d67f00b8
+def pieces_of(text:str)->list:
+    "`text` in pieces of 50 bytes; the last one is not full, which says that it is the last"
+    raw = text.encode()[:200]
+    return [raw] if len(raw)<=50 else [raw[i:i+50] for i in range(0, len(raw)+1, 50)]
+
+# %% ../../nbs/api/29_mavlink.health.ipynb #a5b41827
 @patch
 def say(self:Component,
     severity:int, # MAV_SEVERITY
     text:str, # At most 200 bytes are sent
 ):
     "Tell the people at the ground stations: STATUSTEXT, in as many pieces as it takes"
-    raw = text.encode()[:200]
-    pieces = [raw] if len(raw)<=50 else [raw[i:i+50] for i in range(0, len(raw)+1, 50)]     # the last one is not full
+    pieces = pieces_of(text)
     self._text_id = getattr(self, '_text_id', 0)%0xffff+1
     for n,piece in enumerate(pieces):
         self.send_message(self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n))
 
-# %% ../../nbs/api/29_mavlink.health.ipynb #aeb5f636
+# %% ../../nbs/api/29_mavlink.health.ipynb #e98d573c
 class Health:
     "Watches the `fault` of a device, and tells of it in the heartbeat of a component"
     def __init__(self,
@@ -41,12 +46,14 @@ class Health:
         "Has a fault come or gone since we looked?"
         return bool(self.fault)!=bool(getattr(self.device, 'fault', None))
 
-    def look(self)->tuple|None:
-        "Set the heartbeat's status: `(MAV_SEVERITY, text)` when there is news"
-        with self._lock:
-            if not self.is_news: return
-            self.fault = getattr(self.device, 'fault', None)
-            self.component.system_status = mavlink.MAV_STATE_CRITICAL if self.fault else mavlink.MAV_STATE_ACTIVE
-        model = self.device.information.model
-        if self.fault: return mavlink.MAV_SEVERITY_ERROR,f'{model}: {self.fault}'
-        return mavlink.MAV_SEVERITY_NOTICE,f'{model} works again'
+# %% ../../nbs/api/29_mavlink.health.ipynb #0eff5411
+@patch
+def look(self:Health)->tuple|None:
+    "Set the heartbeat's status: `(MAV_SEVERITY, text)` when there is news"
+    with self._lock:
+        if not self.is_news: return
+        self.fault = getattr(self.device, 'fault', None)
+        self.component.system_status = mavlink.MAV_STATE_CRITICAL if self.fault else mavlink.MAV_STATE_ACTIVE
+    model = self.device.information.model
+    if self.fault: return mavlink.MAV_SEVERITY_ERROR,f'{model}: {self.fault}'
+    return mavlink.MAV_SEVERITY_NOTICE,f'{model} works again'

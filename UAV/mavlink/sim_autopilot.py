@@ -45,10 +45,10 @@ class SimAutopilot(Component):
 
     def on_mav_connection(self): self.start_streams()
 
-# %% ../../nbs/api/67_mavlink.sim_autopilot.ipynb #9125e3d5
+# %% ../../nbs/api/67_mavlink.sim_autopilot.ipynb #e3bc52fa
 @patch
 def encode_heartbeat(self:SimAutopilot):
-    "HEARTBEAT of an autopilot; its `custom_mode` is 0, which the simulated firmware does not explain"
+    "HEARTBEAT of an autopilot, armed or standing by"
     flags = mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED|mavlink.MAV_MODE_FLAG_SAFETY_ARMED*bool(self.armed)
     status = mavlink.MAV_STATE_ACTIVE if self.armed else mavlink.MAV_STATE_STANDBY
     return self.mav.heartbeat_encode(self.mav_type, self.autopilot, flags, 0, status)

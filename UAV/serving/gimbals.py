@@ -8,6 +8,7 @@ import re
 
 from fastcore.basics import basic_repr
 from ..gimbals import Gimbal, SimGimbal, SimVehicle, circle, hover
+from ..gimbals.viewsheen import Viewsheen
 from ..mavlink import GimbalServer, SimAutopilot
 from ..utils.values import inside, one_of
 
@@ -32,9 +33,7 @@ def make_gimbal(
     if text=='sim': return SimGimbal(vehicle)
     found = re.fullmatch(r'viewsheen://([\w.-]+)(?::(\d+))?/?', text)
     if not found: raise ValueError(f'--gimbal is sim or viewsheen://HOST, not {text!r}')
-    port = int(inside('the port of --gimbal', int(found[2] or 2000), 1, 65535))
-    from UAV.gimbals.viewsheen import Viewsheen
-    return Viewsheen(found[1], port)
+    return Viewsheen(found[1], int(inside('the port of --gimbal', int(found[2] or 2000), 1, 65535)))
 
 # %% ../../nbs/api/80_serving.gimbals.ipynb #c8e9ab84
 class Aboard:
@@ -54,7 +53,7 @@ class Aboard:
 
     def _server(self):
         "A server for the gimbal, with what its maker adds"
-        if isinstance(self.gimbal, SimGimbal): return GimbalServer(gimbal=self.gimbal)
+        if not isinstance(self.gimbal, Viewsheen): return GimbalServer(gimbal=self.gimbal)
         from UAV.mavlink.viewsheen_server import GimbalServerViewsheen
         return GimbalServerViewsheen(gimbal=self.gimbal)
 

@@ -17,24 +17,32 @@ from ..mavlink import CameraServer
 from ..wire.signing import secret_key
 
 # %% auto #0
-__all__ = ['opened', 'name_of', 'introduce', 'serve', 'serve_camera']
+__all__ = ['understood', 'opened', 'name_of', 'introduce', 'serve', 'serve_camera']
+
+# %% ../../nbs/api/81_serving.program.ipynb #16dc722e
+def understood(
+    typed, # Has the options of `serve_camera` as attributes
+)->SimpleNamespace:
+    "The options as values; raises `ValueError`, or `OSError` for a key that cannot be read"
+    key = typed.sign and secret_key(Path(typed.sign))
+    return SimpleNamespace(video=video_format(typed.codec, typed.size, typed.rate, typed.bitrate),
+        streams=wanted_streams(typed.rtsp, typed.rtp, typed.mpegts, typed.tcp), connections=links(typed.connection),
+        server=dict(system=typed.system, component=camera_id(typed.component), host=address(typed.host)),
+        com=dict(signing=key, forward=typed.forward), storage=dict(folder=typed.folder, quota=typed.quota))
 
 # %% ../../nbs/api/81_serving.program.ipynb #ae733aee
 def opened(
-    typed, # Has the options as attributes
+    typed, # Has the options of `serve_camera` as attributes
     stack:ExitStack, # Closes what was opened
 )->tuple:
     "Open what was typed: `(camera, MAVCom)`; raises `ValueError`, `CameraError`, `MAVError` or `OSError`"
-    video = video_format(typed.codec, typed.size, typed.rate, typed.bitrate)
-    streams,connections = wanted_streams(typed.rtsp, typed.rtp, typed.mpegts, typed.tcp),links(typed.connection)
-    component,host,key = camera_id(typed.component),address(typed.host),typed.sign and secret_key(Path(typed.sign))
+    u = understood(typed)
     aboard = stack.enter_context(Aboard(typed.gimbal, typed.path, typed.autopilot, typed.camera))
-    storage = dict(folder=typed.folder, quota=typed.quota)
-    camera = stack.enter_context(make_camera(typed.camera, video['size'], aboard.mount, **storage))
+    camera = stack.enter_context(make_camera(typed.camera, u.video['size'], aboard.mount, **u.storage))
     if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
-    add_streams(camera, streams, **video)
-    how = dict(host=host, components=aboard.components, signing=key, forward=typed.forward)
-    return camera,stack.enter_context(serving(camera, connections, typed.system, component, **how))
+    add_streams(camera, u.streams, **u.video)
+    com = serving(camera, u.connections, **u.server, components=aboard.components, **u.com)
+    return camera,stack.enter_context(com)
 
 # %% ../../nbs/api/81_serving.program.ipynb #cb7f2cc5
 def name_of(component)->str:
@@ -51,17 +59,21 @@ def introduce(camera, com, teller:Teller):
     for stream in camera.streams: teller.say(f'  {stream.kind}: {stream.uri(server.host_for())}, {stream.format}')
 
 # %% ../../nbs/api/81_serving.program.ipynb #4ccec5b6
+def _follow(typed, teller:Teller):
+    "Open what was typed, and tell how it is, without end"
+    with ExitStack() as stack:
+        with or_exit('uav-camera-server'): camera,com = opened(typed, stack)
+        introduce(camera, com, teller)
+        for status in statuses(camera, com): teller.tell(status)
+
+# %% ../../nbs/api/81_serving.program.ipynb #3ff0ae6c
 def serve(
     typed, # Has the options of `serve_camera` as attributes
 ):
     "Open what was typed, and tell how it is until Ctrl-C"
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     log_to(teller := Teller())
-    try:
-        with ExitStack() as stack:
-            with or_exit('uav-camera-server'): camera,com = opened(typed, stack)
-            introduce(camera, com, teller)
-            for status in statuses(camera, com): teller.tell(status)
+    try: _follow(typed, teller)
     except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
     teller.say(f'stopped; the pictures are in {typed.folder}')
 

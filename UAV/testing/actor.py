@@ -57,7 +57,7 @@ def _work(self:Actor)->float:
         job()
     return (min([due for due,_ in self._jobs.values()], default=math.inf)-self.now)/self.speed
 
-# %% ../../nbs/api/96_testing.actor.ipynb #5eb99d3f
+# %% ../../nbs/api/96_testing.actor.ipynb #3f897f18
 @patch
 def hear(self:Actor, data:bytes):
     "Give each message of `data` to its method: a HEARTBEAT to `on_heartbeat`"
@@ -66,6 +66,7 @@ def hear(self:Actor, data:bytes):
         handler = getattr(self, f'on_{msg.get_type().lower()}', None)
         if handler: handler(msg)
 
+# %% ../../nbs/api/96_testing.actor.ipynb #603ed8bf
 @patch
 def _receive(self:Actor):
     "Hear what the connection has"
@@ -127,28 +128,23 @@ def ask_int(self:Actor, command:str|int, *params:float, timeout:float=10., **how
     self.send(msg)
     return self.result(msg.command, timeout)
 
-# %% ../../nbs/api/96_testing.actor.ipynb #a59b6b93
-def q_of(
-    roll:float=0., pitch:float=0., yaw:float=0., # Degrees
-)->list:
-    "`[w, x, y, z]` of an attitude, by pymavlink"
+# %% ../../nbs/api/96_testing.actor.ipynb #83ac285a
+def q_of(roll:float=0., pitch:float=0., yaw:float=0.)->list:
+    "`[w, x, y, z]` of an attitude in degrees, by pymavlink"
     from pymavlink.quaternion import Quaternion
     return [float(n) for n in Quaternion([math.radians(a) for a in (roll, pitch, yaw)]).q]
 
-def angles_of(
-    q, # w, x, y, z
-)->tuple:
-    "`(roll, pitch, yaw)` in degrees, from pymavlink's rotation matrix"
+# %% ../../nbs/api/96_testing.actor.ipynb #bd77af51
+def angles_of(q)->tuple:
+    "`(roll, pitch, yaw)` in degrees of `[w, x, y, z]`, from pymavlink's rotation matrix"
     from pymavlink.quaternion import Quaternion
     m = Quaternion(q).dcm           # its own `to_euler` says 180° for straight down
     pitch = -math.asin(min(1, max(-1, m.c.x)))
     return tuple(math.degrees(a) for a in (math.atan2(m.c.y, m.c.z), pitch, math.atan2(m.b.x, m.a.x)))
 
-# %% ../../nbs/api/96_testing.actor.ipynb #109ac771
+# %% ../../nbs/api/96_testing.actor.ipynb #3ee1d65d
 nothing = [math.nan]*4       # in place of a quaternion: no angle is meant
 
-def flags_of(
-    *names:str, # Of GIMBAL_DEVICE_FLAGS, without the prefix
-)->int:
-    "Gimbal flags by their names"
+def flags_of(*names:str)->int:
+    "Gimbal flags by their names in GIMBAL_DEVICE_FLAGS"
     return sum(getattr(mavlink, f'GIMBAL_DEVICE_FLAGS_{name}') for name in names)

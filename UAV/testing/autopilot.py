@@ -13,7 +13,7 @@ from .actor import Actor, angles_of, flags_of, nothing, play, q_of
 # %% auto #0
 __all__ = ['Autopilot']
 
-# %% ../../nbs/api/97_testing.autopilot.ipynb #ed7adfbc
+# %% ../../nbs/api/97_testing.autopilot.ipynb #e91bbabc
 _still = [math.nan]*3       # in place of rates
 
 class Autopilot(Actor):
@@ -30,9 +30,10 @@ class Autopilot(Actor):
     ):
         super().__init__(connection, system, component, (system,mavlink.MAV_COMP_ID_GIMBAL), speed)
         self.boot = self.now-up
-        self.flight = lambda t: (0.,0.,0.,0.)       # roll, pitch and yaw in degrees, and degrees a second of yaw, at t seconds
-        self.gimbal = self.attitude = self.heard_at = None      # GIMBAL_DEVICE_INFORMATION, …_ATTITUDE_STATUS, and when that came
-        self.orders = []                            # what is said in each turn: flags, q, rates
+        self.flight = lambda t: (0.,0.,0.,0.)   # roll, pitch and yaw in degrees, and yaw in degrees a second, at `t` s
+        self.gimbal = None                      # GIMBAL_DEVICE_INFORMATION
+        self.attitude = self.heard_at = None    # GIMBAL_DEVICE_ATTITUDE_STATUS, and when it came
+        self.orders = []                        # what is said in each turn: flags, q, rates
         self.every(1., self._beat)
 
     @property
@@ -70,8 +71,9 @@ def on_gimbal_device_attitude_status(self:Autopilot, m):
     "Where it looks"
     if (m.get_srcSystem(),m.get_srcComponent())==self.other: self.attitude,self.heard_at = m,self.now
 
-# %% ../../nbs/api/97_testing.autopilot.ipynb #096cfd85
-_sure = sum(getattr(mavlink, f'ESTIMATOR_{name}') for name in ('ATTITUDE','VELOCITY_HORIZ','VELOCITY_VERT','POS_HORIZ_ABS','POS_VERT_ABS'))
+# %% ../../nbs/api/97_testing.autopilot.ipynb #bf0dae86
+_sure = (mavlink.ESTIMATOR_ATTITUDE|mavlink.ESTIMATOR_VELOCITY_HORIZ|mavlink.ESTIMATOR_VELOCITY_VERT
+         |mavlink.ESTIMATOR_POS_HORIZ_ABS|mavlink.ESTIMATOR_POS_VERT_ABS)
 
 @patch
 def _tell(self:Autopilot):
@@ -81,7 +83,8 @@ def _tell(self:Autopilot):
     for flags,q,rates in self.orders: self.send(self._order(flags, q, rates))
 
 @patch
-def _order(self:Autopilot, flags, q, rates): return self.mav.gimbal_device_set_attitude_encode(*self.other, flags, q, *rates)
+def _order(self:Autopilot, flags, q, rates):
+    return self.mav.gimbal_device_set_attitude_encode(*self.other, flags, q, *rates)
 
 # %% ../../nbs/api/97_testing.autopilot.ipynb #f2d81026
 @patch

@@ -14,7 +14,7 @@ from .autopilot import Autopilot
 # %% auto #0
 __all__ = ['check', 'Report', 'NotTested', 'DeviceTester']
 
-# %% ../../nbs/api/98_testing.device_tester.ipynb #c51903a0
+# %% ../../nbs/api/98_testing.device_tester.ipynb #6b675eee
 def check(
     sentence:str, # What must hold
 ):
@@ -24,10 +24,14 @@ def check(
         return f
     return _f
 
+# %% ../../nbs/api/98_testing.device_tester.ipynb #f02c6c76
 class Report(list):
     "(sentence, what is wrong or `None`) of each check"
     @property
-    def problems(self)->list: "The sentences that do not hold"; return [(s,p) for s,p in self if p and not isinstance(p, NotTested)]
+    def problems(self)->list:
+        "The sentences that do not hold"
+        return [(sentence,p) for sentence,p in self if p and not isinstance(p, NotTested)]
+
     def __repr__(self): return '\n'.join(_line(*row) for row in self)
 
 class NotTested(str): "Why a check does not apply"
@@ -55,12 +59,13 @@ class DeviceTester(Autopilot):
         self.yaw = 0.                           # of the vehicle, degrees
         self.flight = lambda t: (0.,0.,self.yaw,0.)
 
-# %% ../../nbs/api/98_testing.device_tester.ipynb #104a1b25
+# %% ../../nbs/api/98_testing.device_tester.ipynb #06322dba
 @patch
 def on_heartbeat(self:DeviceTester, m):
     "Take the first gimbal that is heard"
     if self.heart or m.type!=mavlink.MAV_TYPE_GIMBAL: return
-    if self.other[1] in (0,m.get_srcComponent()): self.heart,self.other = m,(m.get_srcSystem(),m.get_srcComponent())
+    sender = m.get_srcSystem(),m.get_srcComponent()
+    if self.other[1] in (0,sender[1]): self.heart,self.other = m,sender
 
 @patch
 def on_gimbal_manager_information(self:DeviceTester, m):
@@ -97,7 +102,7 @@ def says_what_it_is(self:DeviceTester):
         self.send(self.command('REQUEST_MESSAGE', getattr(mavlink, f'MAVLINK_MSG_ID_{name}_INFORMATION'), to=(0,0)))
     if not play(self, until=lambda: self.gimbal, seconds=2): return 'no GIMBAL_DEVICE_INFORMATION'
 
-# %% ../../nbs/api/98_testing.device_tester.ipynb #24f271a0
+# %% ../../nbs/api/98_testing.device_tester.ipynb #06470fc3
 @patch
 def _limits(self:DeviceTester, axis, least, most):
     "Least and greatest angle of an axis in degrees, within `least` and `most`; those when it does not say"
@@ -105,6 +110,7 @@ def _limits(self:DeviceTester, axis, least, most):
     low,high = (own if math.isnan(a) else a for a,own in zip(told, (least,most)))
     return max(low, least),min(high, most)
 
+# %% ../../nbs/api/98_testing.device_tester.ipynb #17a7a07b
 @patch
 @check('It can pitch or yaw, and its limits are in order')
 def has_an_axis(self:DeviceTester):
@@ -143,7 +149,7 @@ def has_one_device_id(self:DeviceTester):
     ids = {self.gimbal.gimbal_device_id,self.attitude.gimbal_device_id}
     if len(ids)>1 or max(ids)>6: return f'it says {", ".join(map(str, sorted(ids)))}'
 
-# %% ../../nbs/api/98_testing.device_tester.ipynb #44b2a721
+# %% ../../nbs/api/98_testing.device_tester.ipynb #89056e6b
 @patch
 def _off(self:DeviceTester, pitch, yaw):
     "By how much it looks away from there; near straight down a yaw says nothing"
@@ -151,12 +157,16 @@ def _off(self:DeviceTester, pitch, yaw):
     turn = 0 if abs(pitch)>80 else abs((looks[1]-yaw+180)%360-180)
     return max(abs(looks[0]-pitch), turn)
 
+# %% ../../nbs/api/98_testing.device_tester.ipynb #5f847cd6
 @patch
 def _look(self:DeviceTester, pitch, yaw, lock=False, margin=None, seconds=None):
     "Have it look there: what is wrong, or `None`"
     self.point(pitch, yaw, lock)
     def there(): return self._off(pitch, yaw-self.yaw if lock else yaw)<=(margin or self.margin)
-    if not play(self, until=there, seconds=seconds or self.settle): return 'it looks to pitch {:.0f}°, yaw {:.0f}°'.format(*self.looks)
+    if not play(self, until=there, seconds=seconds or self.settle): return self._says()
+
+@patch
+def _says(self:DeviceTester)->str: return 'it looks to pitch {}°, yaw {}°'.format(*map(round, self.looks))
 
 # %% ../../nbs/api/98_testing.device_tester.ipynb #741d155a
 @patch
@@ -191,14 +201,15 @@ def _fly_left(self:DeviceTester):
         return self.now>start[1]+3
     play(self, until=turned, seconds=4)
 
-# %% ../../nbs/api/98_testing.device_tester.ipynb #c8b9e2f2
+# %% ../../nbs/api/98_testing.device_tester.ipynb #cca07ed4
 @patch
 @check('A yaw that follows goes with the vehicle')
 def follows(self:DeviceTester):
     problem = self._look(0, 20)
     self._fly_left()
-    if problem or self._off(0, 20)>self.margin: return problem or 'it is {:.0f}° from the nose, and not 20°'.format(self.looks[1])
+    if problem or self._off(0, 20)>self.margin: return problem or self._says()
 
+# %% ../../nbs/api/98_testing.device_tester.ipynb #b640a3c3
 @patch
 @check('A yaw that is locked stays')
 def locks(self:DeviceTester):
@@ -208,7 +219,7 @@ def locks(self:DeviceTester):
     if problem or self._off(0, locked-self.yaw)>self.margin: return problem or 'it turned with the vehicle'
     return self._look(-20, self.yaw+45, lock=True)
 
-# %% ../../nbs/api/98_testing.device_tester.ipynb #9afc10d0
+# %% ../../nbs/api/98_testing.device_tester.ipynb #9e0cfd1f
 @patch
 def _turns(self:DeviceTester, axis, rate, seconds):
     "Have it turn for so long: what is wrong, or `None`"
@@ -217,13 +228,18 @@ def _turns(self:DeviceTester, axis, rate, seconds):
     self.turn(*((rate,0) if axis=='pitch' else (0,rate)))
     play(self, seconds=seconds)
     wanted = before[0]+(rate*seconds if axis=='pitch' else 0),before[1]+(rate*seconds if axis=='yaw' else 0)
-    if self._off(*wanted)>self.margin: return 'after {:.0f} s it looks to pitch {:.0f}°, yaw {:.0f}°'.format(seconds, *self.looks)
+    if self._off(*wanted)>self.margin: return f'after {seconds} s {self._says()}'
 
-# %% ../../nbs/api/98_testing.device_tester.ipynb #38efcd74
+# %% ../../nbs/api/98_testing.device_tester.ipynb #ce05c05f
 @patch
 @check('It pitches down by 10 °/s for 5 s')
 def pitches_at_a_rate(self:DeviceTester): return self._turns('pitch', -10, 5)
 
+@patch
+@check('It pans by 10 °/s for 5 s')
+def pans_at_a_rate(self:DeviceTester): return self._turns('yaw', 10, 5)
+
+# %% ../../nbs/api/98_testing.device_tester.ipynb #fb534436
 @patch
 @check('When the rate ends, it stays where it is')
 def stays(self:DeviceTester):
@@ -232,10 +248,6 @@ def stays(self:DeviceTester):
     held = self.looks
     play(self, seconds=1)
     if self._off(*held)>1: return 'it went on'
-
-@patch
-@check('It pans by 10 °/s for 5 s')
-def pans_at_a_rate(self:DeviceTester): return self._turns('yaw', 10, 5)
 
 # %% ../../nbs/api/98_testing.device_tester.ipynb #800dcdc4
 @patch
@@ -262,7 +274,7 @@ def minds_its_manager(self:DeviceTester):
     self.stop(disturb)
     if self._off(0, 0)>2: return f'it obeyed {stranger[0]}/{stranger[1]}'
 
-# %% ../../nbs/api/98_testing.device_tester.ipynb #3ffdff53
+# %% ../../nbs/api/98_testing.device_tester.ipynb #26b32971
 @patch
 @check('A device without a manager takes no command for managers')
 def is_no_manager(self:DeviceTester):
@@ -271,6 +283,7 @@ def is_no_manager(self:DeviceTester):
     except TimeoutError: return
     if result=='ACCEPTED': return 'it took one'
 
+# %% ../../nbs/api/98_testing.device_tester.ipynb #c7790446
 @patch
 @check('It retracts, and comes back')
 def retracts(self:DeviceTester):

@@ -16,21 +16,25 @@ _nan = math.nan
 # %% auto #0
 __all__ = ['SeenGimbal', 'wrapped', 'GroundStation']
 
-# %% ../../nbs/api/97_testing.ground_station.ipynb #4a19cca1
+# %% ../../nbs/api/97_testing.ground_station.ipynb #6c4bfec0
 class SeenGimbal:
     "What a ground station knows of one gimbal"
     def __init__(self, manager:int, device_id:int):
         self.manager,self.device_id = manager,device_id
-        self.information = self.status = self.attitude = None   # GIMBAL_MANAGER_INFORMATION, …_STATUS, GIMBAL_DEVICE_ATTITUDE_STATUS
-        self.asked = Counter()                                  # how often for which message
+        self.information = self.status = None       # GIMBAL_MANAGER_INFORMATION, GIMBAL_MANAGER_STATUS
+        self.attitude = None                        # GIMBAL_DEVICE_ATTITUDE_STATUS
+        self.asked = Counter()                      # how often for which message
 
     @property
-    def complete(self)->bool: "Does the panel show it?"; return None not in (self.information,self.status,self.attitude)
+    def complete(self)->bool:
+        "Does the panel show it?"
+        return None not in (self.information,self.status,self.attitude)
+
     @property
     def device(self)->int: "Component id of the device"; return self.manager if self.device_id<=6 else self.device_id
     def __repr__(self): return f'gimbal {self.device_id} of component {self.manager}'
 
-# %% ../../nbs/api/97_testing.ground_station.ipynb #0897d173
+# %% ../../nbs/api/97_testing.ground_station.ipynb #1d874b55
 @patch(as_prop=True)
 def buttons(self:SeenGimbal)->list:
     "The buttons that not every gimbal has"
@@ -38,6 +42,7 @@ def buttons(self:SeenGimbal)->list:
     can = self.information.cap_flags if self.information else 0
     return [name for flag,name in names.items() if can & getattr(mavlink, f'GIMBAL_MANAGER_CAP_FLAGS_HAS_{flag}')]
 
+# %% ../../nbs/api/97_testing.ground_station.ipynb #c8705829
 @patch(as_prop=True)
 def holder(self:SeenGimbal)->tuple|None:
     "(system, component) that is in control; `None` when it is free"
@@ -79,7 +84,7 @@ def compass(self:SeenGimbal)->float|None:
     yaw = angles_of(self.attitude.q)[2]
     return (yaw if self._in_earth_frame else yaw+self._delta)%360
 
-# %% ../../nbs/api/97_testing.ground_station.ipynb #ee0e3692
+# %% ../../nbs/api/97_testing.ground_station.ipynb #679e9985
 class GroundStation(Actor):
     "In the manner of QGroundControl: finds the gimbals of a vehicle, and moves them"
     may_ask = 6                 # times for GIMBAL_MANAGER_INFORMATION
@@ -95,9 +100,9 @@ class GroundStation(Actor):
         self.asked,self._to_ask,self._patient_until = Counter(),deque(),-math.inf
         self.take_over = lambda gimbal: False       # asks the user whether to take control from another; `False`: no
         self.every(1., self.beat)
-        self.every(1., self._ask_what_is_missing)
+        self.every(1., lambda: self._ask_what_is_missing())
 
-# %% ../../nbs/api/97_testing.ground_station.ipynb #06876441
+# %% ../../nbs/api/97_testing.ground_station.ipynb #4f4ecc79
 @patch
 def on_heartbeat(self:GroundStation, m):
     "Is its sender a gimbal manager? Ask it soon"
@@ -108,14 +113,17 @@ def on_heartbeat(self:GroundStation, m):
     if self.has_autopilot and not known and component not in self._to_ask: self._to_ask.append(component)
     self._ask_next()
 
+# %% ../../nbs/api/97_testing.ground_station.ipynb #61a984c9
 @patch
 def _ask_next(self:GroundStation):
+    "Ask the next component, when the one before has answered or is silent for a second"
     while self._to_ask and self.now>=self._patient_until:
         component = self._to_ask.popleft()
         if self.asked[component]>=self.may_ask: continue
         self.asked[component] += 1
         self._patient_until = self.now+1
-        self.send(self.command('REQUEST_MESSAGE', mavlink.MAVLINK_MSG_ID_GIMBAL_MANAGER_INFORMATION, to=(self.other[0],component)))
+        to = self.other[0],component
+        self.send(self.command('REQUEST_MESSAGE', mavlink.MAVLINK_MSG_ID_GIMBAL_MANAGER_INFORMATION, to=to))
 
 # %% ../../nbs/api/97_testing.ground_station.ipynb #e05264a6
 @patch
@@ -147,18 +155,19 @@ def on_gimbal_manager_status(self:GroundStation, m):
     gimbal = self._gimbal(m)
     if gimbal: gimbal.status = m
 
-# %% ../../nbs/api/97_testing.ground_station.ipynb #1f644c1f
+# %% ../../nbs/api/97_testing.ground_station.ipynb #61a63d9e
 @patch
 def on_gimbal_device_attitude_status(self:GroundStation, m):
     "Where it looks"
     sender = m.get_srcComponent()
     if m.flags & _vehicle and m.flags & _earth: return self.dropped.append('an attitude in two frames')
     if m.gimbal_device_id>6: return self.dropped.append(f'an attitude of gimbal_device_id {m.gimbal_device_id}')
+    if m.get_srcSystem()!=self.other[0]: return
     for g in self.gimbals.values():
-        ours = (g.manager,g.device_id)==(sender,m.gimbal_device_id) if m.gimbal_device_id else g.device_id==sender
-        if ours and m.get_srcSystem()==self.other[0]: g.attitude = m
+        behind = (g.manager,g.device_id)==(sender,m.gimbal_device_id)
+        if behind or m.gimbal_device_id==0 and g.device_id==sender: g.attitude = m
 
-# %% ../../nbs/api/97_testing.ground_station.ipynb #4b2d326b
+# %% ../../nbs/api/97_testing.ground_station.ipynb #3036be4c
 _status_id = mavlink.MAVLINK_MSG_ID_GIMBAL_MANAGER_STATUS
 _attitude_id = mavlink.MAVLINK_MSG_ID_GIMBAL_DEVICE_ATTITUDE_STATUS
 
@@ -167,15 +176,17 @@ def _ask_for(self:GroundStation, gimbal, message_id, interval, component):
     gimbal.asked[message_id] += 1
     self.send(self.command('SET_MESSAGE_INTERVAL', message_id, interval, to=(self.other[0],component)))
 
+# %% ../../nbs/api/97_testing.ground_station.ipynb #29732355
 @patch
 def _ask_what_is_missing(self:GroundStation):
+    "Ask for streams that do not come; an interval of 0 is the usual one"
     for g in self.gimbals.values():
         if not g.information: continue
         tries = g.asked[_status_id]
         if not g.status and tries<6: self._ask_for(g, _status_id, 0 if tries<4 else 5_000_000, g.manager)
         if not g.attitude and g.asked[_attitude_id]<3: self._ask_for(g, _attitude_id, 0, g.device)
 
-# %% ../../nbs/api/97_testing.ground_station.ipynb #bfac1d67
+# %% ../../nbs/api/97_testing.ground_station.ipynb #632710b9
 @patch
 def find_gimbal(self:GroundStation,
     manager:int=mavlink.MAV_COMP_ID_GIMBAL, # Component id of its manager
@@ -186,6 +197,7 @@ def find_gimbal(self:GroundStation,
     if not play(self, until=complete, seconds=timeout): raise TimeoutError(self.missing(manager))
     return next(g for g in self.gimbals.values() if g.manager==manager and g.complete)
 
+# %% ../../nbs/api/97_testing.ground_station.ipynb #e535cc2b
 @patch
 def missing(self:GroundStation, manager:int)->str:
     "Why the gimbal of this component is not shown"
@@ -219,7 +231,7 @@ def _may(self:GroundStation, gimbal)->bool:
     if gimbal.holder and not self.take_over(gimbal): return False
     return self.acquire(gimbal)=='ACCEPTED' and play(self, until=lambda: gimbal.holder==self.address, seconds=2)
 
-# %% ../../nbs/api/97_testing.ground_station.ipynb #22fbccf5
+# %% ../../nbs/api/97_testing.ground_station.ipynb #d651c1ce
 _level = flags_of('ROLL_LOCK','PITCH_LOCK')
 
 @patch
@@ -227,6 +239,7 @@ def _point(self:GroundStation, gimbal, pitch, yaw, flags):
     if not self._may(gimbal): return 'NOT SENT'
     return self._order(gimbal, 'DO_GIMBAL_MANAGER_PITCHYAW', pitch, yaw, _nan, _nan, flags)
 
+# %% ../../nbs/api/97_testing.ground_station.ipynb #b2a98e23
 @patch
 def point(self:GroundStation,
     gimbal:SeenGimbal, pitch:float, # Degrees
@@ -238,7 +251,7 @@ def point(self:GroundStation,
 @patch
 def center(self:GroundStation, gimbal:SeenGimbal)->str: "The button Center"; return self.point(gimbal, 0, 0)
 
-# %% ../../nbs/api/97_testing.ground_station.ipynb #5cc89f68
+# %% ../../nbs/api/97_testing.ground_station.ipynb #56d7bf6b
 @patch
 def point_absolute(self:GroundStation,
     gimbal:SeenGimbal, pitch:float, # Degrees
@@ -247,6 +260,7 @@ def point_absolute(self:GroundStation,
     "Look there, and stay there while the vehicle turns"
     return self._point(gimbal, pitch, wrapped(compass), _level|_earth|flags_of('YAW_LOCK'))
 
+# %% ../../nbs/api/97_testing.ground_station.ipynb #a5047fce
 @patch
 def switch_yaw_lock(self:GroundStation, gimbal:SeenGimbal, on:bool)->str:
     "The yaw-lock switch: the present numbers, and no frame flag"
@@ -259,7 +273,7 @@ def retract(self:GroundStation, gimbal:SeenGimbal, on:bool=True)->str:
     "The button Retract"
     return self._point(gimbal, gimbal.pitch, gimbal.yaw, flags_of('RETRACT') if on else 0)
 
-# %% ../../nbs/api/97_testing.ground_station.ipynb #465cf673
+# %% ../../nbs/api/97_testing.ground_station.ipynb #9b06a469
 @patch
 def turn(self:GroundStation,
     gimbal:SeenGimbal, pitch:float=0., yaw:float=0., # Degrees a second; 0 and 0 lets the stick go
@@ -270,12 +284,13 @@ def turn(self:GroundStation,
     self.every(.5, self._send_rates)
     return True
 
+# %% ../../nbs/api/97_testing.ground_station.ipynb #00dd6bfb
 @patch
 def _send_rates(self:GroundStation):
     gimbal,pitch,yaw = self._stick
     flags = _level|_vehicle|(flags_of('YAW_LOCK') if gimbal.does('YAW_LOCK') else 0)
-    rates = _nan,math.radians(pitch),math.radians(yaw)
-    self.send(self.mav.gimbal_manager_set_attitude_encode(self.other[0], gimbal.manager, flags, gimbal.device_id, nothing, *rates))
+    to,rates = (self.other[0],gimbal.manager),(_nan,math.radians(pitch),math.radians(yaw))
+    self.send(self.mav.gimbal_manager_set_attitude_encode(*to, flags, gimbal.device_id, nothing, *rates))
     if not pitch and not yaw: self.stop(self._send_rates)
 
 # %% ../../nbs/api/97_testing.ground_station.ipynb #d15f8540

@@ -44,6 +44,7 @@ def _run(self:Loop):
     for sock in (self._bell,self._pull): sock.close()
     self._selector.close()
 
+# %% ../../nbs/api/03_utils.sockets.ipynb #7568ce0d
 @patch
 def _try(self:Loop, do, *args):
     "An error of one socket is not the end of the others"
@@ -60,6 +61,14 @@ def call(self:Loop,
     try: self._pull.send(b'.')
     except OSError: pass                    # closed
 
+# %% ../../nbs/api/03_utils.sockets.ipynb #16ced662
+@patch
+def close(self:Loop):
+    "End the thread; the sockets that were watched stay open"
+    self._closed = True
+    self.call(lambda: None)
+    if self._thread is not threading.current_thread(): self._thread.join()
+
 # %% ../../nbs/api/03_utils.sockets.ipynb #26d6177c
 @patch
 def ask(self:Loop,
@@ -74,14 +83,6 @@ def ask(self:Loop,
     self.call(_do)
     while self._thread.is_alive() and not done.wait(.2): pass
 
-# %% ../../nbs/api/03_utils.sockets.ipynb #16ced662
-@patch
-def close(self:Loop):
-    "End the thread; the sockets that were watched stay open"
-    self._closed = True
-    self.call(lambda: None)
-    if self._thread is not threading.current_thread(): self._thread.join()
-
 # %% ../../nbs/api/03_utils.sockets.ipynb #fe71d185
 @patch
 def watch(self:Loop,
@@ -94,6 +95,7 @@ def watch(self:Loop,
     if sock in self._selector.get_map(): self._selector.modify(sock, events, ready)
     else: self._selector.register(sock, events, ready)
 
+# %% ../../nbs/api/03_utils.sockets.ipynb #095d3ea3
 @patch
 def forget(self:Loop,
     sock, # One that is watched; others are ignored

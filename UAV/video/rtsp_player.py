@@ -167,7 +167,7 @@ def close(self:Connection):
     self.server.loop.forget(self.sock)
     self.outbox.close()
     if self.viewer:
-        if not self.session.transport.tcp: self.viewer.deliver([], self.session.rtp.goodbye())
+        if isinstance(self.viewer, UDPViewer): self.viewer.deliver([], self.session.rtp.goodbye())
         self._stop()
     self.sock.close()
 
