@@ -13,7 +13,7 @@ from .gimbal import Gimbal
 from .values import *
 from .values import Axis, Setpoint
 from .reckoning import Reckoned
-from UAV.gimbals.viewsheen_frames import (AIRFRAME, GEODETIC, FrameReader, Report, parse_report, pitch_frame,
+from UAV.gimbals.viewsheen_frames import (AIRFRAME, GEODETIC, ViewsheenReader, Report, parse_report, pitch_frame,
     rate_frame, yaw_frame)
 from ..utils.rotation import quaternion
 from ..utils.tcp_client import TCPClient
@@ -71,7 +71,7 @@ class Viewsheen(Gimbal):
         self.axes = dict(pitch=Reckoned(pitch_speed, *self.setup.pitch), yaw=Reckoned(yaw_speed))
         self._asked,self._starts = -math.inf,{}             # when, and from where, we were asked to move
         self._next,self._waits = -math.inf,False            # when the next frame may go, and whether one waits
-        self.reports,self._reader = {},FrameReader()
+        self.reports,self._reader = {},ViewsheenReader()
         self._heard,self._delivered = self.clock(),True     # when a report came; was the setpoint sent?
         self._forget()                                      # what it was told before, we do not know
         self.line = TCPClient(host, port) if line is None else line
@@ -260,7 +260,7 @@ def _on_line(self:Viewsheen):
 @patch
 def _resume(self:Viewsheen, now:float):
     "The line is back: nothing keeps turning, and what is out of date is forgotten"
-    self._reader,self._heard = FrameReader(),now
+    self._reader,self._heard = ViewsheenReader(),now
     self._halt()
     if self.setpoint.turning: return
     if now-self._asked<=self.fresh: return self._say_again(now)

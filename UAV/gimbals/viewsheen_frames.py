@@ -15,7 +15,7 @@ from ..utils.values import NAN, Value, inside, one_of
 __all__ = ['MARK', 'ZEROS', 'MAIN', 'THERMAL', 'AIRFRAME', 'GEODETIC', 'ACTIONS', 'FORWARD', 'WIDEST', 'STOP_TRACKING',
            'LOOK_DOWN', 'IDENTITY', 'Command', 'crc16', 'sealed', 'command_frame', 'rate_frame', 'yaw_frame',
            'pitch_frame', 'track_frame', 'tap_zoom_frame', 'zoom_frame', 'action_frame', 'palette_frame', 'Report',
-           'RangeReport', 'report_frame', 'parse_report', 'parse_command', 'FrameReader']
+           'RangeReport', 'report_frame', 'parse_report', 'parse_command', 'ViewsheenReader']
 
 # %% ../../nbs/api/55_gimbals.viewsheen_frames.ipynb #d46fcf3e
 def crc16(
@@ -165,7 +165,7 @@ def report_frame(
 
 # %% ../../nbs/api/55_gimbals.viewsheen_frames.ipynb #a4efa746
 def parse_report(
-    body:bytes, # As `FrameReader` gives it
+    body:bytes, # As `ViewsheenReader` gives it
 )->Report|RangeReport|None:
     "What a gimbal reports; `None`: nothing that we know"
     if body[:4]!=IDENTITY or len(body)<13: return
@@ -179,13 +179,13 @@ def parse_report(
 Command = namedtuple('Command', 'number data sensor')
 
 def parse_command(
-    body:bytes, # As `FrameReader` gives it
+    body:bytes, # As `ViewsheenReader` gives it
 )->Command|None:
     "A command as the gimbal hears it; `None`: it is none"
     if body[:2]==b'\x40\x88' and len(body)>=10: return Command(body[3], body[4:10], body[2])
 
 # %% ../../nbs/api/55_gimbals.viewsheen_frames.ipynb #04f57916
-class FrameReader:
+class ViewsheenReader:
     "Cuts frames out of a stream; `feed` it as the bytes come"
     most = 32                       # bytes of a body, at most: more is no frame
     def __init__(self): self._data,self.skipped = bytearray(),0         # `skipped`: bytes that belonged to no frame
@@ -196,7 +196,7 @@ def _sizes(length:int, body:bytes)->list:
     return [length+1, length] if body[:1]==IDENTITY[:1] else [length, length+1]
 
 @patch
-def _size(self:FrameReader)->int|None:
+def _size(self:ViewsheenReader)->int|None:
     "How many bytes the frame at the beginning has; 0: there is none; `None`: too early to say"
     d = self._data
     if not MARK.startswith(d[:2]) or d[2:3]>bytes([self.most]) or any(d[3:12]): return 0
@@ -207,7 +207,7 @@ def _size(self:FrameReader)->int|None:
 
 # %% ../../nbs/api/55_gimbals.viewsheen_frames.ipynb #cf822b25
 @patch
-def feed(self:FrameReader,
+def feed(self:ViewsheenReader,
     data:bytes, # What came
 )->list: # Of `bytes`
     "The bodies of all frames that are complete now"

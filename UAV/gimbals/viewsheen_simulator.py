@@ -9,7 +9,7 @@ import threading, time
 from fastcore.basics import patch
 from fastcore.meta import delegates
 from .viewsheen_device import ViewsheenDevice
-from .viewsheen_frames import FrameReader, parse_command, report_frame
+from .viewsheen_frames import ViewsheenReader, parse_command, report_frame
 from ..utils.general import timers
 from ..utils.sockets import Loop, listen_tcp
 
@@ -20,7 +20,7 @@ __all__ = ['DirectLine', 'ViewsheenSimulator']
 class DirectLine:
     "From a `Viewsheen` to a `ViewsheenDevice` in the same process, instead of a `TCPClient`"
     up,error,hear,changed = True,None,None,None
-    def __init__(self, device): self.device,self._reader = device,FrameReader()
+    def __init__(self, device): self.device,self._reader = device,ViewsheenReader()
     def start(self): pass
     def close(self): self.up,self.error = False,'closed'
     def drop(self, why): self.close()
@@ -42,7 +42,7 @@ class ViewsheenSimulator:
     ):
         self.device,self.feedback = ViewsheenDevice(**kwargs),feedback
         self.host,self.port,self._listener = host,port,None
-        self.clients,self._changed = {},threading.Condition()       # `{socket: FrameReader}`
+        self.clients,self._changed = {},threading.Condition()       # `{socket: ViewsheenReader}`
         self._loop = Loop('viewsheen simulator')
         self._reports = timers.every(self.report_period, lambda: self.tell(), delay=self.report_period)
         self.listen()
@@ -65,7 +65,7 @@ def _welcome(self:ViewsheenSimulator, sock):
     sock.setblocking(False)
     self._loop.watch(sock, lambda events: self._read(sock))
     with self._changed:
-        self.clients[sock] = FrameReader()
+        self.clients[sock] = ViewsheenReader()
         self._changed.notify_all()
 
 # %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #b562c02d

@@ -38,6 +38,7 @@ class Counts:
 class BaseComponent(GetAttr):
     "One component of a MAVLink system"
     _default = 'counts'
+    autopilot,base_mode = mavlink.MAV_AUTOPILOT_INVALID,0       # for the heartbeat: we are none
     def __init__(self,
         source_component:int, # Our component id (MAV_COMP_ID), 1 to 255
         mav_type:int, # What we are (MAV_TYPE), for the heartbeat
@@ -115,7 +116,7 @@ def send_message(self:BaseComponent,
 @patch
 def encode_heartbeat(self:BaseComponent):
     "Our HEARTBEAT"
-    return self.mav.heartbeat_encode(self.mav_type, mavlink.MAV_AUTOPILOT_INVALID, 0, 0, self.system_status)
+    return self.mav.heartbeat_encode(self.mav_type, self.autopilot, self.base_mode, 0, self.system_status)
 
 @patch
 def beat(self:BaseComponent):

@@ -40,25 +40,27 @@ class SimAutopilot(Component):
         loglevel:int=LogLevels.INFO,
     ):
         super().__init__(source_component, mav_type, loglevel)
-        store_attr('vehicle,armed,gimbals')
+        store_attr('vehicle,gimbals')
         self.autopilot,self.rate = autopilots[one_of('autopilot', autopilot, autopilots)],inside('rate', rate, 0, 50)
+        self.arm(armed)
 
     def on_mav_connection(self): self.start_streams()
 
 # %% ../../nbs/api/66_mavlink.sim_autopilot.ipynb #e3bc52fa
 @patch
-def encode_heartbeat(self:SimAutopilot):
-    "HEARTBEAT of an autopilot, armed or standing by"
-    flags = mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED|mavlink.MAV_MODE_FLAG_SAFETY_ARMED*bool(self.armed)
-    status = mavlink.MAV_STATE_ACTIVE if self.armed else mavlink.MAV_STATE_STANDBY
-    return self.mav.heartbeat_encode(self.mav_type, self.autopilot, flags, 0, status)
+def arm(self:SimAutopilot,
+    armed:bool=True, # Do the motors turn?
+):
+    "Say in the heartbeat that the motors turn, or that they do not"
+    self.base_mode = mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED|mavlink.MAV_MODE_FLAG_SAFETY_ARMED*bool(armed)
+    self.system_status = mavlink.MAV_STATE_ACTIVE if armed else mavlink.MAV_STATE_STANDBY
 
 # %% ../../nbs/api/66_mavlink.sim_autopilot.ipynb #9b142735
 @patch
 @command(mavlink.MAV_CMD_COMPONENT_ARM_DISARM)
 def _component_arm_disarm(self:SimAutopilot, arm:int=0):
     "MAV_CMD_COMPONENT_ARM_DISARM: it only says so in its heartbeat"
-    self.armed = bool(arm)
+    self.arm(arm)
     self.beat()
 
 # %% ../../nbs/api/66_mavlink.sim_autopilot.ipynb #fe3d8c38
