@@ -72,7 +72,7 @@ def _parser(make, about:str, examples:str, **how):
 
 def _lines(program:str, examples)->str: return '\n'.join(f'  {program} {example}' for example in examples)
 
-# %% ../../nbs/api/80_steering.words.ipynb #9ee34012
+# %% ../../nbs/api/80_steering.words.ipynb #1f6575b5
 def program_parser(
     program:str, # Its name
     about:str, # What it does
@@ -82,9 +82,9 @@ def program_parser(
 )->ArgumentParser:
     "The parser of a program with verbs"
     examples = _lines(program, [f.examples[0] for f in verbs.values()])
-    parser = _parser(ArgumentParser, about, f'{examples}\n\n{below}', prog=program, usage=f'{program} verb … [options]')
+    parser = _parser(ArgumentParser, about, f'{examples}\n\n{below}', prog=program, usage=f'{program} VERB … [options]')
     add_words(parser, options)
-    kinds = parser.add_subparsers(dest='verb', metavar='VERB', required=True, title='verbs')
+    kinds = parser.add_subparsers(dest='verb', metavar='VERB', required=True, title='verbs', prog=program)
     for name,f in verbs.items():
         needed = [word for word,p in words_of(f).items() if p.default is Parameter.empty]
         usage = ' '.join((program, name, *needed, '[options]'))
