@@ -72,7 +72,7 @@ def _parser(make, about:str, examples:str, **how):
 
 def _lines(program:str, examples)->str: return '\n'.join(f'  {program} {example}' for example in examples)
 
-# %% ../../nbs/api/80_steering.words.ipynb #f5a3a14e
+# %% ../../nbs/api/80_steering.words.ipynb #1f6575b5
 def program_parser(
     program:str, # Its name
     about:str, # What it does
@@ -82,11 +82,13 @@ def program_parser(
 )->ArgumentParser:
     "The parser of a program with verbs"
     examples = _lines(program, [f.examples[0] for f in verbs.values()])
-    parser = _parser(ArgumentParser, about, f'{examples}\n\n{below}', prog=program)
+    parser = _parser(ArgumentParser, about, f'{examples}\n\n{below}', prog=program, usage=f'{program} VERB … [options]')
     add_words(parser, options)
-    kinds = parser.add_subparsers(dest='verb', metavar='VERB', required=True, title='verbs')
+    kinds = parser.add_subparsers(dest='verb', metavar='VERB', required=True, title='verbs', prog=program)
     for name,f in verbs.items():
-        make = partial(kinds.add_parser, name, help=f.__doc__)
+        needed = [word for word,p in words_of(f).items() if p.default is Parameter.empty]
+        usage = ' '.join((program, name, *needed, '[options]'))
+        make = partial(kinds.add_parser, name, help=f.__doc__, usage=usage)
         verb = _parser(make, f.__doc__, _lines(program, f.examples))
         add_words(verb, f)
         add_words(verb.add_argument_group('options of all verbs'), options, default=SUPPRESS)
