@@ -195,7 +195,7 @@ def held_by_other(self:GimbalClient, gimbal:tuple)->bool:
     status = self.status_of(gimbal)
     return status is not None and status.primary not in (None, self.us)
 
-# %% ../../nbs/api/68_mavlink.gimbal_client.ipynb #14fb186a
+# %% ../../nbs/api/68_mavlink.gimbal_client.ipynb #9aaff34a
 not_in_control = 10 # a MAV_RESULT that pymavlink's dialects lack
 
 class GimbalAck(Ack):
@@ -208,8 +208,10 @@ class GimbalAck(Ack):
         self.status = status
         return self
 
-    def __repr__(self): return super().__repr__()+(f': {self.status}' if self.status else '')
-    __str__ = __repr__
+    @property
+    def reason(self)->str:
+        "Who is in control, or what the dialect says about `result`"
+        return repr(self.status) if self.status else super().reason
 
 # %% ../../nbs/api/68_mavlink.gimbal_client.ipynb #56e822df
 @patch
