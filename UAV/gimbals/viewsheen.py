@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import math, time
 
 from fastcore.basics import patch
-from fastcore.meta import delegates
+from ..utils.doc_class import takes_options
 from .gimbal import Gimbal
 from .values import *
 from .values import Axis, Setpoint
@@ -57,7 +57,7 @@ class Viewsheen(Gimbal):
     rate_pace,angle_pace = .05,.1       # s between two frames
     fresh,silence = 3.,3.               # s that an angle waits for a connection; s without a report that mean trouble
     with_each_tick = []                 # functions of the driver and the time; true: call me again soon
-    @delegates(ViewsheenSetup)
+    @takes_options(ViewsheenSetup)
     def __init__(self,
         host:str='192.168.144.200', port:int=2000, # The factory's address is 192.168.42.200
         clock=time.monotonic, # Gives seconds; with another one, call `tick` yourself

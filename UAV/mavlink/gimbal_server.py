@@ -7,7 +7,7 @@ from __future__ import annotations
 import time
 
 from fastcore.basics import patch
-from fastcore.meta import delegates
+from ..utils.doc_class import takes_options
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import (
     MAVLINK_MSG_ID_GIMBAL_DEVICE_ATTITUDE_STATUS as GIMBAL_DEVICE_ATTITUDE_STATUS,
@@ -56,7 +56,7 @@ class GimbalServer(Component):
     with_each_tick,tick_period = [],.1  # functions of the server that later rooms add, and s between two calls
     on_setpoint = []                    # such functions, to be called before a new setpoint
 
-    @delegates(GimbalOptions)
+    @takes_options(GimbalOptions)
     def __init__(self,
         source_component:int=mavlink.MAV_COMP_ID_GIMBAL, # 154, 171 to 175 are what others look for
         mav_type:int=mavlink.MAV_TYPE_GIMBAL,
