@@ -13,7 +13,7 @@ from ..gimbals.values import GimbalAttitude, HeadingUnknown
 from ..utils.rotation import quaternion, wrap
 from ..utils.values import NAN, inside, known, one_of
 from ..wire.dialect import Ack, MAVError, address
-from .protocol import Denied
+from .protocol import Denied, NoAnswer
 from .gimbal_flags import EARTH_FRAME, LEVEL, NEUTRAL, RETRACT, VEHICLE_FRAME, YAW_LOCK
 from .gimbal_client import GIMBAL_DEVICE_ATTITUDE_STATUS, GimbalClient, device_address
 
@@ -45,18 +45,30 @@ def sends(
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #add5d421
 @patch
+def _forget_angles(self:GimbalClient, gimbal:tuple):
+    "Another wish is on its way: `reached` does not wait for the angles before it"
+    for g in (gimbal, (*gimbal[:2], 0)): self.asked.pop(g, None)
+
+@patch
 async def _pitchyaw(self:GimbalClient, gimbal:tuple, angles:tuple, rates:tuple, flags:int)->Ack:
-    "Send the command; `angles` and `rates` are of pitch and yaw"
-    self.asked.pop(gimbal, None)
-    return await self.gimbal_command(gimbal, pitchyaw, [*angles, *rates, flags, NAN, gimbal[2]])
+    "Send the command; `angles` and `rates` are of pitch and yaw. Raises `ValueError`"
+    names = 'pitch','yaw','rate of pitch','rate of yaw'
+    numbers = [v if v!=v else inside(name, v) for name,v in zip(names, (*angles,*rates))]
+    self._forget_angles(gimbal)
+    return await self.gimbal_command(gimbal, pitchyaw, [*numbers, flags, NAN, gimbal[2]])
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #95febcdf
 old_managers = mavlink.MAV_AUTOPILOT_PX4,mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
 
+@patch(as_prop=True)
+def _heading(self:GimbalClient)->float:
+    now = self.attitude
+    return now.vehicle_yaw if now else NAN
+
 @patch
 def _turned_yaw(self:GimbalClient, yaw:float, lock:bool)->float:
     "A yaw in the other frame: from north when `lock`, else from the nose; raises `HeadingUnknown`"
-    heading = self.attitude.vehicle_yaw if self.attitude else NAN
+    heading = self._heading
     if not known(heading): raise HeadingUnknown("the vehicle's heading is not known")
     return wrap(yaw+heading if lock else yaw-heading)
 
@@ -85,14 +97,22 @@ async def set_angles(self:GimbalClient,
     flags,gimbal = pointing_flags(frame, lock),self.gimbal
     angles = self._for_autopilot(gimbal, pitch, yaw, flags)
     ack = await self._pitchyaw(gimbal, angles, (pitch_rate, yaw_rate), flags)
-    if ack: self.asked[gimbal] = pitch,yaw,frame
+    if ack: self.asked[gimbal] = self._goal(pitch, yaw, flags)
     return ack
+
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #b6ffce9c
+@patch
+def _goal(self:GimbalClient, pitch:float, yaw:float, flags:int)->tuple:
+    "Pitch, yaw and its frame as `reached` must see them: a locked yaw stays as it is from north, another from the nose"
+    lock,earth = bool(flags&YAW_LOCK),bool(flags&EARTH_FRAME)
+    if known(yaw) and lock!=earth and known(self._heading): yaw,earth = self._turned_yaw(yaw, lock),lock
+    return pitch,yaw,'earth' if earth else 'vehicle'
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #c3e9d1b4
 @patch
-def _off(self:GimbalClient, gimbal:tuple)->float:
-    "How far our gimbal is from where it was told to point, degrees; `inf` when that is not known"
-    now,(pitch,yaw,frame) = self.attitude,self.asked[gimbal]
+def _off(self:GimbalClient, gimbal:tuple, asked:tuple)->float:
+    "How far a gimbal is from where it was told to point, degrees; `inf` when that is not known"
+    now,(pitch,yaw,frame) = self.where(gimbal),asked
     if now is None: return math.inf
     there = now.pitch,now.earth_yaw if frame=='earth' else now.yaw
     off = [abs(wrap(is_-wanted)) for is_,wanted in zip(there, (pitch,yaw)) if known(wanted)]
@@ -106,10 +126,11 @@ async def reached(self:GimbalClient,
 )->GimbalAttitude|None:
     "Wait until our gimbal points where it was told; its attitude, `None` when it is not there in time. Raises `Lost`"
     gimbal = self.gimbal
-    if gimbal not in self.asked: raise ValueError('no angles were asked for: call set_angles or center first')
-    def there(msg=None): return gimbal in self.asked and self._off(gimbal)<=tolerance
+    def asked(): return self.asked.get(gimbal) or self.asked.get((*gimbal[:2], 0))      # before its id was known
+    if asked() is None: raise ValueError('no angles were asked for: call set_angles or center first')
+    def there(msg=None): return asked() is not None and self._off(gimbal, asked())<=tolerance
     with self.news.add(GIMBAL_DEVICE_ATTITUDE_STATUS, there, device_address(*gimbal)[:2]) as told:
-        return self.attitude if there() or await told.wait(timeout) else None
+        return self.where(gimbal) if there() or await told.wait(timeout) else None
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #c7b76c63
 @patch
@@ -195,13 +216,31 @@ async def _keep_sending(self:GimbalClient, gimbal:tuple, *turning)->str:
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #b9563ce9
 @patch
-async def _stop(self:GimbalClient, gimbal:tuple, lock:bool, sending:asyncio.Task):
+def _stop_now(self:GimbalClient, gimbal:tuple, lock:bool):
+    try: self.send_rates(gimbal, 0., 0., lock)
+    except MAVError: pass               # the link has gone
+
+@patch
+async def _stop(self:GimbalClient, gimbal:tuple, lock:bool):
     "Stop turning: at once, and then with a command, which is sent until it is answered"
-    sending.cancel()
-    try:
-        self.send_rates(gimbal, 0., 0., lock)
-        (await self._turn(gimbal, 0., 0., lock)).check()
+    self._stop_now(gimbal, lock)
+    try: (await self._turn(gimbal, 0., 0., lock)).check()
     except MAVError as e: self.log.warning('the gimbal was not stopped: %s', e)
+
+# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #b8aa5322
+@patch
+async def _begin(self:GimbalClient, gimbal:tuple, *turning)->asyncio.Task:
+    "Start to turn; the task that goes on with it. Raises what `Ack.check` raises"
+    try: (await self._turn(gimbal, *turning)).check()
+    except asyncio.CancelledError:
+        await self._stop(gimbal, turning[2])
+        raise
+    except NoAnswer:
+        self._stop_now(gimbal, turning[2])
+        raise
+    sending = asyncio.create_task(self._keep_sending(gimbal, *turning))
+    self.turned[gimbal] = lambda: sending.done() or self._stop_now(gimbal, turning[2])
+    return sending
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #44ac505c
 @patch
@@ -212,12 +251,13 @@ async def keep_turning(self:GimbalClient,
 ):
     "For `async with`: turn until its end. Raises what `Ack.check` raises, and at the end `Denied` if another took over"
     gimbal,turning = self.gimbal,(pitch, yaw, self._lock_now(lock))
-    (await self._turn(gimbal, *turning)).check()
-    sending = asyncio.create_task(self._keep_sending(gimbal, *turning))
+    sending = await self._begin(gimbal, *turning)
     try: yield self
     finally:
         taken = sending.done()
-        if not taken: await self._stop(gimbal, turning[2], sending)
+        sending.cancel()
+        self.turned.pop(gimbal, None)
+        if not taken: await self._stop(gimbal, turning[2])
     if taken: raise Denied(sending.result())
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #fdfcedc8
