@@ -196,6 +196,7 @@ def status_of(self:GimbalClient, gimbal:tuple)->GimbalStatus|None:
     pairs = (m.primary_control_sysid, m.primary_control_compid),(m.secondary_control_sysid, m.secondary_control_compid)
     return GimbalStatus(*(pair if any(pair) else None for pair in pairs), m.flags)
 
+# %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #60fec077
 @patch(as_prop=True)
 def status(self:GimbalClient)->GimbalStatus|None:
     "Who is in control of our gimbal; `None` when that was not heard"

@@ -58,7 +58,7 @@ def _managed_by(self:GimbalClient, sources)->list:
     "The gimbals of these managers, as far as they were heard of"
     return sorted({g for i in of_manager for g in list(self.heard.get(i, ())) if g[:2] in sources})
 
-# %% ../../nbs/api/68_mavlink.gimbal_finding.ipynb #6e9829b0
+# %% ../../nbs/api/68_mavlink.gimbal_finding.ipynb #fc5ac340
 @patch
 def _is_open(self:GimbalClient, source:tuple, asked:float|None)->bool:
     "Is a component to be asked for its gimbals? `asked`: when it was; with its next heartbeat, if it has said nothing"
@@ -70,9 +70,11 @@ def _is_open(self:GimbalClient, source:tuple, asked:float|None)->bool:
 async def _ask_all(self:GimbalClient, sources, seconds:float):
     "Ask components for their gimbals, for so long at most"
     import asyncio
-    asking = asyncio.gather(*(self.ask_gimbal(s, GIMBAL_MANAGER_INFORMATION) for s in sources))
-    try: await asyncio.wait_for(asking, seconds)
-    except asyncio.TimeoutError: pass
+    asking = [asyncio.create_task(self.ask_gimbal(s, GIMBAL_MANAGER_INFORMATION)) for s in sources]
+    try: done,_ = await asyncio.wait(asking, timeout=seconds) if asking else ((),())
+    finally:
+        for task in asking: task.cancel()
+    for task in done: task.result()         # raises what went wrong
 
 # %% ../../nbs/api/68_mavlink.gimbal_finding.ipynb #09c5ed8c
 @patch
