@@ -162,9 +162,7 @@ def stop_turning(self:GimbalServer):
 @patch
 def beat(self:GimbalServer):
     "Our heartbeat, which says how the gimbal is"
-    news = self.health.look()
-    Component.beat(self)
-    if news: self.say(*news)
+    self.health.beat()
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #b4932440
 @patch
