@@ -14,6 +14,7 @@ from pymavlink.dialects.v20.ardupilotmega import (
     MAVLINK_MSG_ID_GIMBAL_DEVICE_INFORMATION as GIMBAL_DEVICE_INFORMATION,
     MAVLINK_MSG_ID_GIMBAL_MANAGER_INFORMATION as GIMBAL_MANAGER_INFORMATION,
     MAVLINK_MSG_ID_GIMBAL_MANAGER_STATUS as GIMBAL_MANAGER_STATUS)
+from ..gimbals.region import RegionOfInterest
 from ..gimbals.values import GimbalAttitude, GimbalInformation, VehicleState
 from ..logging import LogLevels
 from ..utils.general import time_since_boot_ms, timers
@@ -75,6 +76,8 @@ class GimbalServer(Component):
         self.health = Health(self, self.gimbal)
         self.control = Control(self.options.strict, self.options.px4_release)
         self.heard = VehicleHeard(getattr(gimbal, 'clock', time.monotonic))
+        self.neighbours = {}    # what was heard of other vehicles: `{system: VehicleHeard}`
+        self.region = RegionOfInterest(self.gimbal)
         self._told,self._ticks = None,None      # the last status, and the timer
         self._said,self._asked = Seen(60.),Seen(10.)    # what we complained about, and asked the autopilot for
 
@@ -266,13 +269,16 @@ GimbalServer.with_each_tick.append(GimbalServer.tell_status)
 @receives(GIMBAL_STATE)
 def _hear_vehicle(self:GimbalServer, msg):
     "Take what our vehicle says of itself"
-    if address(msg)[0]!=self.source_system: return self.hear_neighbour(msg)
+    if address(msg)[0]!=self.source_system: return self._hear_neighbour(msg)
     try: self.heard.take(msg)
     except ValueError as e: return self.complain(msg.get_type(), e)
     if self.can('set_vehicle'): self.gimbal.set_vehicle(self.heard.state)
 
 @patch
-def hear_neighbour(self:GimbalServer, msg): "Another system tells where it is; for later rooms"
+def _hear_neighbour(self:GimbalServer, msg):
+    "Take where another vehicle is: it may be looked at"
+    if msg.get_msgId()!=POSITION: return
+    self.neighbours.setdefault(address(msg)[0], VehicleHeard(self.heard.clock)).take(msg)
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #111d8b64
 @patch(as_prop=True)
@@ -284,13 +290,17 @@ def vehicle(self:GimbalServer)->VehicleState:
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #77c4caf8
 GimbalServer.asked_rates = {ATTITUDE:10., POSITION:5.}      # Hz
 
+@patch(as_prop=True)
+def our_autopilot(self:GimbalServer)->tuple|None:
+    "`(system, component)` of the autopilot of our system; `None` when we hear none"
+    ours = [r for r in list(self.remotes.values()) if r.address[0]==self.source_system and not r.lost]
+    return next((r.address for r in ours if r.autopilot!=mavlink.MAV_AUTOPILOT_INVALID), None)
+
 @patch
 def ask_autopilot(self:GimbalServer):
     "Ask the autopilot of our system for what it does not send: MAV_CMD_SET_MESSAGE_INTERVAL"
-    if not self.options.ask_autopilot or self.heard.fresh(ATTITUDE, GIMBAL_STATE) and self.heard.fresh(POSITION): return
-    ours = [r for r in list(self.remotes.values()) if r.address[0]==self.source_system and not r.lost]
-    autopilot = next((r.address for r in ours if r.autopilot!=mavlink.MAV_AUTOPILOT_INVALID), None)
-    missing = [ATTITUDE]*(not self.heard.fresh(ATTITUDE, GIMBAL_STATE))+[POSITION]*(not self.heard.fresh(POSITION))
+    missing = self.heard.missing if self.options.ask_autopilot else []
+    autopilot = self.our_autopilot if missing else None
     for msg_id in missing if autopilot else ():
         if self._asked.again((autopilot, msg_id)): continue
         self.send_message(self.mav.command_long_encode(*autopilot, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, 0, msg_id,
@@ -307,7 +317,7 @@ def apply(self:GimbalServer,
     "Have the gimbal do what `target` wants; raises `Unsupported`, and what the gimbal raises"
     verb = self.need(target.mode)           # 'point', 'center' or 'retract'
     if target.lock and 'yaw' not in getattr(self.gimbal, 'locks', ()): raise Unsupported('its yaw holds no direction')
-    for look in self.on_setpoint: look(self)
+    for give_up in self.on_setpoint: give_up(self)
     if target.mode!='point': verb()
     else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, lasts)
     self.tell_status()
