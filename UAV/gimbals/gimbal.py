@@ -77,8 +77,7 @@ def heading(self:Gimbal)->float:
 def _turned_yaw(self:Gimbal, axis:Axis, frame:str, lock:bool)->Axis:
     "A yaw target given in `frame`, as a setpoint with this `lock` wants it; raises `HeadingUnknown`"
     if not known(axis.angle) or (frame=='earth')==lock: return axis
-    if not known(heading := self.heading): raise HeadingUnknown("the vehicle's heading is not known")
-    return replace(axis, angle=wrap(axis.angle+heading if lock else axis.angle-heading))
+    return replace(axis, angle=yaw_in('earth' if lock else 'vehicle', axis.angle, self.heading))
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #e05456f3
 @patch

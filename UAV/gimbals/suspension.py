@@ -7,7 +7,6 @@ __all__ = ['Suspension']
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #8a461e9b
 from dataclasses import replace
-import math
 
 from fastcore.basics import patch, store_attr
 from .motor import Motor

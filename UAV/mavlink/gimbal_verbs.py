@@ -9,16 +9,16 @@ import asyncio, math, random
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..gimbals.values import GimbalAttitude, HeadingUnknown
-from ..utils.rotation import quaternion, wrap
+from ..gimbals.values import GimbalAttitude, yaw_in
+from ..utils.rotation import wrap
 from ..utils.values import NAN, inside, known, one_of
-from ..wire.dialect import Ack, MAVError, address
+from ..wire.dialect import Ack, MAVError
 from .protocol import Denied
 from .gimbal_flags import EARTH_FRAME, LEVEL, NEUTRAL, RETRACT, VEHICLE_FRAME, YAW_LOCK
 from .gimbal_client import GIMBAL_DEVICE_ATTITUDE_STATUS, GimbalClient, device_address
 
 # %% auto #0
-__all__ = ['pitchyaw', 'old_managers', 'alt_frames', 'pointing_flags', 'sends']
+__all__ = ['pitchyaw', 'old_managers', 'altitude_frames', 'pointing_flags', 'sends']
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #39af93ed
 def pointing_flags(
@@ -53,21 +53,15 @@ async def _pitchyaw(self:GimbalClient, gimbal:tuple, angles:tuple, rates:tuple, 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #95febcdf
 old_managers = mavlink.MAV_AUTOPILOT_PX4,mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
 
-@patch
-def _turned_yaw(self:GimbalClient, yaw:float, lock:bool)->float:
-    "A yaw in the other frame: from north when `lock`, else from the nose; raises `HeadingUnknown`"
-    heading = self.attitude.vehicle_yaw if self.attitude else NAN
-    if not known(heading): raise HeadingUnknown("the vehicle's heading is not known")
-    return wrap(yaw+heading if lock else yaw-heading)
-
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #e699afa0
 @patch
 def _for_autopilot(self:GimbalClient, gimbal:tuple, pitch:float, yaw:float, flags:int)->tuple:
     "Pitch and yaw as this manager understands them; raises `HeadingUnknown`"
     remote,lock,earth = self.remotes.get(gimbal[:2]),bool(flags&YAW_LOCK),bool(flags&EARTH_FRAME)
     if remote is None or remote.autopilot not in old_managers: return pitch,yaw
-    if known(yaw) and earth!=lock: yaw = self._turned_yaw(yaw, lock)
-    if known(pitch)!=known(yaw) and (now := self.attitude):
+    now = self.attitude or GimbalAttitude()
+    if known(yaw) and earth!=lock: yaw = yaw_in('earth' if lock else 'vehicle', yaw, now.vehicle_yaw)
+    if known(pitch)!=known(yaw):
         if known(pitch): yaw = now.earth_yaw if lock else now.yaw
         else: pitch = now.pitch
     return pitch,yaw
@@ -141,7 +135,7 @@ async def retract(self:GimbalClient)->Ack:
 @patch
 @sends(pitchyaw)
 async def lock(self:GimbalClient)->Ack:
-    "Hold the direction on earth, whatever the vehicle does"
+    "Hold the direction on earth, however the vehicle turns"
     return await self._pitchyaw(self.gimbal, (NAN,NAN), (NAN,NAN), pointing_flags('earth', True))
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #ba599253
@@ -191,7 +185,7 @@ async def _keep_sending(self:GimbalClient, gimbal:tuple, *turning)->str:
     while not self.held_by_other(gimbal):
         self.send_rates(gimbal, *turning)
         await asyncio.sleep(self.refresh)
-    return f'gimbal {gimbal[2]} of {self.mav_com.name_of(gimbal[:2])}: {self.status_of(gimbal)}'
+    return self.who_controls(gimbal)
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #b9563ce9
 @patch
@@ -221,7 +215,7 @@ async def keep_turning(self:GimbalClient,
     if taken: raise Denied(sending.result())
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #fdfcedc8
-alt_frames = dict(amsl=mavlink.MAV_FRAME_GLOBAL, relative=mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT)
+altitude_frames = dict(amsl=mavlink.MAV_FRAME_GLOBAL, relative=mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT)
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #9e1b207d
 @patch
@@ -232,7 +226,7 @@ async def point_at(self:GimbalClient,
     alt_frame:str='amsl', # Above the sea ('amsl'), or above where the vehicle took off ('relative')
 )->Ack:
     "Look at a place until told otherwise; raises `ValueError`"
-    frame = alt_frames[one_of('alt_frame', alt_frame, alt_frames)]
+    frame = altitude_frames[one_of('alt_frame', alt_frame, altitude_frames)]
     x,y = (round(inside(what, v, -most, most)*1e7) for what,v,most in (('lat',lat,90), ('lon',lon,180)))
     gimbal = self.gimbal
     self.asked.pop(gimbal, None)

@@ -8,7 +8,7 @@ import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from .actor import Actor, angles_of, flags_of, nothing, play, q_of
+from .actor import Actor, angles_of, flags_of, nothing, q_of, wrapped
 
 # %% auto #0
 __all__ = ['Autopilot']
@@ -128,5 +128,4 @@ def looks(self:Autopilot)->tuple:
     "`(pitch, yaw)` of the gimbal as it reports them, degrees; yaw from the nose"
     _,pitch,yaw = angles_of(self.attitude.q)
     earth = self.attitude.flags & flags_of('YAW_IN_EARTH_FRAME')
-    if earth: yaw = (yaw-self.flight(self.up)[2]+180)%360-180
-    return pitch,yaw
+    return pitch, wrapped(yaw-self.flight(self.up)[2]) if earth else yaw
