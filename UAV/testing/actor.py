@@ -66,6 +66,11 @@ def hear(self:Actor, data:bytes):
         handler = getattr(self, f'on_{msg.get_type().lower()}', None)
         if handler: handler(msg)
 
+@patch
+def from_other(self:Actor, msg)->bool:
+    "Is it from the component that our commands are for?"
+    return (msg.get_srcSystem(),msg.get_srcComponent())==self.other
+
 # %% ../../nbs/api/96_testing.actor.ipynb #603ed8bf
 @patch
 def _receive(self:Actor):

@@ -61,7 +61,7 @@ def _ask(self:Autopilot):
 @patch
 def on_gimbal_device_information(self:Autopilot, m):
     "Begin to steer it"
-    if (m.get_srcSystem(),m.get_srcComponent())!=self.other: return
+    if not self.from_other(m): return
     self.gimbal = m
     self.stop(self._ask)
     self.every(self.period, self._tell)
@@ -69,7 +69,7 @@ def on_gimbal_device_information(self:Autopilot, m):
 @patch
 def on_gimbal_device_attitude_status(self:Autopilot, m):
     "Where it looks"
-    if (m.get_srcSystem(),m.get_srcComponent())==self.other: self.attitude,self.heard_at = m,self.now
+    if self.from_other(m): self.attitude,self.heard_at = m,self.now
 
 # %% ../../nbs/api/97_testing.autopilot.ipynb #bf0dae86
 _sure = (mavlink.ESTIMATOR_ATTITUDE|mavlink.ESTIMATOR_VELOCITY_HORIZ|mavlink.ESTIMATOR_VELOCITY_VERT

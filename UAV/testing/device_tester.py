@@ -70,7 +70,7 @@ def on_heartbeat(self:DeviceTester, m):
 @patch
 def on_gimbal_manager_information(self:DeviceTester, m):
     "It has a manager of its own"
-    if (m.get_srcSystem(),m.get_srcComponent())==self.other: self.manager = m
+    if self.from_other(m): self.manager = m
 
 # %% ../../nbs/api/98_testing.device_tester.ipynb #c754bdeb
 @patch
