@@ -195,11 +195,6 @@ def held_by_other(self:GimbalClient, gimbal:tuple)->bool:
     status = self.status_of(gimbal)
     return status is not None and status.primary not in (None, self.us)
 
-@patch
-def who_controls(self:GimbalClient, gimbal:tuple)->str:
-    "Who is in control of a gimbal, as text"
-    return f'gimbal {gimbal[2]} of {self.mav_com.name_of(gimbal[:2])}: {self.status_of(gimbal)}'
-
 # %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #9aaff34a
 not_in_control = 10 # a MAV_RESULT that pymavlink's dialects lack
 

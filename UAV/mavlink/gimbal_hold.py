@@ -32,12 +32,18 @@ async def _wait_status(self:GimbalClient, gimbal:tuple, test)->bool:
         if not fits() and await told.wait(.5) is None: await self.ask_gimbal(gimbal[:2], GIMBAL_MANAGER_STATUS, fits)
     return fits()
 
+# %% ../../nbs/api/68_mavlink.gimbal_hold.ipynb #a67c9f4b
+@patch
+def _holder(self:GimbalClient, gimbal:tuple)->str:
+    "Who is in control of a gimbal, as text"
+    return f'gimbal {gimbal[2]} of {self.mav_com.name_of(gimbal[:2])}: {self.status_of(gimbal)}'
+
 # %% ../../nbs/api/68_mavlink.gimbal_hold.ipynb #62b91266
 @patch
 async def _check_free(self:GimbalClient, gimbal:tuple):
     "Raise `Denied` when another is in control of a gimbal"
     await self._wait_status(gimbal, lambda status: status is not None)
-    if self.held_by_other(gimbal): raise Denied(self.who_controls(gimbal))
+    if self.held_by_other(gimbal): raise Denied(self._holder(gimbal))
 
 # %% ../../nbs/api/68_mavlink.gimbal_hold.ipynb #57a1bf3d
 @patch
@@ -45,7 +51,7 @@ async def _take(self:GimbalClient, gimbal:tuple):
     "Take control; raises what `Ack.check` raises, and `Denied` when the manager accepts and shows another"
     (await self._configure(gimbal, *self.us)).check()
     if await self._wait_status(gimbal, lambda status: status is not None and status.primary==self.us): return
-    if self.status_of(gimbal) is not None: raise Denied(self.who_controls(gimbal))
+    if self.status_of(gimbal) is not None: raise Denied(self._holder(gimbal))
     self.log.warning('gimbal %s of %s/%s does not say who is in control', gimbal[2], *gimbal[:2])
 
 # %% ../../nbs/api/68_mavlink.gimbal_hold.ipynb #000c624d

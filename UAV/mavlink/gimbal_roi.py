@@ -56,12 +56,6 @@ def neighbour_location(self:GimbalServer,
     if not known(state.lat): raise PositionUnknown(f'position of system {system} unknown')
     return Location(state.lat, state.lon, state.alt)
 
-# %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #e6b403f2
-@patch
-def cancel_roi(self:GimbalServer):
-    "The gimbal is told something else"
-    self.region.cancel()
-
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #12af69f6
 @patch
 def look_at_roi(self:GimbalServer):
@@ -69,7 +63,6 @@ def look_at_roi(self:GimbalServer):
     news = self.region.tick(self.vehicle_now)
     if news: self.say(mavlink.MAV_SEVERITY_WARNING if self.region.lost else mavlink.MAV_SEVERITY_NOTICE, news)
 
-GimbalServer.on_setpoint.append(GimbalServer.cancel_roi)
 GimbalServer.with_each_tick.append(GimbalServer.look_at_roi)
 
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #15d776ee

@@ -55,7 +55,6 @@ class GimbalServer(Component):
     "Serves a gimbal object as a MAVLink gimbal"
     results = {**Component.results, **results}
     with_each_tick,tick_period = [],.1  # functions of the server that later rooms add, and s between two calls
-    on_setpoint = []                    # such functions, to be called before a new setpoint
 
     @takes_options(GimbalOptions)
     def __init__(self,
@@ -151,7 +150,8 @@ def complain(self:GimbalServer, about:str, error:Exception):
 def tick(self:GimbalServer):
     "What is done ten times a second"
     for look in self.with_each_tick:
-        try: self.mav_com and not self._closed and look(self)
+        if self._closed or self.mav_com is None: return
+        try: look(self)
         except Exception as e: self.complain(look.__name__, e)
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #58766128
@@ -317,9 +317,9 @@ def apply(self:GimbalServer,
     "Have the gimbal do what `target` wants; raises `Unsupported`, and what the gimbal raises"
     verb = self.need(target.mode)           # 'point', 'center' or 'retract'
     if target.lock and 'yaw' not in getattr(self.gimbal, 'locks', ()): raise Unsupported('its yaw holds no direction')
-    for give_up in self.on_setpoint: give_up(self)
-    if target.mode!='point': verb()
-    else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, lasts)
+    with self.region.giving_way():
+        if target.mode!='point': verb()
+        else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, lasts)
     self.tell_status()
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #1df6b7a2

@@ -36,7 +36,7 @@ def _drive_to(self:GimbalServer, target:Target):
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #32385a99
 @patch
 def _take_setpoint(self:GimbalServer, msg, target):
-    "Do what `target()` says; when that cannot be, count it, and complain once"
+    "Do what `target()` says; when that cannot be, count it, and complain once a minute"
     try: self._drive_to(target())
     except (ValueError, CommandError, GimbalError) as e:
         self.dropped += 1

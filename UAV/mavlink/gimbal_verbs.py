@@ -16,6 +16,7 @@ from ..wire.dialect import Ack, MAVError
 from .protocol import Denied
 from .gimbal_flags import EARTH_FRAME, LEVEL, NEUTRAL, RETRACT, VEHICLE_FRAME, YAW_LOCK
 from .gimbal_client import GIMBAL_DEVICE_ATTITUDE_STATUS, GimbalClient, device_address
+from . import gimbal_hold
 
 # %% auto #0
 __all__ = ['pitchyaw', 'old_managers', 'altitude_frames', 'pointing_flags', 'sends']
@@ -53,15 +54,20 @@ async def _pitchyaw(self:GimbalClient, gimbal:tuple, angles:tuple, rates:tuple, 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #95febcdf
 old_managers = mavlink.MAV_AUTOPILOT_PX4,mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
 
+@patch
+def _turned_yaw(self:GimbalClient, yaw:float, lock:bool)->float:
+    "A yaw in the other frame: from north when `lock`, else from the nose; raises `HeadingUnknown`"
+    heading = self.attitude.vehicle_yaw if self.attitude else NAN
+    return yaw_in('earth' if lock else 'vehicle', yaw, heading)
+
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #e699afa0
 @patch
 def _for_autopilot(self:GimbalClient, gimbal:tuple, pitch:float, yaw:float, flags:int)->tuple:
     "Pitch and yaw as this manager understands them; raises `HeadingUnknown`"
     remote,lock,earth = self.remotes.get(gimbal[:2]),bool(flags&YAW_LOCK),bool(flags&EARTH_FRAME)
     if remote is None or remote.autopilot not in old_managers: return pitch,yaw
-    now = self.attitude or GimbalAttitude()
-    if known(yaw) and earth!=lock: yaw = yaw_in('earth' if lock else 'vehicle', yaw, now.vehicle_yaw)
-    if known(pitch)!=known(yaw):
+    if known(yaw) and earth!=lock: yaw = self._turned_yaw(yaw, lock)
+    if known(pitch)!=known(yaw) and (now := self.attitude):
         if known(pitch): yaw = now.earth_yaw if lock else now.yaw
         else: pitch = now.pitch
     return pitch,yaw
@@ -185,7 +191,7 @@ async def _keep_sending(self:GimbalClient, gimbal:tuple, *turning)->str:
     while not self.held_by_other(gimbal):
         self.send_rates(gimbal, *turning)
         await asyncio.sleep(self.refresh)
-    return self.who_controls(gimbal)
+    return self._holder(gimbal)
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #b9563ce9
 @patch
