@@ -6,13 +6,14 @@
 __all__ = ['tolerance', 'longest_wait', 'widest', 'ticking', 'check_information', 'check_attitude', 'places', 'off', 'arrives',
            'check_angles', 'check_keeps', 'check_limits', 'check_bad_values', 'now', 'stands', 'turns', 'check_rates',
            'check_stop', 'check_center', 'fly', 'check_lock', 'check_follow', 'check_retract', 'check_close',
-           'checks_for', 'Report', 'check_gimbal']
+           'checks_for', 'check_gimbal']
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #93d4e241
 import math, threading, time
 
 from .values import *
 from .values import axes
+from ..utils.contract import Report, kept
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #72dcf213
 def ticking(gimbal, wait):
@@ -233,11 +234,6 @@ def checks_for(gimbal)->list:
     first = [check_information, check_attitude, check_angles, check_keeps, check_limits, check_bad_values]
     return first + [check_rates, check_stop, check_center] + optional + [check_close]
 
-# %% ../../nbs/api/52_gimbals.contract.ipynb #212ab1f9
-class Report(str):
-    "Text that shows itself as it is"
-    def __repr__(self): return str(self)
-
 # %% ../../nbs/api/52_gimbals.contract.ipynb #152e1a6e
 def check_gimbal(
     gimbal, # A Gimbal; it is closed at the end
@@ -245,15 +241,8 @@ def check_gimbal(
 )->Report:
     "Does `gimbal` do what others rely on? Raises `AssertionError` with a sentence that says what it does not"
     assert hasattr(gimbal, 'setpoint'), f'{type(gimbal).__name__}.__init__ must call super().__init__(...)'
-    told,threads = [],threading.enumerate()
-    try:
-        for check in checks_for(gimbal):
-            try: check(gimbal, ticking(gimbal, wait))
-            except AssertionError: raise
-            except Exception as e:
-                raise AssertionError(f'{gimbal!r} {check.__doc__}: not so, {type(e).__name__}: {e}') from e
-            told.append(check.__doc__)
-    finally: gimbal.close()
+    threads = threading.enumerate()
+    report = kept(gimbal, checks_for(gimbal), ticking(gimbal, wait))
     left = [t.name for t in threading.enumerate() if t not in threads]
     assert not left, f'threads are left after close(): {", ".join(left)}'
-    return Report(f'{gimbal!r}\n' + '\n'.join(f'  ✓ {t}' for t in told))
+    return report
