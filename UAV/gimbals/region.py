@@ -78,7 +78,7 @@ def look_at(self:Gimbal,
     state = state or self.vehicle or VehicleState()
     pitch,yaw = direction(state, location)
     if known(yaw) and not (known(state.yaw) or known(self.heading)): raise HeadingUnknown('vehicle heading unknown')
-    self.set_angles(pitch, yaw, 0., frame='earth', lock='yaw' in self.locks)
+    self.set_angles(pitch, yaw, 0., frame='earth', lock=self.can_lock)
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #fce5b689
 def ahead(
