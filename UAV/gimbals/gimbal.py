@@ -27,7 +27,7 @@ class Gimbal:
     vehicle_lasts = 1.              # s for which we believe what we were told of the vehicle
     fault = None                    # What is wrong with the device; `None`: it works
     def __init__(self,
-        clock=time.monotonic, # Gives seconds; with another one, call `tick` yourself
+        clock=time.monotonic, # Gives seconds, and never goes back; with another one, call `tick` yourself
     ):
         self.clock,self.log = clock,get_logger(f'gimbal.{self.information.model}')
         self.setpoint,self.closed,self._lock = Setpoint(),False,threading.RLock()
@@ -57,7 +57,8 @@ class Gimbal:
 def set_vehicle(self:Gimbal,
     state:VehicleState, # How the vehicle is held, and where it is, now
 ):
-    "Tell the gimbal what it hangs from"
+    "Tell the gimbal what it hangs from; raises `ValueError` for an attitude that makes no sense"
+    for angle in filter(known, (state.roll, state.pitch, state.yaw)): inside("an angle of the vehicle", angle)
     with self._lock: self._vehicle,self._told = state,self.clock()
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #9fac4763
@@ -71,6 +72,12 @@ def heading(self:Gimbal)->float:
     "Where the vehicle's nose points, degrees from north; NaN when that is not known"
     vehicle = self.vehicle
     return vehicle.yaw if vehicle else NAN
+
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #29be9e37
+@patch(as_prop=True)
+def can_lock(self:Gimbal)->bool:
+    "Can its yaw hold a direction on earth?"
+    return 'yaw' in self.locks and self.information.yaw is not None
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #c084059c
 @patch
@@ -104,7 +111,7 @@ def _kept(self:Gimbal, axis:str, lock:bool)->Axis:
 def _checked(self:Gimbal, targets:dict, lock:bool, lasts:float):
     "Raises `ValueError` for a number that makes no sense, and `GimbalError` for what it cannot do"
     if self.closed: raise GimbalError(f'{self!r} is closed')
-    if lock and 'yaw' not in self.locks: raise GimbalError(f'{self!r} cannot hold a direction on earth')
+    if lock and not self.can_lock: raise GimbalError(f'{self!r} cannot hold a direction on earth')
     if not lasts>=0: raise ValueError(f'rates must last some seconds, not {lasts}')
     for axis,target in targets.items():
         for number in filter(known, (target.angle, target.rate)): inside(axis, number)
@@ -187,7 +194,7 @@ def stop(self:Gimbal):
     "Turn no more, and hold; what is not turning stays as it is"
     with self._lock:
         now = self.setpoint
-        lost = now.yaw.turning and not known(self.heading)      # we cannot hold a direction we do not know
+        lost = not (known(now.yaw.angle) or known(self.heading))    # we cannot hold a direction we do not know
         if now.turning: self.point(lock=now.lock and not lost)
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #e861844c
@@ -204,5 +211,5 @@ def tick(self:Gimbal):
 def _try_to_stop(self:Gimbal)->bool:
     "Has the device heard that it is to stop?"
     try: self.stop()
-    except GimbalError as e: self.log.warning('cannot stop: %s', e)
+    except Exception as e: self.log.warning('cannot stop: %r', e)     # of any kind: it must be told again
     return not self.setpoint.turning
