@@ -84,8 +84,8 @@ def _turned_yaw(self:Gimbal, axis:Axis, frame:str, lock:bool)->Axis:
 @patch
 def _held(self:Gimbal, axis:str, lock:bool)->Axis:
     "The target that keeps an axis where it is; a gimbal that cannot say where it is stays there by itself"
-    try: now = Axis(getattr(self.attitude(), axis))
-    except GimbalError: now = Axis()
+    try: now = Axis(inside(axis, getattr(self.attitude(), axis)))
+    except Exception: now = Axis()          # of any kind, for `stop` comes this way
     return self._turned_yaw(now, 'vehicle', lock) if axis=='yaw' else now
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #c6610a9f
@@ -185,25 +185,27 @@ def follow(self:Gimbal):
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #58da7889
 @patch
 def stop(self:Gimbal):
-    "Turn no more, and hold; what is not turning stays as it is"
+    "Turn no more, and hold; what is not turning stays as it is. A device that does not hear it is told again"
     with self._lock:
         now = self.setpoint
+        if not now.turning: return
+        self.setpoint = replace(now, until=self.clock()+1)      # when it is told again
+        self._wake(self.setpoint.until)
         lost = now.yaw.turning and not known(self.heading)      # we cannot hold a direction we do not know
-        if now.turning: self.point(lock=now.lock and not lost)
+        self.point(lock=now.lock and not lost)
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #e861844c
 @patch
 def tick(self:Gimbal):
     "End rates that are over"
     with self._lock:
-        over = self.clock()>=self.setpoint.until
-        if not over: self._wake(self.setpoint.until)
-        elif not self._try_to_stop(): self._wake(self.clock()+1)
+        over = self.clock()>=self.setpoint.until and not self.closed
+        if over: self._try_to_stop()
+        self._wake(self.setpoint.until)
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #59b3ee04
 @patch
-def _try_to_stop(self:Gimbal)->bool:
-    "Has the device heard that it is to stop?"
+def _try_to_stop(self:Gimbal):
+    "Stop; never raises"
     try: self.stop()
-    except GimbalError as e: self.log.warning('cannot stop: %s', e)
-    return not self.setpoint.turning
+    except Exception as e: self.log.warning('cannot stop: %s', e)
