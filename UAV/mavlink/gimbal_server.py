@@ -18,7 +18,7 @@ from ..gimbals.values import GimbalAttitude, GimbalInformation, VehicleState
 from ..logging import LogLevels
 from ..utils.general import time_since_boot_ms, timers
 from ..utils.seen import Seen
-from ..utils.values import known, one_of
+from ..utils.values import inside, known, one_of
 from ..wire.dialect import address, parameters
 from .protocol import Denied, Unsupported
 from .handlers import message, receives
@@ -33,8 +33,8 @@ _all_ = ['GIMBAL_MANAGER_INFORMATION', 'GIMBAL_MANAGER_STATUS', 'GIMBAL_DEVICE_I
          'GIMBAL_DEVICE_ATTITUDE_STATUS']
 
 # %% auto #0
-__all__ = ['FakeGimbal', 'checked_gimbal', 'GimbalServer', 'GIMBAL_MANAGER_INFORMATION', 'GIMBAL_MANAGER_STATUS',
-           'GIMBAL_DEVICE_INFORMATION', 'GIMBAL_DEVICE_ATTITUDE_STATUS']
+__all__ = ['FakeGimbal', 'checked_gimbal', 'GimbalServer', 'checked_attitude', 'GIMBAL_MANAGER_INFORMATION',
+           'GIMBAL_MANAGER_STATUS', 'GIMBAL_DEVICE_INFORMATION', 'GIMBAL_DEVICE_ATTITUDE_STATUS']
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #9f7d6f66
 class FakeGimbal:
@@ -169,12 +169,29 @@ def beat(self:GimbalServer):
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #b4932440
 @patch
 def _see_gimbal(self:GimbalServer):
-    "Tell of its health, and end rates that are over; all of them when the link is down"
+    "Tell of its health, and end rates that are over"
     if self.health.is_news: self.beat()
     if self.can('tick'): self.gimbal.tick()
-    if not any(channel.up for channel in self.mav_com.channels): self.stop_turning()
 
 GimbalServer.with_each_tick.append(GimbalServer._see_gimbal)
+
+# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #3e28e300
+GimbalServer.mover = None       # `(system, component)` that moved it last, as long as it is there
+
+@patch
+def is_there(self:GimbalServer, source:tuple)->bool:
+    "Is `source` there, and the way to it, as far as we know?"
+    return self.mav_com.reaches(*source) and not self.mav_com.lost(source)
+
+@patch
+def _see_mover(self:GimbalServer):
+    "Stop what turns when the link is down, or the one who moves it has gone"
+    if not any(channel.up for channel in self.mav_com.channels): self.stop_turning()
+    if self.mover is None or self.is_there(self.mover): return
+    self.stop_turning()
+    self.mover = None
+
+GimbalServer.with_each_tick.append(GimbalServer._see_mover)
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #d5c675b6
 @patch
@@ -206,10 +223,18 @@ def _gimbal_device_information(self:GimbalServer):
         *limits(i), self.device_id, flags)
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #5ac15ce7
+def checked_attitude(a:GimbalAttitude)->GimbalAttitude:
+    "`a`; raises what Python raises when no message can carry it"
+    w,x,y,z = a.q
+    for number in filter(known, (w, x, y, z, *a.rates, a.vehicle_yaw, a.vehicle_yaw_rate)):
+        inside('a number of the attitude', number, -1e6, 1e6)
+    attitude_fields(a)
+    return a
+
 @patch
 def attitude_now(self:GimbalServer)->GimbalAttitude:
-    "Where the gimbal points; nothing but COMMS_ERROR when it does not say"
-    try: return self.gimbal.attitude()
+    "Where the gimbal points; nothing but COMMS_ERROR when it does not say, or what makes no sense"
+    try: return checked_attitude(self.gimbal.attitude())
     except Exception as e: self.complain('attitude', e)
     return GimbalAttitude(failures=('COMMS_ERROR',))
 
@@ -271,7 +296,8 @@ def _hear_vehicle(self:GimbalServer, msg):
     if address(msg)[0]!=self.source_system: return self.hear_neighbour(msg)
     try: self.heard.take(msg)
     except ValueError as e: return self.complain(msg.get_type(), e)
-    if self.can('set_vehicle'): self.gimbal.set_vehicle(self.heard.state)
+    try: self.can('set_vehicle') and self.gimbal.set_vehicle(self.heard.state)
+    except Exception as e: self.complain('set_vehicle', e)
 
 @patch
 def hear_neighbour(self:GimbalServer, msg): "Another system tells where it is; for later rooms"
@@ -300,26 +326,28 @@ def ask_autopilot(self:GimbalServer):
 
 GimbalServer.with_each_tick.append(GimbalServer.ask_autopilot)
 
+# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #eacdadc2
+@patch
+def lasting(self:GimbalServer, lasts:float|None, source:tuple|None)->float|None:
+    "s that rates of `source` last which it wants to last for `lasts`"
+    beats = source is None or source in self.remotes and self.remotes[source].type is not None
+    return lasts if beats or lasts is None else min(lasts, self.options.stream_lasts)
+
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #cf423d6a
 @patch
 def apply(self:GimbalServer,
     target:Target,
     lasts:float|None=None, # s until rates end; `None`: as the gimbal likes
+    source:tuple|None=None, # `(system, component)` that wants it
 ):
     "Have the gimbal do what `target` wants; raises `Unsupported`, and what the gimbal raises"
     verb = self.need(target.mode)           # 'point', 'center' or 'retract'
     if target.lock and 'yaw' not in getattr(self.gimbal, 'locks', ()): raise Unsupported('its yaw holds no direction')
     for look in self.on_setpoint: look(self)
+    self.mover = source
     if target.mode!='point': verb()
-    else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, lasts)
-    self.tell_status()
-
-# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #1df6b7a2
-@patch
-def release(self:GimbalServer, why:str):
-    "No client steers any more"
-    self.log.info(why)
-    self.stop_turning()
+    else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, self.lasting(lasts, source))
+    if self._closed or source and not self.control.allows(source): self.stop_turning()
     self.tell_status()
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #448715a8
@@ -327,4 +355,7 @@ def release(self:GimbalServer, why:str):
 def lose(self:GimbalServer, source:tuple, why:str):
     "As every component does; and one that is silent controls nothing"
     Component.lose(self, source, why)
-    if self.control.lose(source): self.release(f'{why}: {self.control.owner}')
+    steered = source in (self.control.primary, self.mover)
+    if self.control.lose(source): self.log.info(f'{why}: {self.control.owner}')
+    if steered: self.stop_turning()
+    self.tell_status()

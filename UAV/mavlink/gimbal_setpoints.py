@@ -8,9 +8,7 @@ import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..gimbals.values import GimbalError
 from ..wire.dialect import address
-from .protocol import CommandError
 from .handlers import receives
 from .gimbal_control import no_owner
 from .gimbal_flags import RETRACT, Target, attitude_target, pitchyaw_target, stick_axis, stick_target
@@ -25,20 +23,20 @@ GimbalServer.dropped = 0        # streamed setpoints that made no sense, or coul
 GimbalServer._driven = None,None # the last target, and the setpoint that came of it
 
 @patch
-def _drive_to(self:GimbalServer, target:Target):
+def _drive_to(self:GimbalServer, target:Target, source:tuple|None=None):
     "Do what a stream wants, unless that is so already; rates are given again each time"
     before,setpoint = self._driven
     in_force = target==before and setpoint is not None and setpoint is getattr(self.gimbal, 'setpoint', None)
     if in_force and not setpoint.turning: return
-    self.apply(target, self.options.stream_lasts)
+    self.apply(target, self.options.stream_lasts, source)
     self._driven = target,getattr(self.gimbal, 'setpoint', None)
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #32385a99
 @patch
 def _take_setpoint(self:GimbalServer, msg, target):
     "Do what `target()` says; when that cannot be, count it, and complain once"
-    try: self._drive_to(target())
-    except (ValueError, CommandError, GimbalError) as e:
+    try: self._drive_to(target(), address(msg))
+    except Exception as e:          # a driver's own mistakes, too
         self.dropped += 1
         self.complain('{}/{}: {}'.format(*address(msg), msg.get_type()), e)
 
@@ -82,7 +80,7 @@ def _is_manager(self:GimbalServer, source:tuple)->bool:
     "Is `source` our manager? The device has a manager as a manager has an owner"
     if source[0]!=self.source_system: return False
     adopts = source[1]==mavlink.MAV_COMP_ID_AUTOPILOT1 or self.control.primary==no_owner
-    if adopts and self.control.configure(source, -2, -2): self.log.info('%s/%s is our manager', *source)
+    if adopts and self.control.primary!=source and self.control.configure(source, -2, -2): self.log.info('%s/%s is our manager', *source)
     return self.control.primary==source
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #10a035a3
