@@ -51,7 +51,8 @@ def _do_mount_control(self:GimbalServer, pitch:float=NAN, roll:float=NAN, yaw:fl
                       lat:float=NAN, lon:float=NAN, mode:int=None, *, msg):
     "MAV_CMD_DO_MOUNT_CONTROL: point there, in degrees, or look at a place"
     self.check_control(msg)
-    if mode!=mavlink.MAV_MOUNT_MODE_GPS_POINT: return self.apply(mount_target(mode, roll, pitch, yaw), None, address(msg))
+    if mode!=mavlink.MAV_MOUNT_MODE_GPS_POINT:
+        return self.apply(mount_target(mode, roll, pitch, yaw), source=address(msg))
     self.track(mount_location(lat, lon, alt, self.options.roi_long_alt), msg)
 
 # %% ../../nbs/api/69_mavlink.gimbal_mount.ipynb #80dd25c3
@@ -60,7 +61,7 @@ def _do_mount_control(self:GimbalServer, pitch:float=NAN, roll:float=NAN, yaw:fl
 def _do_mount_configure(self:GimbalServer, mode:int=None, *, msg):
     "MAV_CMD_DO_MOUNT_CONFIGURE: stow, look ahead, or be ready"
     self.check_control(msg)
-    if mode!=mavlink.MAV_MOUNT_MODE_GPS_POINT: self.apply(mount_target(mode), None, address(msg))
+    if mode!=mavlink.MAV_MOUNT_MODE_GPS_POINT: self.apply(mount_target(mode), source=address(msg))
 
 # %% ../../nbs/api/69_mavlink.gimbal_mount.ipynb #de72008c
 @patch

@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #3209ca27
 from __future__ import annotations
-import time
+import threading, time
 
 from fastcore.basics import patch
 from ..utils.doc_class import takes_options
@@ -76,6 +76,7 @@ class GimbalServer(Component):
         self.control = Control(self.options.strict, self.options.px4_release)
         self.heard = VehicleHeard(getattr(gimbal, 'clock', time.monotonic))
         self._told,self._ticks = None,None      # the last status, and the timer
+        self.waiting,self._streaming = None,threading.Lock()    # the newest streamed setpoint, until it is done
         self._said,self._asked = Seen(60.),Seen(10.)    # what we complained about, and asked the autopilot for
 
     role = property(lambda self: self.tables.role, doc="'both', 'manager' or 'device'")
@@ -155,6 +156,7 @@ def tick(self:GimbalServer):
 @patch
 def stop_turning(self:GimbalServer):
     "Have the gimbal turn no more; never raises"
+    self.waiting = None
     try:
         if self.can('stop'): self.gimbal.stop()
     except Exception as e: self.complain('stop', e)
@@ -339,12 +341,14 @@ def apply(self:GimbalServer,
     target:Target,
     lasts:float|None=None, # s until rates end; `None`: as the gimbal likes
     source:tuple|None=None, # `(system, component)` that wants it
+    streamed:bool=False, # No command: it does not overtake what waits
 ):
     "Have the gimbal do what `target` wants; raises `Unsupported`, and what the gimbal raises"
     verb = self.need(target.mode)           # 'point', 'center' or 'retract'
     if target.lock and 'yaw' not in getattr(self.gimbal, 'locks', ()): raise Unsupported('its yaw holds no direction')
     for look in self.on_setpoint: look(self)
     self.mover = source
+    if not streamed: self.waiting = None
     if target.mode!='point': verb()
     else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, self.lasting(lasts, source))
     if self._closed or source and not self.control.allows(source): self.stop_turning()

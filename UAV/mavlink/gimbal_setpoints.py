@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #5bb1e9b7
 from __future__ import annotations
-import math
+import math, time
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -28,17 +28,36 @@ def _drive_to(self:GimbalServer, target:Target, source:tuple|None=None):
     before,setpoint = self._driven
     in_force = target==before and setpoint is not None and setpoint is getattr(self.gimbal, 'setpoint', None)
     if in_force and not setpoint.turning: return
-    self.apply(target, self.options.stream_lasts, source)
+    began = time.monotonic()
+    try: self.apply(target, self.options.stream_lasts, source, streamed=True)
+    finally: self._took = time.monotonic()-began
     self._driven = target,getattr(self.gimbal, 'setpoint', None)
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #32385a99
 @patch
-def _take_setpoint(self:GimbalServer, msg, target):
+def _obey(self:GimbalServer, msg, target):
     "Do what `target()` says; when that cannot be, count it, and complain once"
     try: self._drive_to(target(), address(msg))
     except Exception as e:          # a driver's own mistakes, too
         self.dropped += 1
         self.complain('{}/{}: {}'.format(*address(msg), msg.get_type()), e)
+
+# %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #3d5be00b
+GimbalServer.quick,GimbalServer._took = .05,0.      # s that the gimbal may take; s that it took for the last one
+
+@patch
+def _take_setpoint(self:GimbalServer, msg, target):
+    "Do what `target()` says: now, or when a slow gimbal is ready"
+    self.waiting = msg,target
+    if self._took<=self.quick: self._take_newest()
+    else: self.worker.do(self._take_newest)
+
+@patch
+def _take_newest(self:GimbalServer):
+    "Do what was said last, if that is not done yet"
+    with self._streaming:
+        newest,self.waiting = self.waiting,None
+        if newest: self._obey(*newest)
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #ffe2683d
 @patch
@@ -80,7 +99,8 @@ def _is_manager(self:GimbalServer, source:tuple)->bool:
     "Is `source` our manager? The device has a manager as a manager has an owner"
     if source[0]!=self.source_system: return False
     adopts = source[1]==mavlink.MAV_COMP_ID_AUTOPILOT1 or self.control.primary==no_owner
-    if adopts and self.control.primary!=source and self.control.configure(source, -2, -2): self.log.info('%s/%s is our manager', *source)
+    if adopts and self.control.primary!=source and self.control.configure(source, -2, -2):
+        self.log.info('%s/%s is our manager', *source)
     return self.control.primary==source
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #10a035a3
