@@ -7,6 +7,7 @@ __all__ = ['Suspension']
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #8a461e9b
 from dataclasses import replace
+import math
 
 from fastcore.basics import patch
 from .motor import Motor
