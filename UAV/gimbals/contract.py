@@ -114,7 +114,7 @@ def check_endless(gimbal, wait):
     arrives(gimbal, wait, dict(yaw=170.), 'set_angles was called')
     gimbal.set_rates(yaw=20., lasts=2.)
     wait(3.)
-    assert off(gimbal, dict(yaw=-150.)) < 15, f'a yaw without end turns from 170° to -150°, but this is {gimbal.attitude()}'
+    assert off(gimbal, dict(yaw=-150.)) < 15, f'from 170° it turns on to -150°, but it says {gimbal.attitude()}'
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #82c36397
 def check_bad_values(gimbal, wait):
