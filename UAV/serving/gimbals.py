@@ -44,6 +44,7 @@ class Aboard:
         autopilot:bool=False, # Does a simulated autopilot tell of the vehicle?
         camera:str='sim', # As for `make_camera`
     ):
+        if path and not (autopilot or gimbal=='sim'): raise ValueError('--path needs --gimbal sim, or --autopilot')
         needed = path or autopilot or (gimbal=='sim' and camera=='sim')
         self.vehicle = make_vehicle(path or 'hover') if needed else None
         self.gimbal = make_gimbal(gimbal, self.vehicle) if gimbal else None
