@@ -38,8 +38,8 @@ def check_information(gimbal, wait):
         assert low < high, f'the limits of {axis} are the wrong way round: {low:g}, {high:g}'
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #211bca93
-failures = ('AT_ROLL_LIMIT', 'AT_PITCH_LIMIT', 'AT_YAW_LIMIT', 'ENCODER_ERROR', 'POWER_ERROR', 'MOTOR_ERROR', 'SOFTWARE_ERROR',
-            'COMMS_ERROR', 'CALIBRATION_RUNNING', 'NO_MANAGER')
+failures = ('AT_ROLL_LIMIT', 'AT_PITCH_LIMIT', 'AT_YAW_LIMIT', 'ENCODER_ERROR', 'POWER_ERROR', 'MOTOR_ERROR',
+            'SOFTWARE_ERROR', 'COMMS_ERROR', 'CALIBRATION_RUNNING', 'NO_MANAGER')
 
 def check_attitude(gimbal, wait):
     "says where it points"

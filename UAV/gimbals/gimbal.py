@@ -84,15 +84,14 @@ def can_lock(self:Gimbal)->bool:
 def _turned_yaw(self:Gimbal, axis:Axis, frame:str, lock:bool)->Axis:
     "A yaw target given in `frame`, as a setpoint with this `lock` wants it; raises `HeadingUnknown`"
     if not known(axis.angle) or (frame=='earth')==lock: return axis
-    if not known(heading := self.heading): raise HeadingUnknown("the vehicle's heading is not known")
-    return replace(axis, angle=wrap(axis.angle+heading if lock else axis.angle-heading))
+    return replace(axis, angle=yaw_in('earth' if lock else 'vehicle', axis.angle, self.heading))
 
-# %% ../../nbs/api/51_gimbals.gimbal.ipynb #e05456f3
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #18586c84
 @patch
 def _held(self:Gimbal, axis:str, lock:bool)->Axis:
     "The target that keeps an axis where it is; a gimbal that cannot say where it is stays there by itself"
-    try: now = Axis(getattr(self.attitude(), axis))
-    except GimbalError: now = Axis()
+    try: now = Axis(inside(axis, getattr(self.attitude(), axis)))
+    except Exception: now = Axis()          # of any kind, for `stop` comes this way
     return self._turned_yaw(now, 'vehicle', lock) if axis=='yaw' else now
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #c6610a9f
@@ -189,28 +188,30 @@ def follow(self:Gimbal):
     "Let yaw follow the vehicle's nose"
     self.point(lock=False)
 
-# %% ../../nbs/api/51_gimbals.gimbal.ipynb #58da7889
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #6db512ff
 @patch
 def stop(self:Gimbal):
-    "Turn no more, and hold; what is not turning stays as it is"
+    "Turn no more, and hold; what is not turning stays as it is. A device that does not hear it is told again"
     with self._lock:
         now = self.setpoint
+        if not now.turning: return
+        self.setpoint = replace(now, until=self.clock()+1)          # when it is told again
+        self._wake(self.setpoint.until)
         lost = not (known(now.yaw.angle) or known(self.heading))    # we cannot hold a direction we do not know
-        if now.turning: self.point(lock=now.lock and not lost)
+        self.point(lock=now.lock and not lost)
 
-# %% ../../nbs/api/51_gimbals.gimbal.ipynb #e861844c
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #08ff2d69
 @patch
 def tick(self:Gimbal):
     "End rates that are over"
     with self._lock:
-        over = self.clock()>=self.setpoint.until
-        if not over: self._wake(self.setpoint.until)
-        elif not self._try_to_stop(): self._wake(self.clock()+1)
+        over = self.clock()>=self.setpoint.until and not self.closed
+        if over: self._try_to_stop()
+        self._wake(self.setpoint.until)
 
-# %% ../../nbs/api/51_gimbals.gimbal.ipynb #59b3ee04
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #b96fb513
 @patch
-def _try_to_stop(self:Gimbal)->bool:
-    "Has the device heard that it is to stop?"
+def _try_to_stop(self:Gimbal):
+    "Stop; never raises"
     try: self.stop()
-    except Exception as e: self.log.warning('cannot stop: %r', e)     # of any kind: it must be told again
-    return not self.setpoint.turning
+    except Exception as e: self.log.warning('cannot stop: %r', e)     # of any kind: it is told again

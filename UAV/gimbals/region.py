@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #4683e713
 from __future__ import annotations
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 import math, threading
 
@@ -153,6 +154,14 @@ def tick(self:RegionOfInterest,
 def cancel(self:RegionOfInterest):
     "Forget it, because the gimbal is told something else; a `tick` that is under way ends before"
     with self._lock: self.target,self.lost = None,''
+
+@patch
+@contextmanager
+def giving_way(self:RegionOfInterest):
+    "For a `with` that tells the gimbal something else: it is forgotten, unless that fails"
+    with self._lock:
+        yield
+        self.cancel()
 
 @patch
 def end(self:RegionOfInterest):

@@ -8,7 +8,7 @@ __all__ = ['Steps', 'Delayed', 'SimGimbal']
 # %% ../../nbs/api/54_gimbals.sim.ipynb #656ae5b9
 from collections import deque
 from dataclasses import replace
-import math, time
+import time
 
 from fastcore.basics import patch, store_attr
 from .gimbal import Gimbal
