@@ -354,11 +354,12 @@ def apply(self:GimbalServer,
     "Have the gimbal do what `target` wants; raises `Unsupported`, and what the gimbal raises"
     verb = self.need(target.mode)           # 'point', 'center' or 'retract'
     if target.lock and 'yaw' not in getattr(self.gimbal, 'locks', ()): raise Unsupported('its yaw holds no direction')
-    self.mover = source
+    if target.mode=='point' and any(a.turning for a in (target.roll, target.pitch, target.yaw)): self.need('stop')
     if not streamed: self.waiting = None
     with self.region.giving_way():
         if target.mode!='point': verb()
         else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, self.lasting(lasts, source))
+    self.mover = source
     if self._closed or source and not self.control.allows(source): self.stop_turning()
     self.tell_status()
 
