@@ -78,7 +78,7 @@ class GimbalServer(Component):
         self.neighbours = {}    # what was heard of other vehicles: `{system: VehicleHeard}`
         self.region = RegionOfInterest(self.gimbal)
         self._told,self._ticks = None,None      # the last status, and the timer
-        self._said,self._asked = Seen(60.),Seen(10.)    # what we complained about, and asked the autopilot for
+        self._said = Seen(60.)                  # what we complained about
 
     role = property(lambda self: self.tables.role, doc="'both', 'manager' or 'device'")
 
@@ -299,10 +299,8 @@ def our_autopilot(self:GimbalServer)->tuple|None:
 @patch
 def ask_autopilot(self:GimbalServer):
     "Ask the autopilot of our system for what it does not send: MAV_CMD_SET_MESSAGE_INTERVAL"
-    missing = self.heard.missing if self.options.ask_autopilot else []
-    autopilot = self.our_autopilot if missing else None
-    for msg_id in missing if autopilot else ():
-        if self._asked.again((autopilot, msg_id)): continue
+    autopilot = self.our_autopilot if self.options.ask_autopilot else None
+    for msg_id in self.heard.to_ask(autopilot) if autopilot else ():
         self.send_message(self.mav.command_long_encode(*autopilot, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, 0, msg_id,
                                                        1e6/self.asked_rates[msg_id], *[0]*5))
 
