@@ -83,14 +83,14 @@ def track(self:GimbalServer,
 
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #9975492f
 @patch
-@command(mavlink.MAV_CMD_DO_SET_ROI_LOCATION, roles=managers, device=0)
+@command(mavlink.MAV_CMD_DO_SET_ROI_LOCATION, once=True, roles=managers, device=0)
 def _do_set_roi_location(self:GimbalServer, device_id:float=0, *, msg):
     "MAV_CMD_DO_SET_ROI_LOCATION: look at a place"
     self.track(location_of(msg, self.options.roi_long_alt), msg, device_id)
 
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #8837df81
 @patch
-@command(mavlink.MAV_CMD_DO_SET_ROI_SYSID, roles=managers, device=1)
+@command(mavlink.MAV_CMD_DO_SET_ROI_SYSID, once=True, roles=managers, device=1)
 def _do_set_roi_sysid(self:GimbalServer, system:int=0, device_id:float=0, *, msg):
     "MAV_CMD_DO_SET_ROI_SYSID: look at another vehicle"
     if not 1<=system<=255: raise Denied(f'{system} is no system id')
@@ -99,7 +99,7 @@ def _do_set_roi_sysid(self:GimbalServer, system:int=0, device_id:float=0, *, msg
 
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #087f4239
 @patch
-@command(mavlink.MAV_CMD_DO_SET_ROI_NONE, roles=managers, device=0)
+@command(mavlink.MAV_CMD_DO_SET_ROI_NONE, once=True, roles=managers, device=0)
 def _do_set_roi_none(self:GimbalServer, device_id:float=0, *, msg):
     "MAV_CMD_DO_SET_ROI_NONE: back to what the gimbal was told before"
     self.check_device(device_id)

@@ -14,7 +14,7 @@ from ..logging import LogLevels
 from ..utils.seen import Seen
 from .handlers import command
 from .camera_server import CameraServer
-from . import camera_commands
+from . import camera_commands, gimbal_commands, gimbal_intervals, gimbal_setpoints, gimbal_roi
 from .gimbal_options import managers
 from .gimbal_server import GimbalServer
 
