@@ -4,7 +4,8 @@
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #e30fde91
 from __future__ import annotations
-import threading, time
+from dataclasses import dataclass, field
+import math, threading, time
 
 from fastcore.basics import patch
 from ..utils.doc_class import takes_options
@@ -34,7 +35,7 @@ _all_ = ['GIMBAL_MANAGER_INFORMATION', 'GIMBAL_MANAGER_STATUS', 'GIMBAL_DEVICE_I
          'GIMBAL_DEVICE_ATTITUDE_STATUS']
 
 # %% auto #0
-__all__ = ['FakeGimbal', 'checked_gimbal', 'GimbalServer', 'checked_attitude', 'GIMBAL_MANAGER_INFORMATION',
+__all__ = ['FakeGimbal', 'checked_gimbal', 'SetpointStream', 'GimbalServer', 'checked_attitude', 'GIMBAL_MANAGER_INFORMATION',
            'GIMBAL_MANAGER_STATUS', 'GIMBAL_DEVICE_INFORMATION', 'GIMBAL_DEVICE_ATTITUDE_STATUS']
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #9f7d6f66
@@ -49,6 +50,17 @@ def checked_gimbal(gimbal):
     if isinstance(gimbal, type): raise TypeError(f'{gimbal.__name__} is a class; a gimbal is {gimbal.__name__}()')
     if gimbal is not None and not hasattr(gimbal,'information'): raise TypeError(f'{gimbal!r} has no `information`')
     return FakeGimbal() if gimbal is None else gimbal
+
+# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #5e7a0d01
+@dataclass
+class SetpointStream:
+    "What is remembered of streamed setpoints"
+    waiting:tuple|None=None # The newest one, until it is done: its message, and a function that reads it
+    done:tuple=(None,None) # The last target, and the gimbal's setpoint that came of it
+    took:float=0. # s that the gimbal took for it
+    dropped:int=0 # How many made no sense, or could not be done
+    retracted:float=-math.inf # When "retract" was said last, s on the gimbal's clock
+    lock:threading.Lock=field(default_factory=threading.Lock, repr=False) # One at a time
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #0d4ab0e1
 class GimbalServer(Component):
@@ -78,7 +90,7 @@ class GimbalServer(Component):
         self.neighbours = {}    # what was heard of other vehicles: `{system: VehicleHeard}`
         self.region = RegionOfInterest(self.gimbal)
         self._told,self._ticks = None,None      # the last status, and the timer
-        self.waiting,self._streaming = None,threading.Lock()    # the newest streamed setpoint, until it is done
+        self.stream = SetpointStream()
         self._said = Seen(60.)                  # what we complained about
 
     role = property(lambda self: self.tables.role, doc="'both', 'manager' or 'device'")
@@ -159,7 +171,7 @@ def tick(self:GimbalServer):
 @patch
 def stop_turning(self:GimbalServer):
     "Have the gimbal turn no more; never raises"
-    self.waiting = None
+    self.stream.waiting = None
     try:
         if self.can('stop'): self.gimbal.stop()
     except Exception as e: self.complain('stop', e)
@@ -353,7 +365,7 @@ def apply(self:GimbalServer,
     verb = self.need(target.mode)           # 'point', 'center' or 'retract'
     if target.lock and 'yaw' not in getattr(self.gimbal, 'locks', ()): raise Unsupported('its yaw holds no direction')
     self.mover = source
-    if not streamed: self.waiting = None
+    if not streamed: self.stream.waiting = None
     with self.region.giving_way():
         if target.mode!='point': verb()
         else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, self.lasting(lasts, source))
