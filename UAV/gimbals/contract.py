@@ -4,15 +4,16 @@
 
 # %% auto #0
 __all__ = ['tolerance', 'longest_wait', 'widest', 'ticking', 'check_information', 'check_attitude', 'places', 'off', 'arrives',
-           'check_angles', 'check_keeps', 'check_limits', 'check_bad_values', 'now', 'stands', 'turns', 'check_rates',
-           'check_stop', 'check_center', 'fly', 'check_lock', 'check_follow', 'check_retract', 'check_close',
-           'checks_for', 'Report', 'check_gimbal']
+           'check_angles', 'check_keeps', 'check_limits', 'check_endless', 'check_bad_values', 'now', 'stands', 'turns',
+           'check_rates', 'check_stop', 'check_center', 'fly', 'check_lock', 'check_follow', 'check_north',
+           'check_retract', 'check_close', 'checks_for', 'check_gimbal']
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #93d4e241
 import math, threading, time
 
 from .values import *
 from .values import axes
+from ..utils.contract import Report, kept
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #72dcf213
 def ticking(gimbal, wait):
@@ -106,14 +107,25 @@ def check_limits(gimbal, wait):
                 assert low-tolerance <= angle <= high+tolerance, \
                     f'{axis} is at {angle:.0f}°, but information says that it goes from {low:g}° to {high:g}°'
 
+# %% ../../nbs/api/52_gimbals.contract.ipynb #ac4413b5
+def check_endless(gimbal, wait):
+    "turns without end"
+    gimbal.set_angles(yaw=170.)
+    arrives(gimbal, wait, dict(yaw=170.), 'set_angles was called')
+    gimbal.set_rates(yaw=20., lasts=2.)
+    wait(3.)
+    assert off(gimbal, dict(yaw=-150.)) < 15, f'a yaw without end turns from 170° to -150°, but this is {gimbal.attitude()}'
+
 # %% ../../nbs/api/52_gimbals.contract.ipynb #82c36397
 def check_bad_values(gimbal, wait):
     "refuses what makes no sense"
     before = gimbal.setpoint
-    for bad in (dict(pitch=math.inf), dict(yaw=-math.inf), dict(yaw=0., frame='moon')):
-        try: gimbal.set_angles(**bad)
+    angles = dict(pitch=math.inf), dict(yaw=-math.inf), dict(yaw=0., frame='moon')
+    rates = dict(yaw=math.inf), dict(lasts=NAN)
+    for verb,bad in [('set_angles', bad) for bad in angles]+[('set_rates', bad) for bad in rates]:
+        try: getattr(gimbal, verb)(**bad)
         except ValueError: continue
-        raise AssertionError(f'set_angles with {bad} must raise ValueError')
+        raise AssertionError(f'{verb} with {bad} must raise ValueError')
     assert gimbal.setpoint == before, 'a refused call must have no effect'
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #c8d7dd0b
@@ -142,20 +154,24 @@ def check_rates(gimbal, wait):
     "turns at a rate, which ends by itself"
     for axis,rate in ((axis, rate) for axis in places(gimbal, .5) for rate in (10.,-10.)):
         turns(gimbal, wait, axis, rate, lasts=2.)
-        start = now(gimbal)[axis]
+        start,said = now(gimbal)[axis],gimbal.attitude().rates[axes.index(axis)]
         wait(1.)
         turned = wrap(now(gimbal)[axis]-start)
         assert abs(turned-rate) < 4, f'{axis} was to turn by {rate:g}° in a second, but turned by {turned:.0f}°'
+        assert not abs(said-turned) > 4, f'{axis} turned by {turned:.0f}°/s, but its attitude says {said:.2g}°/s'
         wait(1.)
         stands(gimbal, wait, f'the {axis} rate was to end after 2 s')
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #5d38c2e4
 def check_stop(gimbal, wait):
-    "stops when it is told to"
+    "stops when it is told to, and stays there"
     for axis in places(gimbal, .5):
         turns(gimbal, wait, axis, 10., lasts=30.)
+        wait(1.)
+        there = now(gimbal)
         gimbal.stop()
         stands(gimbal, wait, 'stop() was called')
+        assert off(gimbal, there) <= tolerance, f'stop() was called, but it went on to {gimbal.attitude()}'
 
 def check_center(gimbal, wait):
     "looks straight ahead"
@@ -167,11 +183,11 @@ def check_center(gimbal, wait):
     assert mode=='center', f"center() was called, but the mode of its attitude is {mode!r}"
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #8bfe37e6
-def fly(gimbal, wait, s:float):
-    "Tell it for `s` seconds that its vehicle turns"
+def fly(gimbal, wait, s:float, start:float=0.):
+    "Tell it for `s` seconds that its vehicle turns, from where it is, or from `start`"
     heading = gimbal.attitude().vehicle_yaw
     for n in range(round(s*10)):
-        gimbal.set_vehicle(VehicleState(0., 0., wrap((heading if known(heading) else 0.)+n), 10.))
+        gimbal.set_vehicle(VehicleState(0., 0., wrap((heading if known(heading) else start)+n), 10.))
         wait(.1)
 
 def check_lock(gimbal, wait):
@@ -198,6 +214,19 @@ def check_follow(gimbal, wait):
     assert not led.lock, 'follow() was called, but its attitude does not say so'
     swung = abs(wrap(led.yaw-start.yaw))
     assert swung < 10, f'following, it must keep yaw {start.yaw:.0f}° from the nose, but says {led}'
+
+# %% ../../nbs/api/52_gimbals.contract.ipynb #c299fb3e
+def check_north(gimbal, wait):
+    "points to a direction on earth"
+    gimbal.center()
+    wait(3.)
+    fly(gimbal, wait, .2, start=40.)
+    target = wrap(gimbal.attitude().earth_yaw+15)
+    gimbal.set_angles(yaw=target, frame='earth', lock=True)
+    fly(gimbal, wait, 1.)
+    there = gimbal.attitude()
+    assert abs(wrap(there.earth_yaw-target)) <= tolerance, \
+        f'it was to look to {target%360:.0f}° from north, but says {there}'
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #6d9f50bb
 def check_retract(gimbal, wait):
@@ -226,17 +255,13 @@ def check_close(gimbal, wait):
 # %% ../../nbs/api/52_gimbals.contract.ipynb #602a6a5f
 def checks_for(gimbal)->list:
     "The checks that `gimbal` must pass"
-    yaw,optional = gimbal.information.yaw is not None,[]
-    if yaw and 'yaw' in gimbal.locks: optional.append(check_lock)
+    yaw,optional = gimbal.information.yaw,[]
+    if yaw and math.isinf(yaw[1]): optional.append(check_endless)
+    if gimbal.can_lock: optional += [check_lock, check_north]
     if yaw and 'yaw' in gimbal.follows: optional.append(check_follow)
     if hasattr(gimbal, 'retract'): optional.append(check_retract)
     first = [check_information, check_attitude, check_angles, check_keeps, check_limits, check_bad_values]
     return first + [check_rates, check_stop, check_center] + optional + [check_close]
-
-# %% ../../nbs/api/52_gimbals.contract.ipynb #212ab1f9
-class Report(str):
-    "Text that shows itself as it is"
-    def __repr__(self): return str(self)
 
 # %% ../../nbs/api/52_gimbals.contract.ipynb #152e1a6e
 def check_gimbal(
@@ -245,15 +270,8 @@ def check_gimbal(
 )->Report:
     "Does `gimbal` do what others rely on? Raises `AssertionError` with a sentence that says what it does not"
     assert hasattr(gimbal, 'setpoint'), f'{type(gimbal).__name__}.__init__ must call super().__init__(...)'
-    told,threads = [],threading.enumerate()
-    try:
-        for check in checks_for(gimbal):
-            try: check(gimbal, ticking(gimbal, wait))
-            except AssertionError: raise
-            except Exception as e:
-                raise AssertionError(f'{gimbal!r} {check.__doc__}: not so, {type(e).__name__}: {e}') from e
-            told.append(check.__doc__)
-    finally: gimbal.close()
+    threads = threading.enumerate()
+    report = kept(gimbal, checks_for(gimbal), ticking(gimbal, wait))
     left = [t.name for t in threading.enumerate() if t not in threads]
     assert not left, f'threads are left after close(): {", ".join(left)}'
-    return Report(f'{gimbal!r}\n' + '\n'.join(f'  ✓ {t}' for t in told))
+    return report

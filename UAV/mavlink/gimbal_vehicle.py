@@ -61,6 +61,12 @@ class VehicleHeard:
         now = self.clock()
         return any(i in self._heard and now-self._heard[i][1]<=self.lasts[i] for i in msg_ids)
 
+    @property
+    def missing(self)->list:
+        "The messages without which attitude or position are not known now"
+        kinds = {ATTITUDE:(ATTITUDE,GIMBAL_STATE), POSITION:(POSITION,)}
+        return [msg_id for msg_id,same in kinds.items() if not self.fresh(*same)]
+
 # %% ../../nbs/api/66_mavlink.gimbal_vehicle.ipynb #db2aaeee
 @patch(as_prop=True)
 def state(self:VehicleHeard)->VehicleState:

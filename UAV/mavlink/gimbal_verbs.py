@@ -9,16 +9,17 @@ import asyncio, math, random
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..gimbals.values import GimbalAttitude, HeadingUnknown
-from ..utils.rotation import quaternion, wrap
+from ..gimbals.values import GimbalAttitude, yaw_in
+from ..utils.rotation import wrap
 from ..utils.values import NAN, inside, known, one_of
-from ..wire.dialect import Ack, MAVError, address
+from ..wire.dialect import Ack, MAVError
 from .protocol import Denied
 from .gimbal_flags import EARTH_FRAME, LEVEL, NEUTRAL, RETRACT, VEHICLE_FRAME, YAW_LOCK
 from .gimbal_client import GIMBAL_DEVICE_ATTITUDE_STATUS, GimbalClient, device_address
+from . import gimbal_hold
 
 # %% auto #0
-__all__ = ['pitchyaw', 'old_managers', 'alt_frames', 'pointing_flags', 'sends']
+__all__ = ['pitchyaw', 'old_managers', 'altitude_frames', 'pointing_flags', 'sends']
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #39af93ed
 def pointing_flags(
@@ -57,8 +58,7 @@ old_managers = mavlink.MAV_AUTOPILOT_PX4,mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
 def _turned_yaw(self:GimbalClient, yaw:float, lock:bool)->float:
     "A yaw in the other frame: from north when `lock`, else from the nose; raises `HeadingUnknown`"
     heading = self.attitude.vehicle_yaw if self.attitude else NAN
-    if not known(heading): raise HeadingUnknown("the vehicle's heading is not known")
-    return wrap(yaw+heading if lock else yaw-heading)
+    return yaw_in('earth' if lock else 'vehicle', yaw, heading)
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #e699afa0
 @patch
@@ -141,7 +141,7 @@ async def retract(self:GimbalClient)->Ack:
 @patch
 @sends(pitchyaw)
 async def lock(self:GimbalClient)->Ack:
-    "Hold the direction on earth, whatever the vehicle does"
+    "Hold the direction on earth, however the vehicle turns"
     return await self._pitchyaw(self.gimbal, (NAN,NAN), (NAN,NAN), pointing_flags('earth', True))
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #ba599253
@@ -191,7 +191,7 @@ async def _keep_sending(self:GimbalClient, gimbal:tuple, *turning)->str:
     while not self.held_by_other(gimbal):
         self.send_rates(gimbal, *turning)
         await asyncio.sleep(self.refresh)
-    return f'gimbal {gimbal[2]} of {self.mav_com.name_of(gimbal[:2])}: {self.status_of(gimbal)}'
+    return self._holder(gimbal)
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #b9563ce9
 @patch
@@ -221,7 +221,7 @@ async def keep_turning(self:GimbalClient,
     if taken: raise Denied(sending.result())
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #fdfcedc8
-alt_frames = dict(amsl=mavlink.MAV_FRAME_GLOBAL, relative=mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT)
+altitude_frames = dict(amsl=mavlink.MAV_FRAME_GLOBAL, relative=mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT)
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #9e1b207d
 @patch
@@ -232,7 +232,7 @@ async def point_at(self:GimbalClient,
     alt_frame:str='amsl', # Above the sea ('amsl'), or above where the vehicle took off ('relative')
 )->Ack:
     "Look at a place until told otherwise; raises `ValueError`"
-    frame = alt_frames[one_of('alt_frame', alt_frame, alt_frames)]
+    frame = altitude_frames[one_of('alt_frame', alt_frame, altitude_frames)]
     x,y = (round(inside(what, v, -most, most)*1e7) for what,v,most in (('lat',lat,90), ('lon',lon,180)))
     gimbal = self.gimbal
     self.asked.pop(gimbal, None)

@@ -43,18 +43,20 @@ class Aboard:
         path:str|None=None, # As for `make_vehicle`; `None`: it hovers, if it is needed
         autopilot:bool=False, # Does a simulated autopilot tell of the vehicle?
         camera:str='sim', # As for `make_camera`
+        role:str='both', # Of the gimbal's server: 'both', or 'device' when an autopilot manages it
     ):
+        one_of('--role', role, ('both','device'))
         needed = path or autopilot or (gimbal=='sim' and camera=='sim')
         self.vehicle = make_vehicle(path or 'hover') if needed else None
         self.gimbal = make_gimbal(gimbal, self.vehicle) if gimbal else None
-        self.server = self._server() if gimbal else None
+        self.server = self._server(role) if gimbal else None
         self.pilot = SimAutopilot(self.vehicle) if autopilot else None
         self.mount = self.gimbal if gimbal=='sim' else None         # for a simulated camera
 
-    def _server(self):
+    def _server(self, role):
         "A server for the gimbal, with what its maker adds"
         server = GimbalServerViewsheen if isinstance(self.gimbal, Viewsheen) else GimbalServer
-        return server(gimbal=self.gimbal)
+        return server(gimbal=self.gimbal, role=role)
 
     components = property(lambda self: [c for c in (self.server, self.pilot) if c], doc="What goes on MAVLink")
     __repr__ = basic_repr('vehicle,gimbal')
