@@ -4,13 +4,14 @@
 
 # %% auto #0
 __all__ = ['check_information', 'check_frame', 'check_read', 'check_single', 'check_interval', 'check_bad_values', 'check_stop',
-           'check_mode', 'check_reset', 'check_zoom', 'check_focus', 'check_close', 'SeenEvents', 'Report',
-           'checks_for', 'check_camera']
+           'check_mode', 'check_reset', 'check_zoom', 'check_focus', 'check_close', 'SeenEvents', 'checks_for',
+           'check_camera']
 
 # %% ../../nbs/api/46_cameras.contract.ipynb #5c0a5402
 import math, threading
 
 from .values import *
+from ..utils.contract import Report, kept
 
 # %% ../../nbs/api/46_cameras.contract.ipynb #781f4f27
 def check_information(camera, seen):
@@ -163,10 +164,6 @@ class SeenEvents(list):
     "The events of a camera, and the threads that ran before"
     def __init__(self): self.threads = threading.enumerate()
 
-class Report(str):
-    "Text that shows itself as it is"
-    def __repr__(self): return str(self)
-
 # %% ../../nbs/api/46_cameras.contract.ipynb #b21410b7
 def checks_for(camera)->list:
     "The checks that `camera` must pass"
@@ -182,14 +179,6 @@ def check_camera(
     "Does `camera` do what others rely on? Raises `AssertionError` with a sentence that says what it does not"
     assert hasattr(camera, 'subscribe'), f'{camera!r} is no Camera: its class must be a subclass of Camera'
     assert hasattr(camera, 'captures'), f'{type(camera).__name__}.__init__ must call super().__init__(...)'
-    seen,told = SeenEvents(),[]
+    seen = SeenEvents()
     camera.subscribe(seen.append)
-    try:
-        for check in checks_for(camera):
-            try: check(camera, seen)
-            except AssertionError: raise
-            except Exception as e:
-                raise AssertionError(f'{camera!r} {check.__doc__}: not so, {type(e).__name__}: {e}') from e
-            told.append(check.__doc__)
-    finally: camera.close()
-    return Report(f'{camera!r}\n' + '\n'.join(f'  ✓ {t}' for t in told))
+    return kept(camera, checks_for(camera), seen)

@@ -9,10 +9,11 @@ __all__ = ['CameraInformation', 'CameraError', 'CameraBusy', 'WrongMode', 'Stora
            'one_of']
 
 # %% ../../nbs/api/40_cameras.values.ipynb #c572e020
-import json, math, re
+import json, re
 from dataclasses import asdict, dataclass, replace
 
 from fastcore.basics import patch
+from ..utils import earth
 from ..utils.rotation import quaternion
 from ..utils.values import NAN, Value, inside, known, one_of
 
@@ -67,9 +68,8 @@ def moved(self:Pose,
     up:float=0., # m
 )->Pose:
     "The same, so much further"
-    degree = 111319.49     # m, of latitude, and of longitude on the equator
-    lon = self.lon + east/degree/math.cos(math.radians(self.lat))
-    return replace(self, lat=self.lat+north/degree, lon=lon, alt=self.alt+up, relative_alt=self.relative_alt+up)
+    lat,lon = earth.moved(self.lat, self.lon, north, east)
+    return replace(self, lat=lat, lon=lon, alt=self.alt+up, relative_alt=self.relative_alt+up)
 
 # %% ../../nbs/api/40_cameras.values.ipynb #05780626
 @dataclass(frozen=True, repr=False, eq=False)

@@ -27,7 +27,7 @@ class Gimbal:
     vehicle_lasts = 1.              # s for which we believe what we were told of the vehicle
     fault = None                    # What is wrong with the device; `None`: it works
     def __init__(self,
-        clock=time.monotonic, # Gives seconds; with another one, call `tick` yourself
+        clock=time.monotonic, # Gives seconds, and never goes back; with another one, call `tick` yourself
     ):
         self.clock,self.log = clock,get_logger(f'gimbal.{self.information.model}')
         self.setpoint,self.closed,self._lock = Setpoint(),False,threading.RLock()
@@ -57,7 +57,8 @@ class Gimbal:
 def set_vehicle(self:Gimbal,
     state:VehicleState, # How the vehicle is held, and where it is, now
 ):
-    "Tell the gimbal what it hangs from"
+    "Tell the gimbal what it hangs from; raises `ValueError` for an attitude that makes no sense"
+    for angle in filter(known, (state.roll, state.pitch, state.yaw)): inside("an angle of the vehicle", angle)
     with self._lock: self._vehicle,self._told = state,self.clock()
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #9fac4763
@@ -72,20 +73,25 @@ def heading(self:Gimbal)->float:
     vehicle = self.vehicle
     return vehicle.yaw if vehicle else NAN
 
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #29be9e37
+@patch(as_prop=True)
+def can_lock(self:Gimbal)->bool:
+    "Can its yaw hold a direction on earth?"
+    return 'yaw' in self.locks and self.information.yaw is not None
+
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #c084059c
 @patch
 def _turned_yaw(self:Gimbal, axis:Axis, frame:str, lock:bool)->Axis:
     "A yaw target given in `frame`, as a setpoint with this `lock` wants it; raises `HeadingUnknown`"
     if not known(axis.angle) or (frame=='earth')==lock: return axis
-    if not known(heading := self.heading): raise HeadingUnknown("the vehicle's heading is not known")
-    return replace(axis, angle=wrap(axis.angle+heading if lock else axis.angle-heading))
+    return replace(axis, angle=yaw_in('earth' if lock else 'vehicle', axis.angle, self.heading))
 
-# %% ../../nbs/api/51_gimbals.gimbal.ipynb #e05456f3
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #18586c84
 @patch
 def _held(self:Gimbal, axis:str, lock:bool)->Axis:
     "The target that keeps an axis where it is; a gimbal that cannot say where it is stays there by itself"
-    try: now = Axis(getattr(self.attitude(), axis))
-    except GimbalError: now = Axis()
+    try: now = Axis(inside(axis, getattr(self.attitude(), axis)))
+    except Exception: now = Axis()          # of any kind, for `stop` comes this way
     return self._turned_yaw(now, 'vehicle', lock) if axis=='yaw' else now
 
 # %% ../../nbs/api/51_gimbals.gimbal.ipynb #c6610a9f
@@ -105,7 +111,7 @@ def _kept(self:Gimbal, axis:str, lock:bool)->Axis:
 def _checked(self:Gimbal, targets:dict, lock:bool, lasts:float):
     "Raises `ValueError` for a number that makes no sense, and `GimbalError` for what it cannot do"
     if self.closed: raise GimbalError(f'{self!r} is closed')
-    if lock and 'yaw' not in self.locks: raise GimbalError(f'{self!r} cannot hold a direction on earth')
+    if lock and not self.can_lock: raise GimbalError(f'{self!r} cannot hold a direction on earth')
     if not lasts>=0: raise ValueError(f'rates must last some seconds, not {lasts}')
     for axis,target in targets.items():
         for number in filter(known, (target.angle, target.rate)): inside(axis, number)
@@ -182,28 +188,30 @@ def follow(self:Gimbal):
     "Let yaw follow the vehicle's nose"
     self.point(lock=False)
 
-# %% ../../nbs/api/51_gimbals.gimbal.ipynb #58da7889
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #6db512ff
 @patch
 def stop(self:Gimbal):
-    "Turn no more, and hold; what is not turning stays as it is"
+    "Turn no more, and hold; what is not turning stays as it is. A device that does not hear it is told again"
     with self._lock:
         now = self.setpoint
-        lost = now.yaw.turning and not known(self.heading)      # we cannot hold a direction we do not know
-        if now.turning: self.point(lock=now.lock and not lost)
+        if not now.turning: return
+        self.setpoint = replace(now, until=self.clock()+1)          # when it is told again
+        self._wake(self.setpoint.until)
+        lost = not (known(now.yaw.angle) or known(self.heading))    # we cannot hold a direction we do not know
+        self.point(lock=now.lock and not lost)
 
-# %% ../../nbs/api/51_gimbals.gimbal.ipynb #e861844c
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #08ff2d69
 @patch
 def tick(self:Gimbal):
     "End rates that are over"
     with self._lock:
-        over = self.clock()>=self.setpoint.until
-        if not over: self._wake(self.setpoint.until)
-        elif not self._try_to_stop(): self._wake(self.clock()+1)
+        over = self.clock()>=self.setpoint.until and not self.closed
+        if over: self._try_to_stop()
+        self._wake(self.setpoint.until)
 
-# %% ../../nbs/api/51_gimbals.gimbal.ipynb #59b3ee04
+# %% ../../nbs/api/51_gimbals.gimbal.ipynb #b96fb513
 @patch
-def _try_to_stop(self:Gimbal)->bool:
-    "Has the device heard that it is to stop?"
+def _try_to_stop(self:Gimbal):
+    "Stop; never raises"
     try: self.stop()
-    except GimbalError as e: self.log.warning('cannot stop: %s', e)
-    return not self.setpoint.turning
+    except Exception as e: self.log.warning('cannot stop: %r', e)     # of any kind: it is told again

@@ -22,6 +22,7 @@ class Motor:
         wraps:bool=False, # Are 190 and -170 the same to it, as for yaw?
     ):
         store_attr()
+        self._check()
         self.angle,self.rate = min(max(0., low), high),0.       # degrees, degrees a second
         self.pressing = False       # does it press against a limit?
         self.stuck = False          # set it, to see what happens
@@ -29,13 +30,24 @@ class Motor:
     def __repr__(self):
         return f'Motor: {self.angle:.1f}°, {self.rate:.1f}°/s' + (', at its limit' if self.pressing else '')
 
+# %% ../../nbs/api/51_gimbals.motor.ipynb #8ff6ff36
+@patch
+def _check(self:Motor):
+    "Raises `ValueError` for a motor that cannot be"
+    ends = self.low,self.high
+    good = self.low<=self.high and math.isinf(self.low)==math.isinf(self.high)      # (0, inf) has no middle
+    if not good: raise ValueError('limits must be a least and a greatest angle, or -inf and inf, not %g and %g' % ends)
+    for what in ('speed','acceleration'):
+        value = getattr(self, what)
+        if not 0<value<math.inf: raise ValueError(f'{what} must be a number above 0, not {value}')
+
 # %% ../../nbs/api/51_gimbals.motor.ipynb #b8d54182
 @patch
 def reachable(self:Motor,
     angle:float, # Degrees
 )->float:
     "The angle it will go to for this one"
-    names = [angle+turn for turn in (-360,0,360)] if self.wraps else [angle]
+    names = [wrap(angle)+turn for turn in (-360,0,360)] if self.wraps else [angle]
     inside = [a for a in names if self.low<=a<=self.high]
     if inside: return min(inside, key=lambda a: abs(a-self.angle))
     if self.wraps and self.pressing: return self.angle

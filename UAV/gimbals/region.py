@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #4683e713
 from __future__ import annotations
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 import math, threading
 
@@ -11,10 +12,11 @@ from fastcore.basics import patch
 from .values import *
 from .values import Setpoint
 from .gimbal import Gimbal
+from ..utils.earth import metres, moved
 from ..utils.values import Value, inside
 
 # %% auto #0
-__all__ = ['degree', 'near', 'Location', 'PositionUnknown', 'altitude_of', 'offset', 'direction', 'ahead', 'RegionOfInterest']
+__all__ = ['near', 'Location', 'PositionUnknown', 'altitude_of', 'offset', 'direction', 'ahead', 'RegionOfInterest']
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #156bd77a
 @dataclass(frozen=True, repr=False, eq=False)
@@ -32,8 +34,6 @@ class Location(Value):
         one_of('alt_frame', self.alt_frame, ('amsl','relative'))
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #bfb1e937
-degree = 111319.49      # m, of latitude, and of longitude on the equator; our simulated world has the same
-
 class PositionUnknown(GimbalError): "There is no direction to a place: the vehicle's position is not known"
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #ae76e9f4
@@ -53,8 +53,8 @@ def offset(
 )->tuple:
     "`(north, east, down)` from the vehicle to `location`, m; raises `PositionUnknown`"
     if not (known(state.lat) and known(state.lon)): raise PositionUnknown('vehicle position unknown')
-    east = wrap(location.lon-state.lon)*degree*math.cos(math.radians(state.lat))
-    return (location.lat-state.lat)*degree, east, altitude_of(state, location.alt_frame)-location.alt
+    there = metres(state.lat, state.lon, location.lat, location.lon)
+    return *there, altitude_of(state, location.alt_frame)-location.alt
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #e6e9b9c7
 near = .5       # m: what is nearer has no direction
@@ -79,7 +79,7 @@ def look_at(self:Gimbal,
     state = state or self.vehicle or VehicleState()
     pitch,yaw = direction(state, location)
     if known(yaw) and not (known(state.yaw) or known(self.heading)): raise HeadingUnknown('vehicle heading unknown')
-    self.set_angles(pitch, yaw, 0., frame='earth', lock='yaw' in self.locks)
+    self.set_angles(pitch, yaw, 0., frame='earth', lock=self.can_lock)
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #fce5b689
 def ahead(
@@ -89,9 +89,8 @@ def ahead(
     "Where it is now, if it has flown straight on; the same `state` when position or velocity are not known"
     north,east,down = (v*seconds for v in state.velocity)
     if not all(map(known, (state.lat, state.lon, north, east, down))): return state
-    lon = state.lon+east/degree/math.cos(math.radians(state.lat))
-    alt,relative_alt = state.alt-down,state.relative_alt-down
-    return replace(state, lat=state.lat+north/degree, lon=wrap(lon), alt=alt, relative_alt=relative_alt)
+    lat,lon = moved(state.lat, state.lon, north, east)
+    return replace(state, lat=lat, lon=lon, alt=state.alt-down, relative_alt=state.relative_alt-down)
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #56f77686
 class RegionOfInterest:
@@ -155,6 +154,14 @@ def tick(self:RegionOfInterest,
 def cancel(self:RegionOfInterest):
     "Forget it, because the gimbal is told something else; a `tick` that is under way ends before"
     with self._lock: self.target,self.lost = None,''
+
+@patch
+@contextmanager
+def giving_way(self:RegionOfInterest):
+    "For a `with` that tells the gimbal something else: it is forgotten, unless that fails"
+    with self._lock:
+        yield
+        self.cancel()
 
 @patch
 def end(self:RegionOfInterest):

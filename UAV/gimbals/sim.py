@@ -8,7 +8,7 @@ __all__ = ['Steps', 'Delayed', 'SimGimbal']
 # %% ../../nbs/api/54_gimbals.sim.ipynb #656ae5b9
 from collections import deque
 from dataclasses import replace
-import math, time
+import time
 
 from fastcore.basics import patch, store_attr
 from .gimbal import Gimbal
@@ -16,6 +16,7 @@ from .suspension import Suspension
 from .values import *
 from .values import axes
 from ..utils.rotation import euler, product, quaternion
+from ..utils.values import inside
 
 # %% ../../nbs/api/54_gimbals.sim.ipynb #fb2308e7
 class Steps:
@@ -64,15 +65,16 @@ class SimGimbal(Gimbal):
         stowed:tuple=(0.,30.,0.), # Roll, pitch and yaw when it is retracted, degrees
         delay:float=0., # s from a setpoint until it counts
         locks:tuple=axes, # Axes that hold their direction on earth; the others lean with the vehicle
-        clock=time.monotonic, # Gives seconds; with another one, call `tick` yourself
+        clock=time.monotonic, # Gives seconds, and never goes back; with another one, call `tick` yourself
         **motor, # `smoothing` as for `Suspension`; `speed` and `acceleration` as for `Motor`
     ):
         self.information = GimbalInformation(model=model, roll=roll, pitch=pitch, yaw=yaw)
         super().__init__(clock)
-        self.mount,self.locks,self.faults = vehicle,locks,{}       # what is broken, and its flag
+        self.mount,self.faults = vehicle,{}         # what is broken, and its flag
         self.stowed = [self.information.limited(axis, angle) for axis,angle in zip(axes, stowed)]
-        self.steps,self.driven = Steps(clock, .02),Delayed(self.setpoint, delay)
+        self.steps,self.driven = Steps(clock, .02),Delayed(self.setpoint, inside('delay', delay, 0, 60))
         self.suspension = Suspension(self.information, locks, **motor)
+        self.locks = self.suspension.locks
         if vehicle: self.suspension.hang(vehicle.state())
 
 # %% ../../nbs/api/54_gimbals.sim.ipynb #1d12a11b
@@ -107,7 +109,8 @@ def drive(self:SimGimbal,
 @patch(as_prop=True)
 def failures(self:SimGimbal)->tuple:
     "What is wrong, as GIMBAL_DEVICE_ERROR_FLAGS names it"
-    pressing = [f'AT_{axis.upper()}_LIMIT' for axis,motor in self.suspension.motors.items() if motor.pressing]
+    motors = {axis: motor for axis,motor in self.suspension.motors.items() if getattr(self.information, axis)}
+    pressing = [f'AT_{axis.upper()}_LIMIT' for axis,motor in motors.items() if motor.pressing]
     return *pressing, *filter(None, self.faults.values())
 
 # %% ../../nbs/api/54_gimbals.sim.ipynb #65d028ef
@@ -135,8 +138,9 @@ def set_vehicle(self:SimGimbal,
     "Tell the gimbal what it hangs from; one that hangs from a `SimVehicle` knows better"
     with self._lock:
         self.advance()
-        if not (self.mount or self._vehicle): self.suspension.hang(state)
+        first = not (self.mount or self._vehicle)
         Gimbal.set_vehicle(self, state)
+        if first: self.suspension.hang(state)
 
 # %% ../../nbs/api/54_gimbals.sim.ipynb #3a878cd1
 @patch
@@ -146,6 +150,14 @@ def look(self:SimGimbal)->tuple:
         self.advance()
         place,there = self.mount.position(self.steps.time) if self.mount else (0.,0.,30.),self.suspension
         return *place, *euler(product(quaternion(yaw=there.vehicle.yaw), there.q))
+
+# %% ../../nbs/api/54_gimbals.sim.ipynb #2d140c98
+@patch
+def _held(self:SimGimbal, axis:str, lock:bool)->Axis:
+    "The target that keeps an axis where it is"
+    if 'encoder' in self.faults or {'roll','pitch'} <= {*self.locks}: return Gimbal._held(self, axis, lock)
+    now = Axis(self.suspension.motors[axis].angle)
+    return self._turned_yaw(now, 'vehicle', lock) if axis=='yaw' else now
 
 # %% ../../nbs/api/54_gimbals.sim.ipynb #a3601276
 @patch

@@ -9,11 +9,12 @@ __all__ = ['Suspension']
 from dataclasses import replace
 import math
 
-from fastcore.basics import patch, store_attr
+from fastcore.basics import patch
 from .motor import Motor
 from .values import *
 from .values import axes
 from ..utils.rotation import euler, product, quaternion
+from ..utils.values import inside
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #957d5905
 class Suspension:
@@ -24,10 +25,11 @@ class Suspension:
         smoothing:float=.3, # s over which the nose is smoothed; 0: not at all
         **motor, # As for `Motor`
     ):
-        store_attr('locks,smoothing')
+        self.locks = tuple(one_of('locks', axis, axes) for axis in locks if getattr(information, axis, True))
+        self.smoothing = inside('smoothing', smoothing, 0, 3600)
         limits = {axis: getattr(information, axis) or (0.,0.) for axis in axes}
         self.motors = {axis: Motor(*limits[axis], wraps=axis=='yaw', **motor) for axis in axes}
-        self.grip = {axis: float(axis in locks) for axis in axes} # 1: takes out what the vehicle does
+        self.grip = {axis: float(axis in self.locks) for axis in axes} # 1: takes out what the vehicle does
         self.rates = (0.,)*3        # of roll, pitch and yaw, degrees a second; from the nose
         self.hang(VehicleState(0., 0., 0.))
 
@@ -43,18 +45,19 @@ class Suspension:
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #58bfbbda
 @patch
 def lean(self:Suspension)->tuple:
-    "What is left of the vehicle's roll and pitch, as a quaternion in the direction of the camera"
+    "What is left of the vehicle's roll and pitch: a quaternion in the direction of the camera, and the picture's roll"
     yaw,vehicle = self.angles[2],quaternion(self.vehicle.roll, self.vehicle.pitch)
     roll,pitch,twist = euler(product(product(quaternion(yaw=-yaw), vehicle), quaternion(yaw=yaw)))
     rolls,pitches = 1-self.grip['roll'],1-self.grip['pitch']
-    return quaternion(roll*rolls, pitch*pitches, twist*min(rolls, pitches))
+    both = min(rolls, pitches)
+    return quaternion(roll*both, pitch*pitches, twist*both), roll*(rolls-both)
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #0df544d2
 @patch
 def attitude(self:Suspension)->tuple:
     "How the camera is held, `(w, x, y, z)`; yaw from the nose"
-    roll,pitch,yaw = self.angles
-    return product(quaternion(yaw=yaw), product(self.lean(), quaternion(roll, pitch)))
+    (roll,pitch,yaw),(leans,picture) = self.angles,self.lean()
+    return product(quaternion(yaw=yaw), product(leans, quaternion(roll+picture, pitch)))
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #237cbbe4
 @patch
@@ -71,11 +74,12 @@ def hold(self:Suspension,
 @patch
 def smooth(self:Suspension, dt:float):
     "Let `ahead` come after the nose"
-    part = dt/self.smoothing if self.smoothing and 'yaw' in self.locks else None
+    smooths = self.smoothing and 'yaw' in self.locks            # without a gyroscope it cannot
+    left = math.exp(-dt/self.smoothing) if smooths else 0.      # what is left of a difference
     expected = self.ahead+self.ahead_rate*dt
     behind = wrap(self.vehicle.yaw-expected)
-    self.ahead = wrap(expected+2*part*behind) if part else self.vehicle.yaw     # without a gyroscope it cannot
-    if part: self.ahead_rate += part*behind/self.smoothing
+    self.ahead = wrap(expected+(1-left**2)*behind)
+    self.ahead_rate += (1-left)**2*behind/dt
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #c4eec454
 @patch

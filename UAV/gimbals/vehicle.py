@@ -10,6 +10,7 @@ import math, time
 
 from fastcore.basics import patch, store_attr
 from .values import *
+from ..utils.earth import moved
 
 # %% ../../nbs/api/53_gimbals.vehicle.ipynb #9ef12100
 def circle(
@@ -96,8 +97,8 @@ def on_earth(self:SimVehicle,
     north:float, east:float, up:float, # m from the origin, and above the ground
 )->tuple:
     "Latitude and longitude (degrees), and height above sea (m) of a place"
-    (lat,lon,alt),degree = self.origin,111319.49        # m, on the equator
-    return lat + north/degree, lon + east/degree/math.cos(math.radians(lat)), alt+up
+    lat,lon,alt = self.origin
+    return *moved(lat, lon, north, east), alt+up
 
 # %% ../../nbs/api/53_gimbals.vehicle.ipynb #83222b1e
 @patch

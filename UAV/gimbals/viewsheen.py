@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #bfce4c4f
 from __future__ import annotations
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 import math, time
 
 from fastcore.basics import patch
@@ -20,7 +20,7 @@ from ..utils.tcp_client import TCPClient
 from ..utils.values import Value
 
 # %% auto #0
-__all__ = ['ViewsheenSetup', 'Viewsheen']
+__all__ = ['ViewsheenSetup', 'Move', 'Viewsheen']
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #a2e22458
 @dataclass(frozen=True, repr=False, eq=False)
@@ -50,6 +50,15 @@ def frame_byte(self:ViewsheenSetup)->int:
     "The fourth byte of a yaw frame"
     return self.byte4 if self.byte4 is not None else AIRFRAME if self.yaw_reference=='vehicle' else GEODETIC
 
+# %% ../../nbs/api/56_gimbals.viewsheen.ipynb #7ac41e02
+@dataclass
+class Move:
+    "What the device is to do, from when it was asked for"
+    began:float=-math.inf # When, s on the gimbal's clock
+    starts:dict=field(default_factory=dict) # Where each axis was then, degrees
+    waits:bool=False # Is it too early for the next frame?
+    sent:bool=False # Has the line taken it?
+
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #665b3d98
 class Viewsheen(Gimbal):
     "A Viewsheen gimbal camera, over TCP"
@@ -69,10 +78,9 @@ class Viewsheen(Gimbal):
         super().__init__(clock)
         pitch_speed,yaw_speed = self.setup.speeds
         self.axes = dict(pitch=Reckoned(pitch_speed, *self.setup.pitch), yaw=Reckoned(yaw_speed))
-        self._asked,self._starts = -math.inf,{}             # when, and from where, we were asked to move
-        self._next,self._waits = -math.inf,False            # when the next frame may go, and whether one waits
-        self.reports,self._reader = {},ViewsheenReader()
-        self._heard,self._delivered = self.clock(),True     # when a report came; was the setpoint sent?
+        self._move,self._next = Move(sent=True),-math.inf       # `_next`: when the next frame may go, s
+        self.reports,self._reader = {},ViewsheenReader()        # `{kind: the newest one}`
+        self._heard = self.clock()                          # when a report came, s
         self._forget()                                      # what it was told before, we do not know
         self.line = TCPClient(host, port) if line is None else line
         self.line.hear,self.line.changed = lambda data: self._hear(data),lambda: self._on_line()
@@ -126,8 +134,7 @@ def _device_yaw(self:Viewsheen, setpoint:Setpoint)->float:
     "The yaw of `setpoint` as the device measures it, degrees; raises `HeadingUnknown`"
     angle = setpoint.yaw.angle
     if not known(angle) or not self._needs_heading(setpoint): return angle
-    if not known(heading := self.heading): raise HeadingUnknown("the vehicle's heading is not known")
-    return wrap(angle-heading if setpoint.lock else angle+heading)
+    return yaw_in(self.setup.yaw_reference, angle, self.heading)
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #dc6179bb
 @patch
@@ -149,10 +156,10 @@ def _goals(self:Viewsheen, setpoint:Setpoint, now:float)->dict:
 def _led(self:Viewsheen, axis:str, goal:float, setpoint:Setpoint, now:float)->float:
     "How far on the way to `goal` an axis is to be, when it has a rate"
     rate = abs(getattr(setpoint, axis).rate)
-    if not (known(goal) and rate>0 and axis in self._starts): return goal
-    start,wraps = self._starts[axis],axis=='yaw'
+    if not (known(goal) and rate>0 and axis in self._move.starts): return goal
+    start,wraps = self._move.starts[axis],axis=='yaw'
     way = wrap(goal-start) if wraps else goal-start
-    there = start+math.copysign(min(abs(way), rate*(now-self._asked)), way)
+    there = start+math.copysign(min(abs(way), rate*(now-self._move.began)), way)
     return wrap(there) if wraps else there
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #0689966b
@@ -164,7 +171,7 @@ def _send_angles(self:Viewsheen, goals:dict, now:float):
         if not known(goals[name]) or abs(wrap(goals[name]-axis.aim(now)))<.05: continue
         if not self.line.send(frames[name](goals[name])): return
         axis.go(goals[name], now)
-    self._delivered = True
+    self._move.sent = True
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #a4aa6bbc
 @patch
@@ -197,7 +204,7 @@ def _steer(self:Viewsheen, setpoint:Setpoint, now:float):
     goals = self._goals(setpoint, now)
     if setpoint.turning: self._send_rates(*(self._rate(a, setpoint, goals, now) for a in ('pitch','yaw')))
     else: self._send_angles(goals, now)
-    self._next,self._waits = now+(self.rate_pace if setpoint.turning else self.angle_pace),False
+    self._next,self._move.waits = now+(self.rate_pace if setpoint.turning else self.angle_pace),False
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #729f614a
 @patch
@@ -208,10 +215,9 @@ def drive(self:Viewsheen, setpoint:Setpoint):
     self._device_yaw(setpoint)              # before anything is sent
     now = self.clock()
     if not setpoint.turning: self._halt()
-    self._asked,self._starts = now,{name:axis.at(now) for name,axis in self.axes.items()}
-    self._delivered = False
-    self._waits = now<self._next and setpoint.turning==self.setpoint.turning
-    if not self._waits: self._steer(setpoint, now)
+    waits = now<self._next and setpoint.turning==self.setpoint.turning
+    self._move = Move(now, {name:axis.at(now) for name,axis in self.axes.items()}, waits)
+    if not waits: self._steer(setpoint, now)
     self._wake(self._next)
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #61fb1a9b
@@ -244,7 +250,7 @@ def _go_on(self:Viewsheen, now:float):
 def _is_busy(self:Viewsheen, now:float)->bool:
     "Is there anything to say soon?"
     led = any(getattr(self.setpoint, a).rate>0 for a in self.axes)
-    return self._waits or self.setpoint.turning or led or self.setup.feedback or self._needs_heading(self.setpoint)
+    return self._move.waits or self.setpoint.turning or led or self.setup.feedback or self._needs_heading(self.setpoint)
 
 # %% ../../nbs/api/56_gimbals.viewsheen.ipynb #46ac930d
 @patch
@@ -263,8 +269,8 @@ def _resume(self:Viewsheen, now:float):
     self._reader,self._heard = ViewsheenReader(),now
     self._halt()
     if self.setpoint.turning: return
-    if now-self._asked<=self.fresh: return self._say_again(now)
-    if not self._delivered: self._forget()
+    if now-self._move.began<=self.fresh: return self._say_again(now)
+    if not self._move.sent: self._forget()
 
 @patch
 def _say_again(self:Viewsheen, now:float):

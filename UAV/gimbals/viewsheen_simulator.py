@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/57_gimbals.viewsheen_simulator.ipynb #281061c5
 from __future__ import annotations
-import threading, time
+import threading
 
 from fastcore.basics import patch
 from fastcore.meta import delegates

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import math
 
 from fastcore.basics import patch
-from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_CAMERA_FOV_STATUS as CAMERA_FOV_STATUS
 from ..cameras.values import NAN, Pose, Value, known
 from ..utils.general import time_since_boot_ms

@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #d53ece11
 from __future__ import annotations
-import math, threading, time
+import math, time
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -24,6 +24,7 @@ from ..wire.dialect import address, enum_name, enum_value
 from .protocol import Denied, Unsupported
 from .handlers import Outcome, message
 from .component import Component
+from .health import Health
 
 NAN = math.nan
 _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
@@ -61,7 +62,7 @@ class CameraServer(Component):
         if isinstance(guard, str) and guard!='signed': raise ValueError(f'guard is {guard!r}, not \'signed\'')
         self.camera,self.guard,self.video_host = FakeCamera() if camera is None else camera,guard,video_host
         self._greeted,self._triggers = Seen(self.greet_again, self.most_peers),Seen(self.pair)
-        self._fault,self._fault_lock,self._text_id = None,threading.Lock(),0
+        self.health = Health(self, self.camera)
         self._formats = {}              # of the streams, as they were told: `{stream id: VideoFormat}`
         if self.can('subscribe'): self.camera.subscribe(self._on_camera)
 
@@ -254,37 +255,11 @@ def _on_camera(self:CameraServer, event):
     if self.mav_com is None or self._closed: return
     for msg in self.events[type(event)](self, event): self.send_message(msg)
 
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #2142914c
-@patch
-def say(self:CameraServer,
-    severity:int, # MAV_SEVERITY
-    text:str,
-):
-    "Tell the people at the ground stations: STATUSTEXT, in as many pieces as it takes"
-    raw = text.encode()[:200]
-    pieces = [raw] if len(raw)<=50 else [raw[i:i+50] for i in range(0, len(raw)+1, 50)]     # the last one is not full
-    self._text_id = self._text_id%0xffff+1
-    for n,piece in enumerate(pieces):
-        self.send_message(self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n))
-
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #1e2414fb
-@patch
-def _see_fault(self:CameraServer)->tuple|None:
-    "Look at the camera, and set the heartbeat's status: `(MAV_SEVERITY, text)` when there is news"
-    with self._fault_lock:
-        was,self._fault = self._fault,getattr(self.camera, 'fault', None)
-        if bool(was)==bool(self._fault): return
-        self.system_status = mavlink.MAV_STATE_CRITICAL if self._fault else mavlink.MAV_STATE_ACTIVE
-        model = self.camera.information.model
-        if self._fault: return mavlink.MAV_SEVERITY_ERROR,f'{model}: {self._fault}'
-        return mavlink.MAV_SEVERITY_NOTICE,f'{model} works again'
-
 CameraServer.with_each_beat = []        # functions of the server, for what later rooms want to look at
 
 @patch
 def beat(self:CameraServer):
     "Our heartbeat; when the camera has stopped working, or works again, it says so"
-    news = self._see_fault()
-    Component.beat(self)
-    if news: self.say(*news)
+    self.health.beat()
     for look in self.with_each_beat: look(self)

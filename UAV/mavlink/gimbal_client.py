@@ -185,7 +185,7 @@ class GimbalStatus(Value):
     flags:int=0 # GIMBAL_MANAGER_FLAGS
 
     def __repr__(self):
-        return '{}/{} is in control'.format(*self.primary) if self.primary else 'no component is in control'
+        return '{}/{} is in control'.format(*self.primary) if self.primary else 'no client is in control'
 
 # %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #ce8eb64c
 @patch

@@ -31,10 +31,11 @@ def _do_gimbal_manager_configure(self:GimbalServer, system:float=NAN, component:
 
 # %% ../../nbs/api/68_mavlink.gimbal_commands.ipynb #4818633a
 @patch
-@command(mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW, roles=managers, device=6)
+@command(mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW, once=True, roles=managers, device=6)
 def _do_gimbal_manager_pitchyaw(self:GimbalServer, pitch:float=NAN, yaw:float=NAN, pitch_rate:float=NAN,
                                 yaw_rate:float=NAN, flags:int=0, p6:float=None, device_id:float=0, *, msg):
     "MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW: point there, in degrees, or turn"
     self.check_device(device_id)
     self.check_control(msg)
-    self.apply(pitchyaw_target(flags, pitch, yaw, pitch_rate, yaw_rate), self.options.command_lasts)
+    target = pitchyaw_target(flags, pitch, yaw, pitch_rate, yaw_rate)
+    self.apply(target, self.options.command_lasts, address(msg))

@@ -147,7 +147,8 @@ async def _complete(self:GimbalClient):
 @patch
 def who_beats(self:GimbalClient)->str:
     "The other components that are there, as text"
-    there = [s for s in sorted(self.remotes) if s not in self.mav_com._here and not self.mav_com.lost(s)]
+    ours = [(self.source_system, number) for number in self.mav_com.component]
+    there = [s for s in sorted(self.remotes) if s not in ours and not self.mav_com.lost(s)]
     return f'heard {", ".join(map(self.mav_com.name_of, there))}' if there else 'nothing was heard'
 
 # %% ../../nbs/api/68_mavlink.gimbal_finding.ipynb #24c34987

@@ -17,9 +17,9 @@ from .protocol import Unsupported
 # %% auto #0
 __all__ = ['RETRACT', 'NEUTRAL', 'ROLL_LOCK', 'PITCH_LOCK', 'YAW_LOCK', 'VEHICLE_FRAME', 'EARTH_FRAME', 'ACCEPTS_EARTH', 'RC',
            'LEVEL', 'most_angle', 'most_rate', 'modes', 'results', 'yaw_frame', 'Target', 'axis_target', 'flags_target',
-           'pitchyaw_target', 'attitude_target', 'stick_axis', 'stick_target', 'flag_names', 'capabilities', 'limits',
-           'packed', 'unpacked', 'caps', 'information_of', 'failure_flags', 'report_flags', 'attitude_fields',
-           'attitude_of']
+           'pitchyaw_target', 'attitude_target', 'axis_limits', 'stick_axis', 'stick_target', 'flag_names',
+           'capabilities', 'limits', 'packed', 'unpacked', 'caps', 'information_of', 'failure_flags', 'report_flags',
+           'attitude_fields', 'attitude_of']
 
 # %% ../../nbs/api/66_mavlink.gimbal_flags.ipynb #5f81ebc3
 (RETRACT,NEUTRAL,ROLL_LOCK,PITCH_LOCK,YAW_LOCK,VEHICLE_FRAME,EARTH_FRAME,ACCEPTS_EARTH) = (
@@ -95,6 +95,14 @@ def attitude_target(
     return flags_target(flags, *(axis_target(*three) for three in zip(axes, angles, turning)))
 
 # %% ../../nbs/api/66_mavlink.gimbal_flags.ipynb #2483279a
+def axis_limits(
+    information:GimbalInformation,
+    axis:str, # One of `axes`
+)->tuple:
+    "Least and greatest angle, degrees: half a turn at most, and 0 without such an axis"
+    return tuple(min(max(end, -180.), 180.) for end in getattr(information, axis) or (0.,0.))
+
+# %% ../../nbs/api/66_mavlink.gimbal_flags.ipynb #c1d20b03
 def stick_axis(
     information:GimbalInformation,
     axis:str, # One of `axes`
@@ -104,7 +112,7 @@ def stick_axis(
 )->Axis:
     "What a stick wants of one axis; raises `ValueError`"
     if known(angle) and known(rate): raise ValueError(f'{axis} has an angle and a rate')
-    low,high = (min(max(end, -180.), 180.) for end in getattr(information, axis) or (0.,0.))
+    low,high = axis_limits(information, axis)
     if known(angle): return Axis(inside(axis, angle, -1, 1)*(high if angle>0 else -low))
     return Axis(rate=inside(f'{axis} rate', rate, -1, 1)*most) if known(rate) else Axis()
 
@@ -142,8 +150,7 @@ def limits(
     information:GimbalInformation,
 )->list:
     "Least and greatest roll, pitch and yaw, rad"
-    ends = [end for axis in axes for end in getattr(information, axis) or (0.,0.)]
-    return [math.radians(min(max(end, -180.), 180.)) for end in ends]
+    return [math.radians(end) for axis in axes for end in axis_limits(information, axis)]
 
 # %% ../../nbs/api/66_mavlink.gimbal_flags.ipynb #1c31ae6f
 def packed(

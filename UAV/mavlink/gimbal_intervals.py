@@ -6,7 +6,9 @@
 from __future__ import annotations
 
 from fastcore.basics import patch
+from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..wire.dialect import address
+from .handlers import command, message
 from .component import Component
 from .gimbal_server import GIMBAL_DEVICE_ATTITUDE_STATUS, GIMBAL_MANAGER_STATUS, GimbalServer
 
@@ -32,6 +34,7 @@ def set_pace(self:GimbalServer,
 
 # %% ../../nbs/api/68_mavlink.gimbal_intervals.ipynb #2c4a36b8
 @patch
+@command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
 def _set_message_interval(self:GimbalServer, msg_id:int, interval:float, index:float=None, p4:float=None, p5:float=None,
                           p6:float=None, response_target:float=0, *, msg):
     "Answer MAV_CMD_SET_MESSAGE_INTERVAL: as every component does, but what goes to all is changed for all"
@@ -43,6 +46,7 @@ def _set_message_interval(self:GimbalServer, msg_id:int, interval:float, index:f
 
 # %% ../../nbs/api/68_mavlink.gimbal_intervals.ipynb #b133aadf
 @patch
+@message(mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL)
 def _message_interval(self:GimbalServer, msg_id:int, *, msg=None):
     "MESSAGE_INTERVAL: what the sender of `msg` hears, from its own stream or from that for all"
     answer = Component._message_interval(self, msg_id, msg=msg)

@@ -11,7 +11,7 @@ from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_MOUNT_ORIENTATIO
 from ..gimbals.region import Location
 from ..utils.general import time_since_boot_ms
 from ..utils.values import NAN
-from ..wire.dialect import enum_name
+from ..wire.dialect import address, enum_name
 from .protocol import Unsupported
 from .handlers import command, message
 from .gimbal_flags import Target, axis_target
@@ -51,7 +51,8 @@ def _do_mount_control(self:GimbalServer, pitch:float=NAN, roll:float=NAN, yaw:fl
                       lat:float=NAN, lon:float=NAN, mode:int=None, *, msg):
     "MAV_CMD_DO_MOUNT_CONTROL: point there, in degrees, or look at a place"
     self.check_control(msg)
-    if mode!=mavlink.MAV_MOUNT_MODE_GPS_POINT: return self.apply(mount_target(mode, roll, pitch, yaw))
+    if mode!=mavlink.MAV_MOUNT_MODE_GPS_POINT:
+        return self.apply(mount_target(mode, roll, pitch, yaw), source=address(msg))
     self.track(mount_location(lat, lon, alt, self.options.roi_long_alt), msg)
 
 # %% ../../nbs/api/69_mavlink.gimbal_mount.ipynb #80dd25c3
@@ -60,7 +61,7 @@ def _do_mount_control(self:GimbalServer, pitch:float=NAN, roll:float=NAN, yaw:fl
 def _do_mount_configure(self:GimbalServer, mode:int=None, *, msg):
     "MAV_CMD_DO_MOUNT_CONFIGURE: stow, look ahead, or be ready"
     self.check_control(msg)
-    if mode!=mavlink.MAV_MOUNT_MODE_GPS_POINT: self.apply(mount_target(mode))
+    if mode!=mavlink.MAV_MOUNT_MODE_GPS_POINT: self.apply(mount_target(mode), source=address(msg))
 
 # %% ../../nbs/api/69_mavlink.gimbal_mount.ipynb #de72008c
 @patch

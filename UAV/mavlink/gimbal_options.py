@@ -48,6 +48,9 @@ class GimbalOptions:
         one_of('roi_long_alt', self.roi_long_alt, ('amsl','relative'))
         one_of('yaw_frame', self.yaw_frame, ('vehicle','earth'))
         for name in ('attitude_rate','status_rate'): inside(name, getattr(self, name), 0, 50)
+        inside('max_rate', self.max_rate, 0, 1000)
+        for name in ('command_lasts','stream_lasts'):
+            if not getattr(self, name)>=0: raise ValueError(f'{name} must be some seconds, not {getattr(self, name)}')
 
 # %% ../../nbs/api/66_mavlink.gimbal_options.ipynb #79d05e1e
 def checked_device_id(

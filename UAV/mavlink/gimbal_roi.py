@@ -8,10 +8,10 @@ from functools import partial
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..gimbals.region import Location, PositionUnknown, RegionOfInterest, ahead
+from ..gimbals.region import Location, PositionUnknown, ahead
 from ..gimbals.values import VehicleState
-from ..utils.values import NAN, known
-from ..wire.dialect import address, enum_name
+from ..utils.values import known
+from ..wire.dialect import enum_name
 from .protocol import Denied
 from .handlers import command
 from .gimbal_vehicle import POSITION, VehicleHeard
@@ -45,18 +45,6 @@ def vehicle_now(self:GimbalServer)->VehicleState:
     "Where our vehicle is now: from what we heard, else from what the gimbal knows"
     return seen_now(self.heard) if self.heard.fresh(POSITION) else self.vehicle
 
-# %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #df421628
-@patch(as_prop=True)
-def neighbours(self:GimbalServer)->dict:
-    "What was heard of vehicles with another system id: `{system: VehicleHeard}`"
-    return vars(self).setdefault('_neighbours', {})
-
-@patch
-def hear_neighbour(self:GimbalServer, msg):
-    "Take where another vehicle is"
-    if msg.get_msgId()!=POSITION: return
-    self.neighbours.setdefault(address(msg)[0], VehicleHeard(self.heard.clock)).take(msg)
-
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #d441f9b3
 @patch
 def neighbour_location(self:GimbalServer,
@@ -68,26 +56,14 @@ def neighbour_location(self:GimbalServer,
     if not known(state.lat): raise PositionUnknown(f'position of system {system} unknown')
     return Location(state.lat, state.lon, state.alt)
 
-# %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #e6b403f2
-@patch(as_prop=True)
-def region(self:GimbalServer)->RegionOfInterest:
-    "What the gimbal looks at; raises `Unsupported` when it cannot look at a place"
-    self.need('look_at')
-    return vars(self).get('_region') or vars(self).setdefault('_region', RegionOfInterest(self.gimbal))
-
-@patch
-def cancel_roi(self:GimbalServer):
-    "The gimbal is told something else"
-    if self.can('look_at'): self.region.cancel()
-
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #12af69f6
 @patch
 def look_at_roi(self:GimbalServer):
     "Look again, and say when we cannot any more"
-    news = self.region.tick(self.vehicle_now) if self.can('look_at') else ''
+    if self.region.target is None: return           # without waiting for a setpoint that is on its way
+    news = self.region.tick(self.vehicle_now)
     if news: self.say(mavlink.MAV_SEVERITY_WARNING if self.region.lost else mavlink.MAV_SEVERITY_NOTICE, news)
 
-GimbalServer.on_setpoint.append(GimbalServer.cancel_roi)
 GimbalServer.with_each_tick.append(GimbalServer.look_at_roi)
 
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #15d776ee
@@ -99,22 +75,23 @@ def track(self:GimbalServer,
     msg, # The command
     device_id:float=0, # For which gimbal
 ):
-    "Look at `target` from now on, if the sender of `msg` may say so; raises `Denied`, and what the gimbal raises"
+    "Look at `target`, if the sender of `msg` may say so; raises `Denied`, `Unsupported`, and what the gimbal raises"
     self.check_device(device_id)
     self.check_control(msg)
+    self.need('look_at')
     self.region.set(target, self.vehicle_now)
     self.tell_status()
 
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #9975492f
 @patch
-@command(mavlink.MAV_CMD_DO_SET_ROI_LOCATION, roles=managers, device=0)
+@command(mavlink.MAV_CMD_DO_SET_ROI_LOCATION, once=True, roles=managers, device=0)
 def _do_set_roi_location(self:GimbalServer, device_id:float=0, *, msg):
     "MAV_CMD_DO_SET_ROI_LOCATION: look at a place"
     self.track(location_of(msg, self.options.roi_long_alt), msg, device_id)
 
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #8837df81
 @patch
-@command(mavlink.MAV_CMD_DO_SET_ROI_SYSID, roles=managers, device=1)
+@command(mavlink.MAV_CMD_DO_SET_ROI_SYSID, once=True, roles=managers, device=1)
 def _do_set_roi_sysid(self:GimbalServer, system:int=0, device_id:float=0, *, msg):
     "MAV_CMD_DO_SET_ROI_SYSID: look at another vehicle"
     if not 1<=system<=255: raise Denied(f'{system} is no system id')
@@ -123,10 +100,11 @@ def _do_set_roi_sysid(self:GimbalServer, system:int=0, device_id:float=0, *, msg
 
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #087f4239
 @patch
-@command(mavlink.MAV_CMD_DO_SET_ROI_NONE, roles=managers, device=0)
+@command(mavlink.MAV_CMD_DO_SET_ROI_NONE, once=True, roles=managers, device=0)
 def _do_set_roi_none(self:GimbalServer, device_id:float=0, *, msg):
     "MAV_CMD_DO_SET_ROI_NONE: back to what the gimbal was told before"
     self.check_device(device_id)
     self.check_control(msg)
+    self.need('look_at')
     self.region.end()
     self.tell_status()

@@ -33,6 +33,13 @@ def where(self:MAVCom, system:int, component:int)->list:
     newest = max((heard for heard,_,_ in found), default=0.)
     return [(channel,peer) for heard,channel,peer in found if newest-heard<self.lost_after]
 
+# %% ../../nbs/api/25_mavlink.routing.ipynb #1003c632
+@patch
+def reaches(self:MAVCom, system:int, component:int)->bool:
+    "Is a way to a component open, as far as links can tell? One that was never heard may be anywhere"
+    ways = self.where(system, component)
+    return not ways or any(channel.up and not channel.link.gone(peer) for channel,peer in ways)
+
 # %% ../../nbs/api/25_mavlink.routing.ipynb #ec74f403
 @patch
 def write(self:Channel, frame:bytes, peer=None):

@@ -14,7 +14,7 @@ from ..logging import LogLevels
 from ..utils.seen import Seen
 from .handlers import command
 from .camera_server import CameraServer
-from . import camera_commands
+from . import camera_commands, gimbal_commands, gimbal_intervals, gimbal_setpoints, gimbal_roi
 from .gimbal_options import managers
 from .gimbal_server import GimbalServer
 
@@ -72,7 +72,6 @@ def _check_tracking(self:GimbalServerViewsheen, camera_id:int, msg):
     "Raises `Denied` when the camera is another one, or another client is in control"
     self.for_us(camera_id)
     self.check_control(msg)
-    for look in self.on_setpoint: look(self)
 
 # %% ../../nbs/api/69_mavlink.viewsheen_server.ipynb #ccabb6f0
 @patch
@@ -80,7 +79,7 @@ def _check_tracking(self:GimbalServerViewsheen, camera_id:int, msg):
 def _camera_track_point(self:GimbalServerViewsheen, x:float, y:float, radius:float=0., camera_id:int=0, *, msg):
     "MAV_CMD_CAMERA_TRACK_POINT: 0..1 of the picture"
     self._check_tracking(camera_id, msg)
-    self.need('track_point')(x, y, radius)
+    with self.region.giving_way(): self.need('track_point')(x, y, radius)
 
 # %% ../../nbs/api/69_mavlink.viewsheen_server.ipynb #93781ccc
 @patch
@@ -89,7 +88,7 @@ def _camera_track_rectangle(self:GimbalServerViewsheen, left:float, top:float, r
                             camera_id:int=0, *, msg):
     "MAV_CMD_CAMERA_TRACK_RECTANGLE: 0..1 of the picture"
     self._check_tracking(camera_id, msg)
-    self.need('track_rectangle')(left, top, right, bottom)
+    with self.region.giving_way(): self.need('track_rectangle')(left, top, right, bottom)
 
 # %% ../../nbs/api/69_mavlink.viewsheen_server.ipynb #88f54fda
 @patch
@@ -97,4 +96,4 @@ def _camera_track_rectangle(self:GimbalServerViewsheen, left:float, top:float, r
 def _camera_stop_tracking(self:GimbalServerViewsheen, camera_id:int=0, *, msg):
     "MAV_CMD_CAMERA_STOP_TRACKING; fine when idle"
     self._check_tracking(camera_id, msg)
-    self.need('stop_tracking')()
+    with self.region.giving_way(): self.need('stop_tracking')()

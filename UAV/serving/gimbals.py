@@ -35,7 +35,7 @@ def make_gimbal(
     if not found: raise ValueError(f'--gimbal is sim or viewsheen://HOST, not {text!r}')
     return Viewsheen(found[1], int(inside('the port of --gimbal', int(found[2] or 2000), 1, 65535)))
 
-# %% ../../nbs/api/80_serving.gimbals.ipynb #c8e9ab84
+# %% ../../nbs/api/80_serving.gimbals.ipynb #37c97044
 class Aboard:
     "What there is beside the camera: a vehicle, a gimbal and an autopilot, or some of them"
     def __init__(self,
@@ -43,18 +43,21 @@ class Aboard:
         path:str|None=None, # As for `make_vehicle`; `None`: it hovers, if it is needed
         autopilot:bool=False, # Does a simulated autopilot tell of the vehicle?
         camera:str='sim', # As for `make_camera`
+        role:str='both', # Of the gimbal's server: 'both', or 'device' when an autopilot manages it
     ):
+        if path and not (autopilot or gimbal=='sim'): raise ValueError('--path needs --gimbal sim, or --autopilot')
+        one_of('--role', role, ('both','device'))
         needed = path or autopilot or (gimbal=='sim' and camera=='sim')
         self.vehicle = make_vehicle(path or 'hover') if needed else None
         self.gimbal = make_gimbal(gimbal, self.vehicle) if gimbal else None
-        self.server = self._server() if gimbal else None
+        self.server = self._server(role) if gimbal else None
         self.pilot = SimAutopilot(self.vehicle) if autopilot else None
         self.mount = self.gimbal if gimbal=='sim' else None         # for a simulated camera
 
-    def _server(self):
+    def _server(self, role):
         "A server for the gimbal, with what its maker adds"
         server = GimbalServerViewsheen if isinstance(self.gimbal, Viewsheen) else GimbalServer
-        return server(gimbal=self.gimbal)
+        return server(gimbal=self.gimbal, role=role)
 
     components = property(lambda self: [c for c in (self.server, self.pilot) if c], doc="What goes on MAVLink")
     __repr__ = basic_repr('vehicle,gimbal')

@@ -37,7 +37,7 @@ def opened(
 )->tuple:
     "Open what was typed: `(camera, MAVCom)`; raises `ValueError`, `CameraError`, `MAVError` or `OSError`"
     u = understood(typed)
-    aboard = stack.enter_context(Aboard(typed.gimbal, typed.path, typed.autopilot, typed.camera))
+    aboard = stack.enter_context(Aboard(typed.gimbal, typed.path, typed.autopilot, typed.camera, typed.role))
     camera = stack.enter_context(make_camera(typed.camera, u.video['size'], aboard.mount, **u.storage))
     if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
     add_streams(camera, u.streams, **u.video)
@@ -97,6 +97,7 @@ def serve_camera(
     sign:str=None, # File with the key of a signed link
     forward:bool=False, # Pass MAVLink on from link to link
     gimbal:str=None, # sim, or viewsheen://HOST[:PORT]: a gimbal at component 154; the simulated camera hangs from sim
+    role:str='both', # Of the gimbal: both, or device when an autopilot manages it (ArduPilot's MNT1_TYPE 6)
     path:str=None, # hover or circle: what a simulated vehicle flies, from which the gimbal hangs
     autopilot:bool=False, # Beat as the autopilot of that vehicle, too: QGroundControl shows no gimbal without one
 ):

@@ -13,7 +13,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from .peer import Peer
 
 # %% auto #0
-__all__ = ['nothing', 'Actor', 'play', 'q_of', 'angles_of', 'flags_of']
+__all__ = ['nothing', 'Actor', 'play', 'q_of', 'wrapped', 'angles_of', 'flags_of']
 
 # %% ../../nbs/api/96_testing.actor.ipynb #3ad20ce0
 class Actor(Peer):
@@ -65,6 +65,11 @@ def hear(self:Actor, data:bytes):
         self.inbox.append(msg)
         handler = getattr(self, f'on_{msg.get_type().lower()}', None)
         if handler: handler(msg)
+
+@patch
+def from_other(self:Actor, msg)->bool:
+    "Is it from the component that our commands are for?"
+    return (msg.get_srcSystem(),msg.get_srcComponent())==self.other
 
 # %% ../../nbs/api/96_testing.actor.ipynb #603ed8bf
 @patch
@@ -135,6 +140,8 @@ def q_of(roll:float=0., pitch:float=0., yaw:float=0.)->list:
     return [float(n) for n in Quaternion([math.radians(a) for a in (roll, pitch, yaw)]).q]
 
 # %% ../../nbs/api/96_testing.actor.ipynb #bd77af51
+def wrapped(angle:float)->float: "Degrees, as -180 ≤ angle < 180"; return (angle+180)%360-180
+
 def angles_of(q)->tuple:
     "`(roll, pitch, yaw)` in degrees of `[w, x, y, z]`, from pymavlink's rotation matrix"
     from pymavlink.quaternion import Quaternion

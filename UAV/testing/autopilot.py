@@ -8,7 +8,7 @@ import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from .actor import Actor, angles_of, flags_of, nothing, play, q_of
+from .actor import Actor, angles_of, flags_of, nothing, q_of, wrapped
 
 # %% auto #0
 __all__ = ['Autopilot']
@@ -61,7 +61,7 @@ def _ask(self:Autopilot):
 @patch
 def on_gimbal_device_information(self:Autopilot, m):
     "Begin to steer it"
-    if (m.get_srcSystem(),m.get_srcComponent())!=self.other: return
+    if not self.from_other(m): return
     self.gimbal = m
     self.stop(self._ask)
     self.every(self.period, self._tell)
@@ -69,7 +69,7 @@ def on_gimbal_device_information(self:Autopilot, m):
 @patch
 def on_gimbal_device_attitude_status(self:Autopilot, m):
     "Where it looks"
-    if (m.get_srcSystem(),m.get_srcComponent())==self.other: self.attitude,self.heard_at = m,self.now
+    if self.from_other(m): self.attitude,self.heard_at = m,self.now
 
 # %% ../../nbs/api/97_testing.autopilot.ipynb #bf0dae86
 _sure = (mavlink.ESTIMATOR_ATTITUDE|mavlink.ESTIMATOR_VELOCITY_HORIZ|mavlink.ESTIMATOR_VELOCITY_VERT
@@ -128,5 +128,4 @@ def looks(self:Autopilot)->tuple:
     "`(pitch, yaw)` of the gimbal as it reports them, degrees; yaw from the nose"
     _,pitch,yaw = angles_of(self.attitude.q)
     earth = self.attitude.flags & flags_of('YAW_IN_EARTH_FRAME')
-    if earth: yaw = (yaw-self.flight(self.up)[2]+180)%360-180
-    return pitch,yaw
+    return pitch, wrapped(yaw-self.flight(self.up)[2]) if earth else yaw

@@ -8,7 +8,7 @@ import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from .actor import flags_of, nothing, play, q_of
+from .actor import flags_of, nothing, play, q_of, wrapped
 from .autopilot import Autopilot
 
 # %% auto #0
@@ -70,7 +70,7 @@ def on_heartbeat(self:DeviceTester, m):
 @patch
 def on_gimbal_manager_information(self:DeviceTester, m):
     "It has a manager of its own"
-    if (m.get_srcSystem(),m.get_srcComponent())==self.other: self.manager = m
+    if self.from_other(m): self.manager = m
 
 # %% ../../nbs/api/98_testing.device_tester.ipynb #c754bdeb
 @patch
@@ -154,7 +154,7 @@ def has_one_device_id(self:DeviceTester):
 def _off(self:DeviceTester, pitch, yaw):
     "By how much it looks away from there; near straight down a yaw says nothing"
     looks = self.looks
-    turn = 0 if abs(pitch)>80 else abs((looks[1]-yaw+180)%360-180)
+    turn = 0 if abs(pitch)>80 else abs(wrapped(looks[1]-yaw))
     return max(abs(looks[0]-pitch), turn)
 
 # %% ../../nbs/api/98_testing.device_tester.ipynb #5f847cd6

@@ -9,12 +9,12 @@ import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from .actor import Actor, angles_of, flags_of, nothing, play
+from .actor import Actor, angles_of, flags_of, nothing, play, wrapped
 
 _nan = math.nan
 
 # %% auto #0
-__all__ = ['SeenGimbal', 'wrapped', 'GroundStation']
+__all__ = ['SeenGimbal', 'GroundStation']
 
 # %% ../../nbs/api/97_testing.ground_station.ipynb #6c4bfec0
 class SeenGimbal:
@@ -51,8 +51,6 @@ def holder(self:SeenGimbal)->tuple|None:
 
 # %% ../../nbs/api/97_testing.ground_station.ipynb #8fe3ecf2
 _vehicle,_earth = flags_of('YAW_IN_VEHICLE_FRAME'),flags_of('YAW_IN_EARTH_FRAME')
-
-def wrapped(angle:float)->float: "As -180 ≤ angle < 180"; return (angle+180)%360-180
 
 @patch
 def does(self:SeenGimbal, flag:str)->bool:

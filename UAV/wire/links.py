@@ -35,6 +35,7 @@ class Link:
         "Open it again after it has gone; raises `LinkError` when that cannot be done (yet)"
         raise LinkError(f'{type(self).__name__} does not come back')
     def welcome(self, peer): "Good frames come from `peer`: it gets what is for all"
+    def gone(self, peer)->bool: "Has `peer` closed its connection, as far as we can tell?"; return False
 
     def __enter__(self): return self
     def __exit__(self, *args):

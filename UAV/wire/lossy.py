@@ -286,6 +286,9 @@ def release(self:LossyLink): self.link.release()
 @patch
 def welcome(self:LossyLink, peer): self.link.welcome(peer)
 
+@patch
+def gone(self:LossyLink, peer)->bool: return self.link.gone(peer)
+
 # %% ../../nbs/api/15_wire.lossy.ipynb #c8e3673c
 @patch
 def reopen(self:LossyLink):

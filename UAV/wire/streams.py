@@ -204,6 +204,9 @@ def write(self:TCPIn, data:bytes, peer:Client|None=None):
 def welcome(self:TCPIn, peer:Client): peer.is_welcome = True
 
 @patch
+def gone(self:TCPIn, peer:Client)->bool: return peer not in self.clients
+
+@patch
 def close(self:TCPIn):
     try: self._ring.send(b'.')
     except OSError: pass      # closed before
