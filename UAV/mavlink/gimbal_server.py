@@ -353,7 +353,7 @@ def lasting(self:GimbalServer, lasts:float|None, source:tuple|None)->float|None:
     beats = source is None or source in self.remotes and self.remotes[source].type is not None
     return lasts if beats or lasts is None else min(lasts, self.options.stream_lasts)
 
-# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #e71571e6
+# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #9b3cb8c7
 @patch
 def apply(self:GimbalServer,
     target:Target,
@@ -364,11 +364,12 @@ def apply(self:GimbalServer,
     "Have the gimbal do what `target` wants; raises `Unsupported`, and what the gimbal raises"
     verb = self.need(target.mode)           # 'point', 'center' or 'retract'
     if target.lock and 'yaw' not in getattr(self.gimbal, 'locks', ()): raise Unsupported('its yaw holds no direction')
-    self.mover = source
+    if target.mode=='point' and any(a.turning for a in (target.roll, target.pitch, target.yaw)): self.need('stop')
     if not streamed: self.stream.waiting = None
     with self.region.giving_way():
         if target.mode!='point': verb()
         else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, self.lasting(lasts, source))
+    self.mover = source
     if self._closed or source and not self.control.allows(source): self.stop_turning()
     self.tell_status()
 
