@@ -100,7 +100,7 @@ class Viewsheen(Gimbal):
 @patch(as_prop=True)
 def fault(self:Viewsheen)->str|None:
     "What is wrong with the device; `None`: it works"
-    if not self.line.up: return f'no connection: {self.line.error}'
+    if not self.line.up: return f'no connection: {self.line.error or "just lost"}'
     if self._is_silent(): return f'no report for {self.silence:g} s'
 
 @patch

@@ -32,6 +32,7 @@ class SimulatedCamera:
 class ViewsheenDevice:
     "What a Viewsheen gimbal camera does with its commands"
     step,rate_lasts = .01,.15       # s of one step; s that it turns after a rate
+    most = 4096                     # commands that are remembered
     def __init__(self,
         clock=time.monotonic, # Gives seconds
         fed:bool=False, # Does it hear the autopilot's attitude? Then it can measure yaw from north
@@ -42,7 +43,7 @@ class ViewsheenDevice:
         self.targets = dict(pitch=Axis(0.), yaw=Axis(0.))
         self.mode = 2                           # 1 turns, 2 follows the course, 3 goes to angles
         self.heading,self.earth = 0.,False      # of the vehicle, degrees; is the target of yaw measured from north?
-        self.camera,self.heard = SimulatedCamera(),[]                       # `heard`: all commands
+        self.camera,self.heard = SimulatedCamera(),[]                       # `heard`: the newest commands
         self._now = self._until = clock()
         self._lock = threading.RLock()
 
@@ -147,6 +148,7 @@ def obey(self:ViewsheenDevice, command:Command):
     "Do as told; unknown commands are passed over"
     with self._lock:
         self.advance()
+        if len(self.heard)>=self.most: del self.heard[:self.most//2]
         self.heard.append(command)
         if command.sensor==MAIN and command.number in self.orders: self.orders[command.number](self, command.data)
 

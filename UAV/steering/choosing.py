@@ -52,11 +52,14 @@ async def find(self:Steering)->list:
 async def choose(self:Steering):
     "Make the gimbal that was meant the client's target; raises `NoAnswer`, and `ValueError` when there are several"
     meant,o = await self.find(),self.options
-    named = '/'.join('*' if part is None else str(part) for part in (o.system, o.component))
-    if not meant: raise NoAnswer(f'no gimbal answers{"" if named=="*/*" else f" at {named}"}')
+    if not meant: raise NoAnswer(f'no gimbal{f" {o.gimbal}" if o.gimbal else ""} answers{_place(o)}')
     if len(meant)>1: raise ValueError(f'which gimbal? Choose with --system, --component or --gimbal: {_names(meant)}')
     self.client.set_target(meant[0].system, meant[0].component, meant[0].gimbal_device_id)
     return meant[0]
+
+def _place(options)->str:
+    named = '/'.join('*' if part is None else str(part) for part in (options.system, options.component))
+    return '' if named=='*/*' else f' at {named}'
 
 def _names(gimbals)->str:
     return '; '.join(f'{g.system}/{g.component} gimbal {g.gimbal_device_id}, {g.name}' for g in gimbals)

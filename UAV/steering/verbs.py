@@ -23,14 +23,15 @@ from ..wire.dialect import MAVError, enum_name
 from ..wire.signing import secret_key
 
 # %% auto #0
-__all__ = ['number', 'seconds', 'degrees', 'speed', 'latitude', 'longitude', 'metres', 'verbs', 'us', 'about', 'options', 'verb',
-           'list_', 'status', 'NotReached', 'angle', 'rate', 'center', 'retract', 'lock', 'follow', 'roi', 'roi_system',
-           'roi_none', 'release', 'Visitor', 'on_links', 'steer', 'main']
+__all__ = ['number', 'seconds', 'degrees', 'speed', 'pace', 'latitude', 'longitude', 'metres', 'verbs', 'us', 'about', 'options',
+           'verb', 'list_', 'status', 'NotReached', 'angle', 'rate', 'center', 'retract', 'lock', 'follow', 'roi',
+           'roi_system', 'roi_none', 'release', 'Visitor', 'on_links', 'steer', 'main']
 
 # %% ../../nbs/api/81_steering.verbs.ipynb #9dcd117d
 number = between(1, 255, int)                   # of a system, component or gimbal
 seconds = between(.1, 3600)
 degrees,speed = between(-360, 360, nan=True),between(-400, 400)
+pace = between(.1, 400)                         # how fast to go to an angle: no sign, and 0 would never get there
 latitude,longitude,metres = between(-90, 90),between(-180, 180),between(-1000, 100_000)
 
 # %% ../../nbs/api/81_steering.verbs.ipynb #533b058f
@@ -121,13 +122,13 @@ async def angle(steering,
     yaw:degrees, # Degrees to the right; nan leaves it as it is
     frame:Literal['vehicle','earth']='vehicle', # What yaw is measured from: the nose, or north
     lock:bool=False, # Hold the direction on earth, as with --frame earth
-    speed:speed=math.nan, # How fast to go there, degrees a second; nan: as it likes
+    speed:pace=None, # How fast to go there, degrees a second; without it, as fast as it likes
     wait:bool=False, # Wait until it is reached
 ):
     "Point there"
     if not known(pitch) and not known(yaw): raise ValueError('angle nan nan would leave everything as it is')
     async with steering.acting() as client:
-        (await client.set_angles(pitch, yaw, frame, lock or None, speed, speed)).check()
+        (await client.set_angles(pitch, yaw, frame, lock or None, *[speed or math.nan]*2)).check()
         if wait and not await client.reached(steering.patience):
             raise NotReached(f'not reached in {steering.patience:g} s: {attitude_text(client.attitude)}')
     await steering.tell('there' if wait else 'on its way', reached=wait)
@@ -259,7 +260,8 @@ def main(
 )->int:
     "The program; its exit code. Raises `KeyboardInterrupt`"
     typed = program_parser('uav-gimbal', about, verbs, options, exit_codes).parse_args(shielded(words))
-    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
+    for name in ('SIGTERM','SIGHUP'):           # the end of the session, too, must not leave a gimbal turning
+        if hasattr(signal, name): signal.signal(getattr(signal, name), lambda *_: signal.raise_signal(signal.SIGINT))
     try: return asyncio.run(steer(typed))
     except KeyboardInterrupt:
         if not getattr(typed, 'watch', False): raise

@@ -10,6 +10,7 @@ from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from .general import timers
 from .sockets import Loop
+from .values import inside
 
 # %% auto #0
 __all__ = ['log', 'retry_delay', 'watch_peer', 'TCPClient']
@@ -47,6 +48,7 @@ class TCPClient:
         hear=lambda data: None, # Called with the bytes that come
         changed=lambda: None, # Called when it is there, and when it is lost
     ):
+        inside('port', port, 1, 65535)          # the system would take another one, without a word
         store_attr()
         self.error,self.up,self._lock = 'not connected yet',False,threading.Condition()
         self._sock,self._since,self._due,self._attempt = None,0.,0.,0
