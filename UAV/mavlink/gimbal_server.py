@@ -373,12 +373,29 @@ def apply(self:GimbalServer,
     if self._closed or source and not self.control.allows(source): self.stop_turning()
     self.tell_status()
 
-# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #e69f6a4d
+# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #cae4a987
 @patch
 def lose(self:GimbalServer, source:tuple, why:str):
     "As every component does; and one that is silent controls nothing"
     Component.lose(self, source, why)
+    self.let_go(source, why)
+
+@patch
+def let_go(self:GimbalServer, source:tuple, why:str):
+    "`source` controls nothing any more, and what it turned stops"
     steered = source in (self.control.primary, self.mover)
     if self.control.lose(source): self.log.info(f'{why}: {self.control.owner}')
     if steered: self.stop_turning()
     self.tell_status()
+
+# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #03000be7
+GimbalServer._owner_seen = None,0,0.        # the owner, how many frames of it had come, and since when
+
+@patch
+def _see_owner(self:GimbalServer):
+    "An owner of which nothing has come for five seconds is lost"
+    seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),time.monotonic()
+    if seen!=self._owner_seen[:2]: self._owner_seen = *seen,now
+    elif seen[1] and now-self._owner_seen[2]>=self.mav_com.lost_after: self.let_go(seen[0], 'the owner is silent')
+
+GimbalServer.with_each_tick.append(GimbalServer._see_owner)
