@@ -20,7 +20,7 @@ from ..gimbals.values import GimbalAttitude, GimbalInformation, VehicleState
 from ..logging import LogLevels
 from ..utils.general import time_since_boot_ms, timers
 from ..utils.seen import Seen
-from ..utils.values import inside, known, one_of
+from ..utils.values import known, one_of
 from ..wire.dialect import address, parameters
 from .protocol import Denied, Unsupported
 from .handlers import message, receives
@@ -28,14 +28,14 @@ from .component import Component
 from .health import Health
 from .gimbal_control import Control
 from .gimbal_options import GimbalOptions, RoleTables, checked_device_id, devices, managers
-from .gimbal_flags import Target, attitude_fields, capabilities, limits, packed, results
+from .gimbal_flags import Target, attitude_fields, capabilities, checked_attitude, limits, packed, results
 from .gimbal_vehicle import ATTITUDE, GIMBAL_STATE, HOME, POSITION, VehicleHeard
 
 _all_ = ['GIMBAL_MANAGER_INFORMATION', 'GIMBAL_MANAGER_STATUS', 'GIMBAL_DEVICE_INFORMATION',
          'GIMBAL_DEVICE_ATTITUDE_STATUS']
 
 # %% auto #0
-__all__ = ['FakeGimbal', 'checked_gimbal', 'SetpointStream', 'GimbalServer', 'checked_attitude', 'GIMBAL_MANAGER_INFORMATION',
+__all__ = ['FakeGimbal', 'checked_gimbal', 'SetpointStream', 'GimbalServer', 'GIMBAL_MANAGER_INFORMATION',
            'GIMBAL_MANAGER_STATUS', 'GIMBAL_DEVICE_INFORMATION', 'GIMBAL_DEVICE_ATTITUDE_STATUS']
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #9f7d6f66
@@ -238,14 +238,6 @@ def _gimbal_device_information(self:GimbalServer):
         *limits(i), self.device_id, flags)
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #c06a562d
-def checked_attitude(a:GimbalAttitude)->GimbalAttitude:
-    "`a`; raises what Python raises when no message can carry it"
-    w,x,y,z = a.q
-    for number in filter(known, (w, x, y, z, *a.rates, a.vehicle_yaw, a.vehicle_yaw_rate)):
-        inside('a number of the attitude', number, -1e6, 1e6)
-    attitude_fields(a)
-    return a
-
 @patch
 def attitude_now(self:GimbalServer)->GimbalAttitude:
     "Where the gimbal points; nothing but COMMS_ERROR when it does not say, or what makes no sense"
