@@ -19,7 +19,7 @@ __all__ = ['RETRACT', 'NEUTRAL', 'ROLL_LOCK', 'PITCH_LOCK', 'YAW_LOCK', 'VEHICLE
            'LEVEL', 'most_angle', 'most_rate', 'modes', 'results', 'yaw_frame', 'Target', 'axis_target', 'flags_target',
            'pitchyaw_target', 'attitude_target', 'axis_limits', 'stick_axis', 'stick_target', 'flag_names',
            'capabilities', 'limits', 'packed', 'unpacked', 'caps', 'information_of', 'failure_flags', 'report_flags',
-           'attitude_fields', 'attitude_of']
+           'attitude_fields', 'checked_attitude', 'attitude_of']
 
 # %% ../../nbs/api/66_mavlink.gimbal_flags.ipynb #5f81ebc3
 (RETRACT,NEUTRAL,ROLL_LOCK,PITCH_LOCK,YAW_LOCK,VEHICLE_FRAME,EARTH_FRAME,ACCEPTS_EARTH) = (
@@ -218,6 +218,15 @@ def attitude_fields(
         q=list(a.earth_q if frame=='earth' else a.q), angular_velocity_x=x, angular_velocity_y=y, angular_velocity_z=z,
         failure_flags=failure_flags(a.failures), delta_yaw=math.radians(wrap(a.vehicle_yaw)),
         delta_yaw_velocity=math.radians(a.vehicle_yaw_rate))
+
+# %% ../../nbs/api/66_mavlink.gimbal_flags.ipynb #7c0e0e02
+def checked_attitude(a:GimbalAttitude)->GimbalAttitude:
+    "`a`; raises what Python raises when no message can carry it"
+    w,x,y,z = a.q
+    for number in filter(known, (w, x, y, z, *a.rates, a.vehicle_yaw, a.vehicle_yaw_rate)):
+        inside('a number of the attitude', number, -1e6, 1e6)
+    attitude_fields(a)
+    return a
 
 # %% ../../nbs/api/66_mavlink.gimbal_flags.ipynb #a4a4627d
 def _vehicle_q(q:tuple, frame:str, heading:float)->tuple:
