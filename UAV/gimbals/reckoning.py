@@ -46,25 +46,36 @@ def at(self:Reckoned,
 
 # %% ../../nbs/api/55_gimbals.reckoning.ipynb #f2986496
 @patch
-def go(self:Reckoned, goal:float, now:float):
+def go(self:Reckoned,
+    goal:float, # Degrees
+    now:float, # s
+):
     "It was told to go to this angle"
     self.at(now)
     self.goal,self.rate,self.sure,self.told = goal,0.,True,True
 
 @patch
-def turn(self:Reckoned, rate:float, now:float):
-    "It was told to turn with this rate, degrees a second"
+def turn(self:Reckoned,
+    rate:float, # Degrees a second
+    now:float, # s
+):
+    "It was told to turn with this rate"
     self.at(now)
     self.goal,self.rate,self._until,self.told = None,rate,now+self.lasts,True
 
 # %% ../../nbs/api/55_gimbals.reckoning.ipynb #acf63ad2
 @patch
-def aim(self:Reckoned, now:float)->float:
+def aim(self:Reckoned,
+    now:float, # s
+)->float:
     "Where it will stop, degrees; NaN: it may be anywhere"
     return NAN if not (self.told and self.sure) else self.at(now) if self.goal is None else self.goal
 
 # %% ../../nbs/api/55_gimbals.reckoning.ipynb #8adb941c
 @patch
-def be(self:Reckoned, angle:float, now:float):
-    "It reports its angle, degrees"
+def be(self:Reckoned,
+    angle:float, # Degrees
+    now:float, # s
+):
+    "It reports its angle"
     self.angle,self._now,self.sure = self.near(angle),now,True

@@ -151,6 +151,14 @@ def look(self:SimGimbal)->tuple:
         place,there = self.mount.position(self.steps.time) if self.mount else (0.,0.,30.),self.suspension
         return *place, *euler(product(quaternion(yaw=there.vehicle.yaw), there.q))
 
+# %% ../../nbs/api/54_gimbals.sim.ipynb #2d140c98
+@patch
+def _held(self:SimGimbal, axis:str, lock:bool)->Axis:
+    "The target that keeps an axis where it is"
+    if 'encoder' in self.faults or {'roll','pitch'} <= {*self.locks}: return Gimbal._held(self, axis, lock)
+    now = Axis(self.suspension.motors[axis].angle)
+    return self._turned_yaw(now, 'vehicle', lock) if axis=='yaw' else now
+
 # %% ../../nbs/api/54_gimbals.sim.ipynb #a3601276
 @patch
 def retract(self:SimGimbal):

@@ -45,18 +45,19 @@ class Suspension:
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #58bfbbda
 @patch
 def lean(self:Suspension)->tuple:
-    "What is left of the vehicle's roll and pitch, as a quaternion in the direction of the camera"
+    "What is left of the vehicle's roll and pitch: a quaternion in the direction of the camera, and the picture's roll"
     yaw,vehicle = self.angles[2],quaternion(self.vehicle.roll, self.vehicle.pitch)
     roll,pitch,twist = euler(product(product(quaternion(yaw=-yaw), vehicle), quaternion(yaw=yaw)))
     rolls,pitches = 1-self.grip['roll'],1-self.grip['pitch']
-    return quaternion(roll*rolls, pitch*pitches, twist*min(rolls, pitches))
+    both = min(rolls, pitches)
+    return quaternion(roll*both, pitch*pitches, twist*both), roll*(rolls-both)
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #0df544d2
 @patch
 def attitude(self:Suspension)->tuple:
     "How the camera is held, `(w, x, y, z)`; yaw from the nose"
-    roll,pitch,yaw = self.angles
-    return product(quaternion(yaw=yaw), product(self.lean(), quaternion(roll, pitch)))
+    (roll,pitch,yaw),(leans,picture) = self.angles,self.lean()
+    return product(quaternion(yaw=yaw), product(leans, quaternion(roll+picture, pitch)))
 
 # %% ../../nbs/api/53_gimbals.suspension.ipynb #237cbbe4
 @patch

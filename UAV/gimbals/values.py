@@ -44,8 +44,7 @@ def limited(self:GimbalInformation,
 )->float:
     "The nearest angle that the axis can reach; yaw comes as its nearest turn"
     low,high = getattr(self, axis) or (0.,0.)
-    turns = [wrap(angle)+turn for turn in (-360,0,360)] if axis=='yaw' else [angle]
-    angle = min(turns, key=lambda a: (max(low-a, a-high, 0), abs(a)))
+    if axis=='yaw': angle = min((wrap(angle)+t for t in (-360,0,360)), key=lambda a: (max(low-a, a-high, 0), abs(a)))
     return min(max(angle, low), high)
 
 # %% ../../nbs/api/50_gimbals.values.ipynb #2332c8e5

@@ -134,15 +134,18 @@ def _let_go(self:Viewsheen):
 
 # %% ../../nbs/api/57_gimbals.viewsheen_camera.ipynb #796a5cbf
 @patch
-def track_rectangle(self:Viewsheen, left:float, top:float, right:float, bottom:float):
+def track_rectangle(self:Viewsheen,
+    left:float, top:float, right:float, bottom:float, # 0 to 1, from the left and from the top
+):
     "Follow what is in this box; raises `ValueError` and `GimbalError`"
     if not (left<right and top<bottom): raise ValueError(f'no box: {left:g} to {right:g}, {top:g} to {bottom:g}')
     self._order(track_frame((left+right)/2, (top+bottom)/2, right-left, bottom-top))
     self._let_go()
 
+# %% ../../nbs/api/57_gimbals.viewsheen_camera.ipynb #c1d20b01
 @patch
 def track_point(self:Viewsheen,
-    x:float, y:float,
+    x:float, y:float, # 0 to 1, from the left and from the top
     radius:float=0., # Of the width; 0: a box that fits most things
 ):
     "Follow what is here; raises `ValueError` and `GimbalError`"
@@ -156,8 +159,11 @@ def stop_tracking(self:Viewsheen):
     "Follow nothing; raises `GimbalError`"
     self._order(STOP_TRACKING)
 
+# %% ../../nbs/api/57_gimbals.viewsheen_camera.ipynb #c1d20b02
 @patch
-def tap_zoom(self:Viewsheen, x:float, y:float):
+def tap_zoom(self:Viewsheen,
+    x:float, y:float, # 0 to 1, from the left and from the top
+):
     "Look to this point of the picture, and zoom in ×2; raises `ValueError` and `GimbalError`"
     self._order(tap_zoom_frame(x, y))
     self._let_go()

@@ -54,6 +54,7 @@ class GimbalClient(Component):
         self.news = Expectations()      # who waits for a message about a gimbal; told when it is kept
         self.headings = {}  # `{system: (degrees, when)}`: where vehicles point, as their ATTITUDE says
         self.asked = {}     # `{gimbal: (pitch, yaw, frame)}`: the angles that we asked for last
+        self.turned = {}    # `{gimbal: a function that stops it}`: those that we turn
         self.holds = {}     # `{gimbal: how often}` we are inside of `control`
 
     def set_target(self, target_system:int, target_component:int,
@@ -67,6 +68,16 @@ class GimbalClient(Component):
         "As every component does; and those who wait for news of `source` end, too"
         super().lose(source, why)
         self.news.lose(source, why)
+
+    def farewell(self):
+        "Stop what we turn; the `MAVCom` calls this while it still has a link"
+        for stop in list(self.turned.values()): stop()
+
+    def close(self):
+        "Stop what we turn, and leave the link; those who wait for news end, too"
+        self.farewell()
+        super().close()
+        self.news.lose(None, f'{self!r} was closed')
 
 # %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #ef3f82e5
 of_manager = GIMBAL_MANAGER_INFORMATION,GIMBAL_MANAGER_STATUS
@@ -93,8 +104,16 @@ def on_gimbal_message(self:GimbalClient, msg):
 
 # %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #39b27713
 @patch
+def least(self:GimbalClient, gimbal:tuple)->tuple:
+    "`(system, component, gimbal_device_id)`; id 0 becomes the least one of its manager that was heard, if any was"
+    if gimbal[2]: return gimbal
+    def heard(kinds): return [g for i in kinds for g in list(self.heard.get(i, ())) if g[:2]==gimbal[:2]]
+    return min(heard(of_manager) or heard(of_device), default=gimbal)
+
+@patch
 def newest(self:GimbalClient, msg_id:int, gimbal:tuple):
     "The newest message of a kind about `(system, component, gimbal_device_id)`; `None`: none came"
+    gimbal = self.least(gimbal)
     return self.heard.get(msg_id, {}).get(gimbal if msg_id in of_manager else device_address(*gimbal))
 
 # %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #fe023e76
@@ -113,10 +132,7 @@ async def ask_gimbal(self:GimbalClient, source:tuple, msg_id:int, fits=lambda ms
 @patch(as_prop=True)
 def gimbal(self:GimbalClient)->tuple:
     "Our target, `(system, component, gimbal_device_id)`; id 0 becomes the least that was heard. Raises `MAVError`"
-    manager = self.target()
-    if self.gimbal_device_id: return *manager,self.gimbal_device_id
-    def heard(kinds): return [g for i in kinds for g in list(self.heard.get(i, ())) if g[:2]==manager]
-    return min(heard(of_manager) or heard(of_device), default=(*manager, 0))
+    return self.least((*self.target(), self.gimbal_device_id))
 
 # %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #74c06c19
 @patch
@@ -134,24 +150,31 @@ def heading_of(self:GimbalClient, system:int)->float:
     return yaw if time.monotonic()-when<1 else NAN
 
 # %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #054ca2a4
-@patch(as_prop=True)
-def attitude(self:GimbalClient)->GimbalAttitude|None:
-    "Where our gimbal points; `None` when it has not told, or is lost"
-    msg = self.newest(GIMBAL_DEVICE_ATTITUDE_STATUS, self.gimbal)
+@patch
+def where(self:GimbalClient, gimbal:tuple)->GimbalAttitude|None:
+    "Where `(system, component, gimbal_device_id)` points; `None` when it has not told, or is lost"
+    msg = self.newest(GIMBAL_DEVICE_ATTITUDE_STATUS, gimbal)
     if msg is None or self.mav_com.lost(address(msg)): return None
     try: return attitude_of(msg, self.heading_of(address(msg)[0]), msg.time_boot_ms/1000)
     except ValueError: return None      # it claims two frames
+
+# %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #5894bc15
+@patch(as_prop=True)
+def attitude(self:GimbalClient)->GimbalAttitude|None:
+    "Where our gimbal points; `None` when it has not told, or is lost"
+    return self.where(self.gimbal)
 
 # %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #863cbdc6
 @patch
 async def attitudes(self:GimbalClient):
     "For `async for`: where our gimbal points, each time it tells; not what it tells while you work. Raises `Lost`"
-    device = device_address(*self.gimbal)
-    with self.news.add(GIMBAL_DEVICE_ATTITUDE_STATUS, lambda m: about(m)==device, device[:2]) as told:
+    gimbal = self.gimbal
+    def ours(msg): return about(msg)==device_address(*self.least(gimbal))       # its id may be told later
+    with self.news.add(GIMBAL_DEVICE_ATTITUDE_STATUS, ours, device_address(*gimbal)[:2]) as told:
         while True:
             await told.wait()
             told.renew()
-            if (now := self.attitude) is not None: yield now
+            if (now := self.where(gimbal)) is not None: yield now
 
 # %% ../../nbs/api/67_mavlink.gimbal_client.ipynb #79a8a206
 @dataclass(frozen=True, repr=False, eq=False)

@@ -10,6 +10,7 @@ import time
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..gimbals.values import GimbalInformation
+from ..utils.values import inside
 from ..wire.dialect import MAVError, address
 from .protocol import NoAnswer
 from .component import message_name
@@ -57,20 +58,35 @@ def _managed_by(self:GimbalClient, sources)->list:
     "The gimbals of these managers, as far as they were heard of"
     return sorted({g for i in of_manager for g in list(self.heard.get(i, ())) if g[:2] in sources})
 
+# %% ../../nbs/api/68_mavlink.gimbal_finding.ipynb #6e9829b0
+@patch
+def _is_open(self:GimbalClient, source:tuple, asked:float|None)->bool:
+    "Is a component to be asked for its gimbals? `asked`: when it was; with its next heartbeat, if it has said nothing"
+    if asked is None: return True
+    told = any(g[:2]==source for g in list(self.heard.get(GIMBAL_MANAGER_INFORMATION, ())))
+    return not told and (remote := self.remotes.get(source)) is not None and remote.heard>asked
+
+@patch
+async def _ask_all(self:GimbalClient, sources, seconds:float):
+    "Ask components for their gimbals, for so long at most"
+    import asyncio
+    asking = asyncio.gather(*(self.ask_gimbal(s, GIMBAL_MANAGER_INFORMATION) for s in sources))
+    try: await asyncio.wait_for(asking, seconds)
+    except asyncio.TimeoutError: pass
+
 # %% ../../nbs/api/68_mavlink.gimbal_finding.ipynb #09c5ed8c
 @patch
 async def _meet(self:GimbalClient, count:int|None, timeout:float)->list:
     "Ask all that beat for their gimbals, until there are `count` or the time is over; their addresses"
-    import asyncio
-    start,asked = time.monotonic(),set()
-    def new(): return [s for s in self._may_manage(start-1.5) if s not in asked]
+    start,asked = time.monotonic(),{}       # `{address: when it was asked}`
+    def new(): return [s for s in self._may_manage(start-1.5) if self._is_open(s, asked.get(s))]
     while True:
         asking = new()
-        asked.update(asking)
-        await asyncio.gather(*(self.ask_gimbal(s, GIMBAL_MANAGER_INFORMATION) for s in asking))
+        asked.update(dict.fromkeys(asking, time.monotonic()))
+        await self._ask_all(asking, max(start+timeout-time.monotonic(), .5))
         found,left = self._managed_by(asked),start+timeout-time.monotonic()
         if left<=0 or count is not None and len(found)>=count: return found
-        with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: address(m) not in asked) as beat:
+        with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT) as beat:
             if not new(): await beat.wait(left)
 
 # %% ../../nbs/api/68_mavlink.gimbal_finding.ipynb #f52e6492
@@ -90,7 +106,8 @@ async def find_gimbals(self:GimbalClient,
 )->list:
     "A `RemoteGimbal` for each gimbal there is, ordered by address; raises `LinkError` when we are on no link"
     import asyncio
-    return list(await asyncio.gather(*(self.remote_gimbal(g) for g in await self._meet(count, timeout))))
+    found = await self._meet(count, inside('timeout', timeout))
+    return list(await asyncio.gather(*map(self.remote_gimbal, found)))
 
 # %% ../../nbs/api/68_mavlink.gimbal_finding.ipynb #49af7d0b
 streamed = GIMBAL_MANAGER_STATUS,GIMBAL_DEVICE_ATTITUDE_STATUS

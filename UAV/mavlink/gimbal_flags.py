@@ -95,10 +95,14 @@ def attitude_target(
     return flags_target(flags, *(axis_target(*three) for three in zip(axes, angles, turning)))
 
 # %% ../../nbs/api/66_mavlink.gimbal_flags.ipynb #2483279a
-def axis_limits(information:GimbalInformation, axis:str)->tuple:
-    "How far an axis goes to either side, degrees: half a turn at most, and not at all without such an axis"
+def axis_limits(
+    information:GimbalInformation,
+    axis:str, # One of `axes`
+)->tuple:
+    "Least and greatest angle, degrees: half a turn at most, and 0 without such an axis"
     return tuple(min(max(end, -180.), 180.) for end in getattr(information, axis) or (0.,0.))
 
+# %% ../../nbs/api/66_mavlink.gimbal_flags.ipynb #c1d20b03
 def stick_axis(
     information:GimbalInformation,
     axis:str, # One of `axes`

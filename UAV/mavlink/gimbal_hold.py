@@ -40,10 +40,11 @@ def _holder(self:GimbalClient, gimbal:tuple)->str:
 
 # %% ../../nbs/api/68_mavlink.gimbal_hold.ipynb #62b91266
 @patch
-async def _check_free(self:GimbalClient, gimbal:tuple):
-    "Raise `Denied` when another is in control of a gimbal"
-    await self._wait_status(gimbal, lambda status: status is not None)
-    if self.held_by_other(gimbal): raise Denied(self._holder(gimbal))
+async def _check_free(self:GimbalClient, take_over:bool=False)->tuple:
+    "Our gimbal, with the id that its manager tells; raises `Denied` when another is in control of it"
+    await self._wait_status(self.gimbal, lambda status: status is not None)
+    if self.held_by_other(gimbal := self.gimbal) and not take_over: raise Denied(self._holder(gimbal))
+    return gimbal
 
 # %% ../../nbs/api/68_mavlink.gimbal_hold.ipynb #57a1bf3d
 @patch
@@ -67,7 +68,8 @@ async def give_back(self:GimbalClient, gimbal:tuple)->GimbalAck:
 async def _let_go(self:GimbalClient, gimbal:tuple):
     "At the end of `control`: what goes wrong is logged, for it must not hide the error that may be under way"
     try: (await self.give_back(gimbal)).check()
-    except MAVError as e: self.log.warning('control was not given back: %s', e)
+    except MAVError as e:
+        if not self.held_by_other(gimbal): self.log.warning('control was not given back: %s', e)
 
 # %% ../../nbs/api/68_mavlink.gimbal_hold.ipynb #261b6b6e
 @patch
@@ -77,11 +79,10 @@ async def control(self:GimbalClient,
     keep:bool=False, # Stay in control at the end
 ):
     "For `async with`, also inside itself: be in control of our gimbal. Raises `Denied` when another is, and `NoAnswer`"
-    gimbal = self.gimbal
-    if not take_over: await self._check_free(gimbal)
+    gimbal = await self._check_free(take_over)
     self.holds[gimbal] = self.holds.get(gimbal, 0)+1
     try:
-        if self.holds[gimbal]==1: await self._take(gimbal)
+        if self.holds[gimbal]==1 or not self.in_control: await self._take(gimbal)
         yield self
     finally:
         self.holds[gimbal] -= 1

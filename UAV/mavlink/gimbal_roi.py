@@ -60,6 +60,7 @@ def neighbour_location(self:GimbalServer,
 @patch
 def look_at_roi(self:GimbalServer):
     "Look again, and say when we cannot any more"
+    if self.region.target is None: return           # without waiting for a setpoint that is on its way
     news = self.region.tick(self.vehicle_now)
     if news: self.say(mavlink.MAV_SEVERITY_WARNING if self.region.lost else mavlink.MAV_SEVERITY_NOTICE, news)
 

@@ -18,45 +18,41 @@ from .gimbal_server import GimbalServer, managers
 __all__ = ['rates_of']
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #463235f4
-GimbalServer.dropped = 0        # streamed setpoints that made no sense, or could not be done
-
-GimbalServer._driven = None,None # the last target, and the setpoint that came of it
-
 @patch
 def _drive_to(self:GimbalServer, target:Target, source:tuple|None=None):
     "Do what a stream wants, unless that is so already; rates are given again each time"
-    before,setpoint = self._driven
+    before,setpoint = self.stream.done
     in_force = target==before and setpoint is not None and setpoint is getattr(self.gimbal, 'setpoint', None)
     if in_force and not setpoint.turning: return
     began = time.monotonic()
     try: self.apply(target, self.options.stream_lasts, source, streamed=True)
-    finally: self._took = time.monotonic()-began
-    self._driven = target,getattr(self.gimbal, 'setpoint', None)
+    finally: self.stream.took = time.monotonic()-began
+    self.stream.done = target,getattr(self.gimbal, 'setpoint', None)
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #ada32282
 @patch
 def _obey(self:GimbalServer, msg, target):
-    "Do what `target()` says; when that cannot be, count it, and complain once"
+    "Do what `target()` says; when that cannot be, count it, and complain once a minute"
     try: self._drive_to(target(), address(msg))
     except Exception as e:          # a driver's own mistakes, too
-        self.dropped += 1
+        self.stream.dropped += 1
         self.complain('{}/{}: {}'.format(*address(msg), msg.get_type()), e)
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #f32d70e8
-GimbalServer.quick,GimbalServer._took = .05,0.      # s that the gimbal may take; s that it took for the last one
+GimbalServer.quick = .05        # s that a gimbal may take for a setpoint
 
 @patch
 def _take_setpoint(self:GimbalServer, msg, target):
     "Do what `target()` says: now, or when a slow gimbal is ready"
-    self.waiting = msg,target
-    if self._took<=self.quick: self._take_newest()
+    self.stream.waiting = msg,target
+    if self.stream.took<=self.quick: self._take_newest()
     else: self.worker.do(self._take_newest)
 
 @patch
 def _take_newest(self:GimbalServer):
     "Do what was said last, if that is not done yet"
-    with self._streaming:
-        newest,self.waiting = self.waiting,None
+    with self.stream.lock:
+        newest,self.stream.waiting = self.stream.waiting,None
         if newest: self._obey(*newest)
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #ffe2683d
@@ -105,7 +101,6 @@ def _is_manager(self:GimbalServer, source:tuple)->bool:
 
 # %% ../../nbs/api/68_mavlink.gimbal_setpoints.ipynb #10a035a3
 GimbalServer.retract_lasts = .5         # s after a "retract" in which other setpoints of the manager are not heard
-GimbalServer._retracted_at = -math.inf
 
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_GIMBAL_DEVICE_SET_ATTITUDE, roles=('device',))
@@ -113,6 +108,6 @@ def _device_set_attitude(self:GimbalServer, msg):
     "GIMBAL_DEVICE_SET_ATTITUDE: a quaternion, or rates, from our manager"
     if not self._is_manager(address(msg)): return
     now = self.heard.clock()
-    if msg.flags&RETRACT and self.can('retract'): self._retracted_at = now
-    elif now-self._retracted_at<self.retract_lasts: return
+    if msg.flags&RETRACT and self.can('retract'): self.stream.retracted = now
+    elif now-self.stream.retracted<self.retract_lasts: return
     self._take_setpoint(msg, lambda: attitude_target(msg.flags, msg.q, rates_of(msg)))

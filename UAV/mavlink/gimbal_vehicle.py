@@ -10,6 +10,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..gimbals.values import VehicleState
 from ..utils.rotation import euler, unit
+from ..utils.seen import Seen
 from ..utils.values import NAN, inside, known
 
 # %% auto #0
@@ -46,6 +47,7 @@ class VehicleHeard:
     lasts = {POSITION:3., ATTITUDE:1., GIMBAL_STATE:1.}     # s for which each message is believed
     def __init__(self, clock=time.monotonic):
         self.clock,self.home_alt,self._heard = clock,NAN,{}
+        self._asked = Seen(10.)     # which autopilot was asked for which message, s
 
     def take(self, msg):
         "Note what `msg` says; raises `ValueError` when that cannot be"
@@ -66,6 +68,10 @@ class VehicleHeard:
         "The messages without which attitude or position are not known now"
         kinds = {ATTITUDE:(ATTITUDE,GIMBAL_STATE), POSITION:(POSITION,)}
         return [msg_id for msg_id,same in kinds.items() if not self.fresh(*same)]
+
+    def to_ask(self, autopilot:tuple)->list:
+        "The messages to ask `autopilot` for now: those that are missing, each once in ten seconds"
+        return [msg_id for msg_id in self.missing if not self._asked.again((autopilot, msg_id))]
 
 # %% ../../nbs/api/66_mavlink.gimbal_vehicle.ipynb #db2aaeee
 @patch(as_prop=True)

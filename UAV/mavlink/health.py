@@ -42,16 +42,22 @@ class Health:
         self.fault,self._lock = None,threading.Lock()
 
     @property
+    def now(self):
+        "What is wrong with the device; a `fault` that cannot be read is one"
+        try: return getattr(self.device, 'fault', None)
+        except Exception as e: return f'fault unknown: {e!r}'
+
+    @property
     def is_news(self)->bool:
         "Has a fault come or gone since we looked?"
-        return bool(self.fault)!=bool(getattr(self.device, 'fault', None))
+        return bool(self.fault)!=bool(self.now)
 
 # %% ../../nbs/api/29_mavlink.health.ipynb #0eff5411
 @patch
 def look(self:Health)->tuple|None:
     "Set the heartbeat's status: `(MAV_SEVERITY, text)` when there is news"
     with self._lock:
-        was,fault = self.fault,getattr(self.device, 'fault', None)
+        was,fault = self.fault,self.now
         if bool(was)==bool(fault): return
         self.fault = fault
         self.component.system_status = mavlink.MAV_STATE_CRITICAL if fault else mavlink.MAV_STATE_ACTIVE

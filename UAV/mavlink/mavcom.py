@@ -231,6 +231,7 @@ def route(self:MAVCom,
 @patch
 def close(self:MAVCom):
     "Close the components, the links and their threads; safe to call twice"
+    self._say_farewell()
     with self._lock: again,self._closed = self._closed,True
     if again: return
     self.heart.stop()
@@ -239,6 +240,13 @@ def close(self:MAVCom):
         except Exception: self.log.exception('%r did not close', part)
     if self.signing is not None: self.signing.close()
     _open.discard(self)
+
+@patch
+def _say_farewell(self:MAVCom):
+    "Let each component send its last word, while there are links"
+    for c in [] if self._closed else list(self.component.values()):
+        try: c.farewell() if hasattr(c, 'farewell') else None
+        except Exception: self.log.exception('%r did not say farewell', c)
 
 # %% ../../nbs/api/24_mavlink.mavcom.ipynb #23222572
 @patch

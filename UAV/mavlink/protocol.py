@@ -226,7 +226,7 @@ def offer(self:Expectations, msg):
 
 # %% ../../nbs/api/20_mavlink.protocol.ipynb #255c11aa
 @patch
-def lose(self:Expectations, source:tuple, why:str):
-    "All who wait for `source` get the error `Lost(why)`"
-    with self._lock: found = [e for es in self._expected.values() for e in es if e.source==source]
+def lose(self:Expectations, source:tuple|None, why:str):
+    "All who wait for `source`, or all (`None`), get the error `Lost(why)`"
+    with self._lock: found = [e for es in self._expected.values() for e in es if source in (None,e.source)]
     for expected in found: expected.set(Lost(why))

@@ -35,7 +35,7 @@ def make_gimbal(
     if not found: raise ValueError(f'--gimbal is sim or viewsheen://HOST, not {text!r}')
     return Viewsheen(found[1], int(inside('the port of --gimbal', int(found[2] or 2000), 1, 65535)))
 
-# %% ../../nbs/api/80_serving.gimbals.ipynb #c8e9ab84
+# %% ../../nbs/api/80_serving.gimbals.ipynb #37c97044
 class Aboard:
     "What there is beside the camera: a vehicle, a gimbal and an autopilot, or some of them"
     def __init__(self,
@@ -45,6 +45,7 @@ class Aboard:
         camera:str='sim', # As for `make_camera`
         role:str='both', # Of the gimbal's server: 'both', or 'device' when an autopilot manages it
     ):
+        if path and not (autopilot or gimbal=='sim'): raise ValueError('--path needs --gimbal sim, or --autopilot')
         one_of('--role', role, ('both','device'))
         needed = path or autopilot or (gimbal=='sim' and camera=='sim')
         self.vehicle = make_vehicle(path or 'hover') if needed else None

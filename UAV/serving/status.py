@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import logging, os, shutil, sys, threading
 
 from fastcore.basics import patch
+from ..utils.values import NAN, known
 from ..video.stream import senders
 
 # %% auto #0
@@ -24,7 +25,7 @@ class Status:
     free:float=0. # MiB
     heard:tuple=() # Names of those that beat on MAVLink
     fault:str|None=None # What is wrong with the camera
-    gimbal:tuple|None=None # Its pitch and yaw (degrees), and who is in control; `None`: there is none
+    gimbal:tuple|None=None # Its pitch and yaw (degrees), and its fault or who is in control; `None`: there is none
 
 # %% ../../nbs/api/80_serving.status.ipynb #34bc1278
 def _count(number:int, what:str)->str: return f'{number} {what}{"" if number==1 else "s"}'
@@ -38,6 +39,10 @@ def _size(mib:float)->str: return f'{mib/1024:.1f} GiB' if mib>=1024 else f'{mib
 
 def _clock(seconds:float)->str: return f'{seconds//60:.0f}:{seconds%60:02.0f}'
 
+def _pointing(pitch:float, yaw:float, told:str)->str:
+    "Where the gimbal points, when that is known, and what there is to say of it"
+    return f'gimbal {pitch:.0f}° {yaw:.0f}°, {told}' if known(pitch) and known(yaw) else f'gimbal {told}'
+
 # %% ../../nbs/api/80_serving.status.ipynb #92551f70
 @patch
 def __str__(self:Status):
@@ -45,7 +50,7 @@ def __str__(self:Status):
     parts += [_viewers(*s) for s in self.streams]
     parts += [_count(self.pictures, 'picture'), _count(self.recordings, 'recording')]
     if self.recording is not None: parts.append(f'REC {_clock(self.recording)}')
-    if self.gimbal: parts.append('gimbal {:.0f}° {:.0f}°, {}'.format(*self.gimbal))
+    if self.gimbal: parts.append(_pointing(*self.gimbal))
     return ' | '.join([*parts, f'{_size(self.free)} free', f'hears {", ".join(self.heard) or "nothing"}'])
 
 # %% ../../nbs/api/80_serving.status.ipynb #c4e30922
@@ -63,11 +68,11 @@ def is_news(self:Status,
 def gimbal_of(
     com, # A `MAVCom`
 )->tuple|None:
-    "Pitch, yaw and who is in control of the gimbal that it serves; `None`: it serves none"
+    "Pitch and yaw of the gimbal that it serves, and its fault or who is in control; `None`: it serves none"
     for server in com.component.values():
         if not hasattr(server, 'gimbal'): continue
-        attitude = server.attitude_now()
-        return attitude.pitch,attitude.yaw,server.control.owner
+        attitude,fault = server.attitude_now(),getattr(server.gimbal, 'fault', None)
+        return (NAN, NAN, f'FAULT: {fault}') if fault else (attitude.pitch, attitude.yaw, server.control.owner)
 
 # %% ../../nbs/api/80_serving.status.ipynb #3ffc6ab0
 def status_of(
