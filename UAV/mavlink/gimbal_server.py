@@ -28,7 +28,7 @@ from .component import Component
 from .health import Health
 from .gimbal_control import Control
 from .gimbal_options import GimbalOptions, RoleTables, checked_device_id, devices, managers
-from .gimbal_flags import Target, attitude_fields, capabilities, checked_attitude, limits, packed, results
+from .gimbal_flags import attitude_fields, capabilities, checked_attitude, limits, packed, results
 from .gimbal_vehicle import ATTITUDE, GIMBAL_STATE, HOME, POSITION, VehicleHeard
 
 _all_ = ['GIMBAL_MANAGER_INFORMATION', 'GIMBAL_MANAGER_STATUS', 'GIMBAL_DEVICE_INFORMATION',
@@ -190,24 +190,6 @@ def _see_gimbal(self:GimbalServer):
 
 GimbalServer.with_each_tick.append(GimbalServer._see_gimbal)
 
-# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #7906febd
-GimbalServer.mover = None       # `(system, component)` that moved it last, as long as it is there
-
-@patch
-def is_there(self:GimbalServer, source:tuple)->bool:
-    "Is `source` there, and the way to it, as far as we know?"
-    return self.mav_com.reaches(*source) and not self.mav_com.lost(source)
-
-@patch
-def _see_mover(self:GimbalServer):
-    "Stop what turns when the link is down, or the one who moves it has gone"
-    if not any(channel.up for channel in self.mav_com.channels): self.stop_turning()
-    if self.mover is None or self.is_there(self.mover): return
-    self.stop_turning()
-    self.mover = None
-
-GimbalServer.with_each_tick.append(GimbalServer._see_mover)
-
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #d5c675b6
 @patch
 @message(GIMBAL_MANAGER_INFORMATION, roles=managers)
@@ -337,57 +319,3 @@ def ask_autopilot(self:GimbalServer):
                                                        1e6/self.asked_rates[msg_id], *[0]*5))
 
 GimbalServer.with_each_tick.append(GimbalServer.ask_autopilot)
-
-# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #043b6676
-@patch
-def lasting(self:GimbalServer, lasts:float|None, source:tuple|None)->float|None:
-    "s that rates of `source` last which it wants to last for `lasts`"
-    beats = source is None or source in self.remotes and self.remotes[source].type is not None
-    return lasts if beats or lasts is None else min(lasts, self.options.stream_lasts)
-
-# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #9b3cb8c7
-@patch
-def apply(self:GimbalServer,
-    target:Target,
-    lasts:float|None=None, # s until rates end; `None`: as the gimbal likes
-    source:tuple|None=None, # `(system, component)` that wants it
-    streamed:bool=False, # No command: it does not overtake what waits
-):
-    "Have the gimbal do what `target` wants; raises `Unsupported`, and what the gimbal raises"
-    verb = self.need(target.mode)           # 'point', 'center' or 'retract'
-    if target.lock and 'yaw' not in getattr(self.gimbal, 'locks', ()): raise Unsupported('its yaw holds no direction')
-    if target.mode=='point' and any(a.turning for a in (target.roll, target.pitch, target.yaw)): self.need('stop')
-    if not streamed: self.stream.waiting = None
-    with self.region.giving_way():
-        if target.mode!='point': verb()
-        else: verb(target.roll, target.pitch, target.yaw, target.frame, target.lock, self.lasting(lasts, source))
-    self.mover = source
-    if self._closed or source and not self.control.allows(source): self.stop_turning()
-    self.tell_status()
-
-# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #cae4a987
-@patch
-def lose(self:GimbalServer, source:tuple, why:str):
-    "As every component does; and one that is silent controls nothing"
-    Component.lose(self, source, why)
-    self.let_go(source, why)
-
-@patch
-def let_go(self:GimbalServer, source:tuple, why:str):
-    "`source` controls nothing any more, and what it turned stops"
-    steered = source in (self.control.primary, self.mover)
-    if self.control.lose(source): self.log.info(f'{why}: {self.control.owner}')
-    if steered: self.stop_turning()
-    self.tell_status()
-
-# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #03000be7
-GimbalServer._owner_seen = None,0,0.        # the owner, how many frames of it had come, and since when
-
-@patch
-def _see_owner(self:GimbalServer):
-    "An owner of which nothing has come for five seconds is lost"
-    seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),time.monotonic()
-    if seen!=self._owner_seen[:2]: self._owner_seen = *seen,now
-    elif seen[1] and now-self._owner_seen[2]>=self.mav_com.lost_after: self.let_go(seen[0], 'the owner is silent')
-
-GimbalServer.with_each_tick.append(GimbalServer._see_owner)

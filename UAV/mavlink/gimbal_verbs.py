@@ -5,7 +5,7 @@
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #21c8358e
 from __future__ import annotations
 from contextlib import asynccontextmanager
-import asyncio, math, random
+import asyncio, math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -14,12 +14,13 @@ from ..utils.rotation import wrap
 from ..utils.values import NAN, inside, known, one_of
 from ..wire.dialect import Ack, MAVError
 from .protocol import Denied, NoAnswer
+from .verbs import sends
 from .gimbal_flags import EARTH_FRAME, LEVEL, NEUTRAL, RETRACT, VEHICLE_FRAME, YAW_LOCK
 from .gimbal_client import GIMBAL_DEVICE_ATTITUDE_STATUS, GimbalClient, device_address
 from . import gimbal_hold
 
 # %% auto #0
-__all__ = ['pitchyaw', 'old_managers', 'altitude_frames', 'pointing_flags', 'sends']
+__all__ = ['pitchyaw', 'old_managers', 'altitude_frames', 'pointing_flags']
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #39af93ed
 def pointing_flags(
@@ -33,16 +34,6 @@ def pointing_flags(
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #be1f5654
 pitchyaw = mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW
-
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #964ae1b7
-def sends(
-    cmd:int, # A MAV_CMD
-):
-    "Mark a method as a verb that sends `cmd`, for `list_verbs`"
-    def _f(f):
-        f.verb = cmd
-        return f
-    return _f
 
 # %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #add5d421
 @patch
@@ -296,40 +287,3 @@ async def follow_system(self:GimbalClient,
     gimbal = self.gimbal
     self.asked.pop(gimbal, None)
     return await self.gimbal_command(gimbal, mavlink.MAV_CMD_DO_SET_ROI_SYSID, [sysid, gimbal[2]])
-
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #9a75e142
-@patch
-async def _camera(self:GimbalClient, camera:tuple|None, command_id:int, params)->Ack:
-    return await self.send_command(*(camera or self.target()), command_id, params)
-
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #38167f96
-@patch
-@sends(mavlink.MAV_CMD_SET_CAMERA_ZOOM)
-async def set_zoom(self:GimbalClient,
-    value:float, # %: 0 is wide, 100 is as near as it can
-    camera:tuple|None=None, # `(system, component)`; `None`: the gimbal itself
-)->Ack:
-    "Zoom the camera"
-    params = [mavlink.ZOOM_TYPE_RANGE, inside('value', value, 0, 100)]
-    return await self._camera(camera, mavlink.MAV_CMD_SET_CAMERA_ZOOM, params)
-
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #6d038760
-@patch
-@sends(mavlink.MAV_CMD_IMAGE_START_CAPTURE)
-async def start_capture(self:GimbalClient,
-    interval:float=0., # Seconds between two pictures
-    count:int=1, # How many; 0: until `stop_capture`
-    camera:tuple|None=None, # `(system, component)`; `None`: the gimbal itself
-)->Ack:
-    "Take pictures"
-    number = random.randrange(1, 2**24) if count==1 else 0      # so that a copy of the command takes no second picture
-    return await self._camera(camera, mavlink.MAV_CMD_IMAGE_START_CAPTURE, [0, interval, count, number])
-
-# %% ../../nbs/api/69_mavlink.gimbal_verbs.ipynb #4204aa88
-@patch
-@sends(mavlink.MAV_CMD_IMAGE_STOP_CAPTURE)
-async def stop_capture(self:GimbalClient,
-    camera:tuple|None=None, # `(system, component)`; `None`: the gimbal itself
-)->Ack:
-    "Take no more pictures"
-    return await self._camera(camera, mavlink.MAV_CMD_IMAGE_STOP_CAPTURE, [])

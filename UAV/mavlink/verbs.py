@@ -13,7 +13,7 @@ from ..wire.dialect import enum_name
 from .component import Component
 
 # %% auto #0
-__all__ = ['verb', 'verbs']
+__all__ = ['verb', 'sends', 'verbs']
 
 # %% ../../nbs/api/29_mavlink.verbs.ipynb #c7544c84
 def _with_target(f)->inspect.Signature:
@@ -35,6 +35,16 @@ def verb(
             return await self.send_command(*target, cmd, params)
         send.verb,send.__signature__ = cmd,_with_target(f)
         return send
+    return _f
+
+# %% ../../nbs/api/29_mavlink.verbs.ipynb #f4d37bdc
+def sends(
+    cmd:int, # A MAV_CMD
+):
+    "Mark a method as a verb that sends `cmd`, for `list_verbs`"
+    def _f(f):
+        f.verb = cmd
+        return f
     return _f
 
 # %% ../../nbs/api/29_mavlink.verbs.ipynb #cb73af71
