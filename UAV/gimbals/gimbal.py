@@ -39,7 +39,7 @@ class Gimbal:
         raise NotImplementedError(f'{type(self).__name__} needs a method drive(self, setpoint)')
 
     def attitude(self)->GimbalAttitude:
-        "Where it points now. A subclass has it"
+        "Where it points now; must be quick. A subclass has it"
         raise NotImplementedError(f'{type(self).__name__} needs a method attitude(self)')
 
     def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'

@@ -16,7 +16,7 @@ from ..utils.earth import metres, moved
 from ..utils.values import Value, inside
 
 # %% auto #0
-__all__ = ['near', 'Location', 'PositionUnknown', 'altitude_of', 'offset', 'direction', 'ahead', 'RegionOfInterest']
+__all__ = ['near', 'Location', 'altitude_of', 'offset', 'direction', 'ahead', 'RegionOfInterest']
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #156bd77a
 @dataclass(frozen=True, repr=False, eq=False)
@@ -32,9 +32,6 @@ class Location(Value):
         inside('longitude', self.lon, -180, 180)
         inside('altitude', self.alt)
         one_of('alt_frame', self.alt_frame, ('amsl','relative'))
-
-# %% ../../nbs/api/58_gimbals.region.ipynb #bfb1e937
-class PositionUnknown(GimbalError): "There is no direction to a place: the vehicle's position is not known"
 
 # %% ../../nbs/api/58_gimbals.region.ipynb #ae76e9f4
 def altitude_of(

@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 import math
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..gimbals.values import (Axis, GimbalAttitude, GimbalError, GimbalInformation, HeadingUnknown, axes)
+from ..gimbals.values import (Axis, GimbalAttitude, GimbalError, GimbalInformation, HeadingUnknown,
+    PositionUnknown, axes)
 from ..utils.rotation import euler, inverse, product, quaternion, unit, wrap
 from ..utils.values import NAN, Value, inside, known, one_of
 from ..wire.dialect import enum_value
@@ -252,5 +253,6 @@ def attitude_of(
                           flag_names('GIMBAL_DEVICE_ERROR_FLAGS', msg.failure_flags), time)
 
 # %% ../../nbs/api/66_mavlink.gimbal_flags.ipynb #6806fc44
-results = {HeadingUnknown:mavlink.MAV_RESULT_TEMPORARILY_REJECTED, GimbalError:mavlink.MAV_RESULT_FAILED,
-           ValueError:mavlink.MAV_RESULT_DENIED}
+results = {HeadingUnknown:mavlink.MAV_RESULT_TEMPORARILY_REJECTED,
+           PositionUnknown:mavlink.MAV_RESULT_TEMPORARILY_REJECTED,
+           GimbalError:mavlink.MAV_RESULT_FAILED, ValueError:mavlink.MAV_RESULT_DENIED}

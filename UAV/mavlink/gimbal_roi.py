@@ -8,8 +8,8 @@ from functools import partial
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..gimbals.region import Location, PositionUnknown, ahead
-from ..gimbals.values import VehicleState
+from ..gimbals.region import Location, ahead
+from ..gimbals.values import PositionUnknown, VehicleState
 from ..utils.values import known
 from ..wire.dialect import enum_name
 from .protocol import Denied
@@ -67,8 +67,6 @@ def look_at_roi(self:GimbalServer):
 GimbalServer.with_each_tick.append(GimbalServer.look_at_roi)
 
 # %% ../../nbs/api/68_mavlink.gimbal_roi.ipynb #15d776ee
-GimbalServer.results = {**GimbalServer.results, PositionUnknown:mavlink.MAV_RESULT_TEMPORARILY_REJECTED}
-
 @patch
 def track(self:GimbalServer,
     target, # A `Location`, or a function that gives one
