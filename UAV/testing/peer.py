@@ -7,7 +7,7 @@ __all__ = ['Peer', 'free_port']
 
 # %% ../../nbs/api/90_testing.peer.ipynb #86104d77
 from collections import deque
-import asyncio, select, socket, time
+import asyncio, random, select, socket, time
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -42,9 +42,18 @@ def port(self:Peer)->int:
     "Our own port on this machine"
     return self.sock.getsockname()[1]
 
+# %% ../../nbs/api/90_testing.peer.ipynb #96c3160b
+def _is_free(port:int)->bool:
+    "Can we listen there, by UDP and by TCP?"
+    for kind in (socket.SOCK_DGRAM, socket.SOCK_STREAM):
+        with socket.socket(socket.AF_INET, kind) as sock:
+            try: sock.bind(('', port))
+            except OSError: return False
+    return True
+
 def free_port()->int:
-    "A UDP port of this machine that is not in use, for programs that cannot choose one themselves"
-    with Peer() as peer: return peer.port
+    "A port of this machine that is not in use, for programs that cannot choose one themselves"
+    return next(port for port in random.SystemRandom().sample(range(20_000, 32_000), 1000) if _is_free(port))
 
 # %% ../../nbs/api/90_testing.peer.ipynb #18bc4fcb
 @patch
