@@ -51,6 +51,7 @@ def _is_free(port:int)->bool:
             except OSError: return False
     return True
 
+# %% ../../nbs/api/90_testing.peer.ipynb #5413957a
 def free_port()->int:
     "A port of this machine that is not in use, for programs that cannot choose one themselves"
     return next(port for port in random.SystemRandom().sample(range(20_000, 32_000), 1000) if _is_free(port))
