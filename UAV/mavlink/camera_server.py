@@ -21,10 +21,10 @@ from ..logging import LogLevels
 from ..utils.general import time_since_boot_ms
 from ..utils.seen import Seen
 from ..wire.dialect import address, enum_name, enum_value
-from .protocol import Denied, Unsupported
+from .protocol import Denied
 from .handlers import Outcome, message
 from .component import Component
-from .health import Health
+from .health import DeviceServer, Health
 
 NAN = math.nan
 _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
@@ -41,7 +41,7 @@ class FakeCamera:
     information = CameraInformation('UAV', 'FakeCamera', (0,0,0,0), 2.8, 3.2, 2.4, 640, 480)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #7105e17d
-class CameraServer(Component):
+class CameraServer(DeviceServer):
     "Serves a camera object as a MAVLink camera"
     greet_again,most_peers = 5.,64  # seconds after which an asker is a new peer; how many are remembered
     pair = .2                       # seconds within which the two kinds of trigger are one press of the shutter
@@ -80,18 +80,6 @@ class CameraServer(Component):
             outcome = super().run_command(handler, msg)
         except Exception as e: outcome = Outcome(self.result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
         return self._for_ground_stations(msg, outcome)
-
-# %% ../../nbs/api/60_mavlink.camera_server.ipynb #e97b2180
-@patch
-def can(self:CameraServer, verb:str)->bool:
-    "Has the camera this verb?"
-    return callable(getattr(self.camera, verb, None))
-
-@patch
-def need(self:CameraServer, verb:str):
-    "The camera's verb; raises `Unsupported` when it has none"
-    if not self.can(verb): raise Unsupported(f'{self.camera.information.model} has no {verb}')
-    return getattr(self.camera, verb)
 
 # %% ../../nbs/api/60_mavlink.camera_server.ipynb #2e609364
 @patch

@@ -22,10 +22,10 @@ from ..utils.general import time_since_boot_ms, timers
 from ..utils.seen import Seen
 from ..utils.values import known, one_of
 from ..wire.dialect import address, parameters
-from .protocol import Denied, Unsupported
+from .protocol import Denied
 from .handlers import message, receives
 from .component import Component
-from .health import Health
+from .health import DeviceServer, Health
 from .gimbal_control import Control
 from .gimbal_options import GimbalOptions, RoleTables, checked_device_id, devices, managers
 from .gimbal_flags import attitude_fields, capabilities, checked_attitude, limits, packed, results
@@ -63,7 +63,7 @@ class SetpointStream:
     lock:threading.Lock=field(default_factory=threading.Lock, repr=False) # One at a time
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #0d4ab0e1
-class GimbalServer(Component):
+class GimbalServer(DeviceServer):
     "Serves a gimbal object as a MAVLink gimbal"
     results = {**Component.results, **results}
     with_each_tick,tick_period = [],.1  # functions of the server that later rooms add, and s between two calls
@@ -105,18 +105,6 @@ class GimbalServer(Component):
         if self._ticks: timers.cancel(self._ticks)
         if not again: self.stop_turning()
         super().close()
-
-# %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #95e0dd31
-@patch
-def can(self:GimbalServer, verb:str)->bool:
-    "Has the gimbal this verb?"
-    return callable(getattr(self.gimbal, verb, None))
-
-@patch
-def need(self:GimbalServer, verb:str):
-    "The gimbal's verb; raises `Unsupported` when it has none"
-    if not self.can(verb): raise Unsupported(f'{self.gimbal.information.model} has no {verb}')
-    return getattr(self.gimbal, verb)
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #656b6692
 @patch
@@ -175,11 +163,6 @@ def stop_turning(self:GimbalServer):
     try:
         if self.can('stop'): self.gimbal.stop()
     except Exception as e: self.complain('stop', e)
-
-@patch
-def beat(self:GimbalServer):
-    "Our heartbeat, which says how the gimbal is"
-    self.health.beat()
 
 # %% ../../nbs/api/67_mavlink.gimbal_server.ipynb #5780433d
 @patch

@@ -8,10 +8,11 @@ import threading
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
+from .protocol import Unsupported
 from .component import Component
 
 # %% auto #0
-__all__ = ['pieces_of', 'Health']
+__all__ = ['pieces_of', 'Health', 'DeviceServer']
 
 # %% ../../nbs/api/29_mavlink.health.ipynb #d67f00b8
 def pieces_of(text:str)->list:
@@ -72,3 +73,23 @@ def beat(self:Health):
     news = self.look()
     Component.beat(self.component)
     if news: self.component.say(*news)
+
+# %% ../../nbs/api/29_mavlink.health.ipynb #c01eadfb
+class DeviceServer(Component):
+    "A component that stands for a device; a subclass sets `health`, which knows the device"
+    def can(self,
+        verb:str, # The name of a method
+    )->bool:
+        "Has the device this verb?"
+        return callable(getattr(self.health.device, verb, None))
+
+    def need(self,
+        verb:str, # The name of a method
+    ):
+        "The device's verb; raises `Unsupported` when it has none"
+        if not self.can(verb): raise Unsupported(f'{self.health.device.information.model} has no {verb}')
+        return getattr(self.health.device, verb)
+
+    def beat(self):
+        "Our heartbeat, which says how the device is"
+        self.health.beat()
