@@ -1,0 +1,251 @@
+#!/usr/bin/env python
+"""Does every page fit? Render all pages, look at them in Chromium at two widths, and fail when something does not fit.
+
+Usage, from the project's root, in its development environment:
+    python .ci/pages.py [--keep FOLDER] [--only WORD]
+
+It counts elements wider than their column, letters in drawings under 11 px as they are shown, pictures that do not load
+or have no alternative text, links and anchors that lead nowhere. What scrolls inside a box of its own is fine.
+
+This is not Quarto, which renders the real site. The cells are nbdev's (`_proc`), pandoc is the same program, the elements
+and classes of cells, outputs and figures, `nbs/styles.css` and the widths of `_quarto.yml` are those of the site. The theme,
+the bars at the top and at the sides, tabsets and mermaid diagrams are not there; callouts are plain boxes.
+"""
+import argparse, base64, html, json, os, re, shutil, subprocess, sys, tempfile, urllib.parse
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pypandoc, yaml
+from nbdev.config import get_config
+from nbdev.quarto import refresh_quarto_yml
+from nbdev.serve import proc_nbs
+
+widths = 1400, 390      # a laptop's window, and a phone
+least_letters = 11      # px
+reader = 'markdown+autolink_bare_uris+emoji-yaml_metadata_block'
+look = '''
+body{{margin:0;font:17px/1.5 "Source Sans Pro","Noto Sans",system-ui,sans-serif}}
+#quarto-content{{display:grid;justify-content:center;column-gap:1.5em;padding:0 1.5em;
+  grid-template-columns:{sidebar-width} minmax(0,calc({body-width} - 3em)) {margin-width}}}
+main{{grid-column:2;min-width:0}}
+@media (max-width:991px){{#quarto-content{{grid-template-columns:minmax(0,1fr)}} main{{grid-column:1}}}}
+code,pre{{font-family:ui-monospace,"DejaVu Sans Mono",monospace;font-size:.875em}} pre code{{font-size:inherit}}
+pre{{margin:0 0 1rem;overflow:auto}} div.sourceCode,main>pre{{background:#f1f3f5;padding:.4em}}
+table{{border-collapse:collapse}} td,th{{padding:.5rem;border-bottom:1px solid #dee2e6;text-align:left}}
+figure{{margin:0 0 1rem}} .img-fluid{{max-width:100%;height:auto}} .callout{{border-left:5px solid #0d6efd;padding:.3rem .8rem}}'''
+
+
+def text(value): return value if isinstance(value, str) else ''.join(value or [])
+
+
+def options(source):
+    "Quarto's `#| key: value` lines, and the code below them"
+    found,lines = {},source.split('\n')
+    while lines and lines[0].startswith('#|'):
+        m = re.match(r'#\|\s*([\w-]+):\s*(.*)', lines.pop(0))
+        if m: found[m[1]] = str(yaml.safe_load(m[2]) if m[2] else '')
+    return found,'\n'.join(lines)
+
+
+def fence(code, language=''):
+    ticks = '`'*max([3, *(1+len(x) for x in re.findall('`+', code))])
+    return f'{ticks} {language}\n{code}\n{ticks}\n'
+
+
+def raw(words): return f'\n```{{=html}}\n{words}\n```\n'
+def boxed(kind, words): return f'{raw(f"<div class={json.dumps(kind)}>")}\n{words}\n{raw("</div>")}'
+
+
+def smallest_letters(svg):
+    "The least font size in an SVG as a part of its width; 0 without letters"
+    sizes = re.findall(r'font(?:-size)?\s*[:=]\s*"?[^;"}]*?([\d.]+)px', svg) if '<text' in svg else []
+    wide = re.search(r'viewBox="\S+ \S+ ([\d.]+)', svg) or re.search(r'<svg[^>]* width="([\d.]+)', svg)
+    return min(map(float, sizes), default=0)/float(wide[1]) if wide else 0
+
+
+class Page:
+    "One processed notebook, and the HTML that becomes of it"
+    def __init__(self, notebook, proc, out):
+        self.cells,self.notebook,self.pictures = json.loads(notebook.read_text())['cells'],notebook,0
+        self.front = {}
+        for cell in self.cells:
+            if cell['cell_type']=='raw' and (m := re.match(r'---\n(.*?)\n---', text(cell['source']), re.S)): self.front.update(yaml.safe_load(m[1]) or {})
+        self.path = out/notebook.relative_to(proc).parent/self.front.get('output-file', f'{notebook.stem}.html')
+
+    def picture(self, kind, data, alt):
+        "The figure of an image, which is saved beside the page"
+        self.pictures += 1
+        file = self.path.with_suffix('')/f'{self.pictures}.{kind.split("/")[1].split("+")[0]}'
+        file.parent.mkdir(parents=True, exist_ok=True)
+        letters = smallest_letters(data) if 'svg' in kind else 0
+        file.write_bytes(data.encode() if 'svg' in kind else base64.b64decode(data))
+        src = urllib.parse.quote(str(file.relative_to(self.path.parent)))
+        alt = f' alt="{html.escape(alt)}"' if alt else ''
+        return raw(f'<figure class="figure"><p><img src="{src}"{alt} class="img-fluid figure-img" data-letters="{letters}"></p></figure>')
+
+    def output(self, out, how):
+        "What Quarto shows of an output: HTML before pictures, pictures before text"
+        data = {kind:text(value) for kind,value in out.get('data', {}).items() if kind!='application/json'}
+        picture = next((kind for kind in ('image/svg+xml','image/png','image/jpeg','image/webp') if kind in data), None)
+        if out['output_type']=='stream': return boxed(f'cell-output cell-output-{out["name"]}', fence(text(out['text'])))
+        if how.get('output')=='asis' and 'text/markdown' in data: return data['text/markdown']
+        if 'text/html' in data: shown = raw(data['text/html'])
+        elif 'text/markdown' in data: shown = data['text/markdown']
+        elif picture: shown = self.picture(picture, data[picture], how.get('fig-alt') or how.get('fig-cap'))
+        else: return boxed('cell-output cell-output-display', fence(data.get('text/plain', '')))
+        return boxed('cell-output cell-output-display', shown)
+
+    def cell(self, cell):
+        "The Markdown of a cell"
+        source = text(cell['source'])
+        if cell['cell_type']!='code': return source if cell['cell_type']=='markdown' or not source.startswith('---') else ''
+        how,code = options(source)
+        if how.get('include','').lower()=='false': return ''
+        parts = []
+        if how.get('echo','').lower()!='false' and code.strip():
+            parts = [fence(code, 'python')]
+            if how.get('code-fold','').lower() in ('true','show'):
+                parts = [raw(f'<details class="code-fold"><summary>{how.get("code-summary", "Code")}</summary>'), *parts, raw('</details>')]
+        outputs = [] if how.get('output','').lower()=='false' else [self.output(o, how) for o in cell.get('outputs', [])]
+        return boxed('cell', '\n'.join(parts+outputs)) if parts or outputs else ''
+
+    def relink(self, words, names):
+        "Links to notebooks become links to their pages"
+        def there(m):
+            target = os.path.normpath(self.notebook.parent/m[1])
+            return f']({os.path.relpath(names[target], self.path.parent)}{m[2] or ""})' if target in names else m[0]
+        return re.sub(r'\]\((?!\w+:)([^)#\s]+\.ipynb)(#[^)]*)?\)', there, words)
+
+    def render(self, names, style):
+        "Write the page; what pandoc complains of"
+        words = self.relink('\n\n'.join(map(self.cell, self.cells)), names)
+        words = re.sub(r'```\{(\w+)\}', r'``` \1', words)
+        done = subprocess.run([pypandoc.get_pandoc_path(), '-f', reader, '-t', 'html5', '--mathml', '--wrap=preserve'],
+                              input=words, text=True, capture_output=True)
+        said = self.front.get('description', '')
+        head = f'<h1 class="title">{html.escape(str(self.front.get("title", "")))}</h1><div><div class="description">{html.escape(str(said))}</div></div>'
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        self.path.write_text(f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+                             f'<style>{style}</style></head><body><div id="quarto-content"><main class="content">'
+                             f'<header id="title-block-header">{head}</header>\n{done.stdout}</main></div></body></html>')
+        return [done.stderr.strip()] if done.returncode or done.stderr.strip() else []
+
+
+measure = r'''
+const findings = [], main = document.querySelector('main'), column = main.getBoundingClientRect()
+document.querySelectorAll('details').forEach(d => d.open = true)
+const words = e => (e.getAttribute('alt') || e.id || e.textContent || e.getAttribute('src') || '').trim().replace(/\s+/g, ' ').slice(0, 70)
+const scrolls = e => ['auto','scroll'].includes(getComputedStyle(e).overflowX)
+const boxed = e => { for (let p = e.parentElement; p && p !== main; p = p.parentElement)
+                       if (scrolls(p) && p.getBoundingClientRect().right <= column.right+1) return true }
+if (document.documentElement.scrollWidth > innerWidth+1) findings.push(['page', document.documentElement.scrollWidth-innerWidth, 'the page itself scrolls sideways'])
+const told = new Set()
+for (const e of main.querySelectorAll('*')) {
+  if (told.has(e.parentElement)) { told.add(e); continue }
+  const box = e.getBoundingClientRect()
+  if (box.width && !e.closest('svg svg, math') && (box.right > column.right+1 || box.left < column.left-1) && !boxed(e)) {
+    told.add(e); findings.push(['wide', Math.round(Math.max(box.right-column.right, column.left-box.left)), e.tagName.toLowerCase()+': '+words(e)]) } }
+for (const i of main.querySelectorAll('img')) {
+  if (i.getAttribute('src').startsWith('http')) continue
+  if (!i.naturalWidth) findings.push(['picture', 1, 'does not load: '+i.getAttribute('src').slice(0, 70)])
+  if (!(i.getAttribute('alt') || '').trim() && !i.closest('[aria-hidden=true]') && i.getAttribute('role') !== 'presentation')
+    findings.push(['alt', 1, 'img: '+i.getAttribute('src').slice(0, 70)])
+  const letters = i.dataset.letters*i.getBoundingClientRect().width
+  if (i.naturalWidth && letters && letters < LEAST-.05) findings.push(['letters', Math.round(10*(LEAST-letters))/10, words(i)]) }
+for (const s of main.querySelectorAll('svg')) {
+  if (s.parentElement.closest('svg') || s.getBoundingClientRect().width < 60) continue
+  if (!s.querySelector('title') && !s.getAttribute('aria-label') && !s.closest('[aria-label],[aria-hidden=true]')) findings.push(['alt', 1, 'svg: '+words(s)])
+  let least = 99
+  for (const t of s.querySelectorAll('text')) if (t.textContent.trim()) least = Math.min(least, parseFloat(getComputedStyle(t).fontSize)*Math.abs(t.getScreenCTM().d))
+  if (least < LEAST-.05) findings.push(['letters', Math.round(10*(LEAST-least))/10, words(s)]) }
+return findings'''.replace('LEAST', str(least_letters))
+
+
+def look_at(pages):
+    "`[(page, width, kind, by how much, what)]`, as Chromium shows them"
+    from UAV.testing.browser import Browser
+    findings = []
+    with Browser() as browser:
+        for path in pages:
+            for n,width in enumerate(widths):
+                browser.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', dict(width=width, height=900, deviceScaleFactor=1, mobile=False))
+                if not n: browser.driver.get(path.as_uri())
+                findings += [(path, width, *found) for found in browser.driver.execute_script(measure)]
+    return findings
+
+
+class Anchors(HTMLParser):
+    "The ids and links of a page"
+    def __init__(self, words):
+        super().__init__()
+        self.ids,self.links = set(),[]
+        self.feed(words)
+
+    def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        if given.get('id'): self.ids.add(given['id'])
+        if tag=='a' and given.get('href'): self.links.append(given['href'])
+
+
+def dead_links(pages, out):
+    "Links to pages, anchors and source files that are not there"
+    cfg,seen,findings = get_config(),{path:Anchors(path.read_text()) for path in pages},[]
+    blob,site = f'{cfg.git_url}/blob/{cfg.branch}/',f'{cfg.doc_host}{cfg.doc_baseurl}/'
+    for path,page in seen.items():
+        for link in page.links:
+            where,_,anchor = link.partition('#')
+            if where.startswith(blob):
+                if not (cfg.config_path/where.removeprefix(blob)).exists(): findings.append((path, 0, 'link', 1, link))
+                continue
+            if where.startswith(site): target = out/(where.removeprefix(site) or 'index.html')
+            elif re.match(r'\w+:', where): continue
+            else: target = Path(os.path.normpath(path.parent/urllib.parse.unquote(where))) if where else path
+            if target.is_dir(): target = target/'index.html'
+            if not target.exists(): findings.append((path, 0, 'link', 1, link))
+            elif anchor and target in seen and urllib.parse.unquote(anchor) not in seen[target].ids: findings.append((path, 0, 'anchor', 1, link))
+    return findings
+
+
+def configuration(config):
+    "What `_quarto.yml` names and is not there"
+    cfg,said = get_config(),json.dumps(config)
+    missing = [name for name in re.findall(r'"((?:api/|images/|\w+/)?[\w.]+\.(?:ipynb|svg|jpg|png|css))"', said) if not (cfg.nbs_path/name).exists()]
+    findings = [('_quarto.yml', 0, 'link', 1, name) for name in missing]
+    if f'"{cfg.git_url}"' not in said: findings.append(('_quarto.yml', 0, 'link', 1, f'no link to {cfg.git_url}, the repository of settings.ini'))
+    return findings
+
+
+def main():
+    args = argparse.ArgumentParser(description=__doc__.split('\n')[0])
+    args.add_argument('--keep', help='a folder for the pages')
+    args.add_argument('--only', default='', help='a part of the names of pages to look at')
+    args.add_argument('--as-is', action='store_true', help='take _proc as it is')
+    args = args.parse_args()
+    config = yaml.safe_load(Path('_quarto.yml').read_text())
+    style = look.format(**config['format']['html']['grid'])+Path('nbs/styles.css').read_text()
+    folder = tempfile.TemporaryDirectory()
+    out,proc = Path(args.keep or folder.name).absolute(),Path('_proc').absolute()
+    if not args.as_is:
+        refresh_quarto_yml()
+        proc_nbs(n_workers=2, force=True)
+    for kind in ('*.png','*.jpg','*.jpeg','*.svg','*.gif','*.webp','*.mp4'):
+        for file in proc.rglob(kind):
+            there = out/file.relative_to(proc)
+            there.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(file, there)
+    pages = [Page(notebook, proc, out) for notebook in sorted(proc.rglob('*.ipynb'))]
+    names = {str(page.notebook):page.path for page in pages}
+    with ThreadPoolExecutor(2) as pool: complaints = list(pool.map(lambda page: page.render(names, style), pages))
+    findings = [(page.path, 0, 'pandoc', 1, words) for page,said in zip(pages, complaints) for words in said]
+    findings += configuration(config)+dead_links([page.path for page in pages], out)
+    chosen = [page.path for page in pages if args.only in str(page.path)]
+    findings += look_at(chosen)
+    for path,width,kind,much,what in sorted(findings, key=lambda f: (f[2], -f[3]))[:200]:
+        print(f'{kind:8}{much:6} px ' if kind in ('wide','page','letters') else f'{kind:18}', f'{width or "":5}', str(path).removeprefix(f'{out}/'), what)
+    print(f'{len(chosen)} pages at {" and ".join(map(str, widths))} px:', ', '.join(f'{n} {kind}' for kind,n in Counter(f[2] for f in findings).items()) or 'all fits')
+    return bool(findings)
+
+
+if __name__=='__main__': sys.exit(main())
