@@ -2,7 +2,8 @@
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from UAV.mavlink.mavcom import MAVCom
 from UAV.mavlink import fences, routing, commands, finding, event_loop, camera_commands, camera_video, camera_verbs, camera_fov, video_client, capture     # classes grow in later rooms
-from UAV.mavlink import gimbal_steering, gimbal_commands, gimbal_intervals, gimbal_setpoints, gimbal_roi, gimbal_mount, gimbal_finding, gimbal_hold, gimbal_camera, gimbal_verbs
+from UAV.mavlink import camera_storages, camera_sources, camera_tracking, camera_vehicle, camera_trigger, camera_parameters, parameter_client, ftp_changes, ftp_server, ftp_client, ftp_folders
+from UAV.mavlink import gimbal_steering, gimbal_commands, gimbal_intervals, gimbal_setpoints, gimbal_roi, gimbal_mount, gimbal_finding, gimbal_hold, gimbal_at, gimbal_camera, gimbal_verbs
 from UAV.wire.lossy import LossyLink
 from UAV.wire.message_log import MessageLog
 from UAV.wire.tlog import ReplayLink

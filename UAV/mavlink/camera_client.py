@@ -16,15 +16,18 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_
     MAVLINK_MSG_ID_CAMERA_SETTINGS as CAMERA_SETTINGS, MAVLINK_MSG_ID_STORAGE_INFORMATION as STORAGE_INFORMATION)
 from ..logging import LogLevels
 from .protocol import Lost, comes_from
+from .mistakes import Found, check_count, check_seconds
 from .component import Component
 
-NAN = math.nan
 _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
          'CAMERA_IMAGE_CAPTURED', 'NAN', 'LogLevels', 'mavlink']
 
 # %% auto #0
 __all__ = ['NAN', 'CameraClient', 'RemoteCamera', 'is_camera', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION',
            'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'LogLevels', 'mavlink']
+
+# %% ../../nbs/api/62_mavlink.camera_client.ipynb #47d5c342
+NAN = math.nan
 
 # %% ../../nbs/api/62_mavlink.camera_client.ipynb #7b27bdcc
 class CameraClient(Component):
@@ -66,6 +69,7 @@ async def _ask_for(self:CameraClient, target:tuple, msg_id:int, index:float, leg
     after = max(.5, self._soon(target))
     msg,ack = await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, index], msg_id, target, after, fits=fits)
     if msg is None and not ack.lost: msg,ack = await self._request(legacy, params, msg_id, target, after, fits=fits)
+    if msg is None: self.warn_unheard(msg_id, ack)
     return msg,ack
 
 # %% ../../nbs/api/62_mavlink.camera_client.ipynb #01c8c1d0
@@ -177,13 +181,16 @@ def _cameras_heard(self:CameraClient, since:float)->list:
 async def find_cameras(self:CameraClient,
     count:int|None=None, # Return as soon as so many have been heard
     timeout:float=1.5, # Seconds to listen; heartbeats come once a second
-)->list:
+)->list[RemoteCamera]:
     "A `RemoteCamera` for each camera that beats, ordered by address; raises `LinkError` when we are on no link"
     import asyncio
+    check_count(count)
+    check_seconds('timeout', timeout)
     start = time.monotonic()
     def enough(): return count is not None and len(self._cameras_heard(start-1.5))>=count
     while not enough() and (left := start+timeout-time.monotonic())>0:
         await self._hear(mavlink.MAVLINK_MSG_ID_HEARTBEAT, left, there=enough)
     found = self._cameras_heard(start-1.5)
     what = await asyncio.gather(*(self.request_camera_information(*s) for s in found))
-    return [RemoteCamera(*s, i) for s,i in zip(found, what)]
+    why = f'no camera in {timeout:g} s; {self.mav_com.who_was_heard()}'
+    return Found([RemoteCamera(*s, i) for s,i in zip(found, what)], why)

@@ -255,6 +255,12 @@ def lost(self:Player)->int:
     "How many pictures came in part only, since the stream was last lost"
     return self._source.lost
 
+# %% ../../nbs/api/37_video.player.ipynb #f1bf7591
+@patch(as_prop=True)
+def sinks(self:Player)->list:
+    "Add a `Sink` to these, and it gets each access unit of a live stream as it came, to record it for example"
+    return self._source.sinks
+
 # %% ../../nbs/api/37_video.player.ipynb #29b1fd7b
 def strip(
     player, # `Player`

@@ -1,0 +1,1 @@
+# Written by .ci/stubs.py from the live classes: do not edit.
