@@ -131,15 +131,16 @@ def main():
 
     def first(page):
         result = run_apart(page, mode, flags)
-        if result[1]: again.append(page)
+        if result[1]: again.append((page, result))
         else: report(page, *result)
 
     with ThreadPoolExecutor(2*os.cpu_count()) as pool: list(pool.map(first, pages))       # most of their time they wait
     bad = 0
-    for page in again:
+    for page,(_,before,_) in again:
         result = run_apart(page, mode, flags)
         report(page, *result)
         bad += bool(result[1])
+        print('the first time:', *before, sep='\n        ')
         print(f"{page.name}: failed {'twice' if result[1] else 'first, and passed the second time'}", flush=True)
     return bool(bad)
 
