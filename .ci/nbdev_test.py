@@ -1,11 +1,13 @@
 #!/usr/bin/env python
 """`nbdev_test` with a process of its own for each notebook, so that one that hangs, crashes, or leaves threads and log levels
-behind fails alone. It takes nbdev_test's options. What fails is tried once more, alone; a notebook that passes then is named."""
+behind fails alone. It takes nbdev_test's options. Without `--flags`, the cells that need GStreamer or Chromium run where these
+are installed. What fails is tried once more, alone; a notebook that passes then is named."""
 import faulthandler, os, signal, sys, time
 from multiprocessing import get_context
 from multiprocessing.connection import wait
 
 import nbdev.test
+from installed import in_browser,installed
 import cv2, matplotlib.pyplot, numpy, pymavlink.dialects.v20.all      # noqa: once here, and not in each process
 
 LONGEST = 600   # s for one notebook; then it says where it hangs, and ends
@@ -45,8 +47,12 @@ def run(test, notebooks, workers, options):
     waiting,busy,results = list(notebooks),{},{}
     try:
         while waiting or busy:
-            while waiting and len(busy) < workers:
-                started = start(test, waiting.pop(0), options)
+            while len(busy) < workers:
+                browsing = any(in_browser(notebook) for _,notebook,_ in busy.values())
+                ready = next((notebook for notebook in waiting if not (browsing and in_browser(notebook))), None)
+                if ready is None: break
+                waiting.remove(ready)
+                started = start(test, ready, options)
                 busy[started[0].sentinel] = started
             for sentinel in wait(list(busy)):
                 started = busy.pop(sentinel)
@@ -59,7 +65,8 @@ def run(test, notebooks, workers, options):
 def parallel(test, notebooks, n_workers, pause, **options):
     "fastcore's `parallel`, as nbdev_test calls it: what `test` gives for each notebook, in their order"
     begun.extend(notebooks)
-    longest = sorted(notebooks, key=lambda notebook: 'explanations' not in notebook.parts)      # they begin first
+    def late(notebook): return not (in_browser(notebook) or 'explanations' in notebook.parts)
+    longest = sorted(notebooks, key=late)                               # those of a browser, which take turns, begin first
     results = run(test, longest, max(n_workers*3//2, 1), options)       # for half of its time and more a notebook waits
     again = [notebook for notebook in notebooks if not results[notebook][0]]
     if len(again) > 8: again = []           # that is no accident
@@ -71,5 +78,6 @@ def parallel(test, notebooks, n_workers, pause, **options):
 
 if __name__ == '__main__':
     nbdev.test.parallel = parallel
+    if '--flags' not in sys.argv: sys.argv += ['--flags', ' '.join(installed())]
     nbdev.test.nbdev_test()
     sys.exit(not begun)         # a path that does not exist is not a success

@@ -12,17 +12,17 @@ from pathlib import Path
 
 import psutil
 
+from installed import NEEDS,in_browser,installed
+
 LONGEST = 600                                                       # s for one page
 HIDDEN = r'^#\s*\|\s*(hide\b|hide_input\b|echo:\s*false|include:\s*false|eval:\s*false|notest\b|slow\b|hardware\b)'
-FLAGS = dict(gst='from UAV.utils.gi import load_gst; load_gst()',    # what must work where the flagged cells shall run
-             browser='from UAV.testing.browser import find_chromium; find_chromium()')
 
 
 def is_visible(cell, flags):
     "Whether a reader sees the source of `cell`, and can run it where `flags` are"
     source = ''.join(cell['source'])
     if cell['cell_type'] != 'code' or not source.strip() or re.search(HIDDEN, source, re.M): return False
-    return all(flag in flags for flag in FLAGS if re.search(rf'^#\s*\|\s*{flag}\b', source, re.M))
+    return all(flag in flags for flag in NEEDS if re.search(rf'^#\s*\|\s*{flag}\b', source, re.M))
 
 
 def visible_cells(page, flags):
@@ -119,10 +119,7 @@ def main():
     args = parser.parse_args()
     if args.diary: run_here(args.pages[0].resolve(), args.diary, in_kernel if args.kernel else in_shell, args.flags)
     flags = args.flags
-    if flags is None:
-        def works(try_it): return subprocess.run([sys.executable, '-c', try_it], capture_output=True).returncode == 0
-        flags = [flag for flag,try_it in FLAGS.items() if works(try_it)]
-    for flag in FLAGS.keys()-set(flags): print(f'skipped the cells that begin with `#| {flag}`: it is not installed')
+    if flags is None: flags = list(installed())
     nbs = Path('nbs')
     folders = 'explanations','how_to','tutorials'                   # the longest pages first
     pages = args.pages or [*(page for folder in folders for page in sorted((nbs/folder).glob('*.ipynb'))), nbs/'index.ipynb']
@@ -134,7 +131,13 @@ def main():
         if result[1]: again.append((page, result))
         else: report(page, *result)
 
-    with ThreadPoolExecutor(2*os.cpu_count()) as pool: list(pool.map(first, pages))       # most of their time they wait
+    def turns(pages):
+        for page in pages: first(page)
+
+    browsing,others = ([page for page in pages if in_browser(page)==is_so] for is_so in (True,False))
+    with ThreadPoolExecutor(2*os.cpu_count()) as pool:              # most of their time they wait
+        running = [pool.submit(turns, browsing), *(pool.submit(first, page) for page in others)]
+        for one in running: one.result()
     bad = 0
     for page,(_,before,_) in again:
         result = run_apart(page, mode, flags)

@@ -22,13 +22,14 @@ CameraRow.listed,CameraRow.most_listed = {},500         # `{path: FileEntry}` of
 @patch
 async def files(self:CameraRow,
     path:str, # A folder on the camera
-)->list:
-    "What is there, as plain values, the newest first; raises `MAVError`"
+)->dict:
+    "`entries`: what is in it, the newest first, `most_listed` at most; `all`: how many there are; raises `MAVError`"
     named = sorted(await self.client.list_files(*self.target, path), key=lambda e: e.name, reverse=True)
     found = sorted(named, key=lambda e: (not e.folder, -(e.time or 0)))         # in one second: by their names
     there = {f'{path.rstrip("/")}/{e.name}':e for e in found[:self.most_listed]}
     self.listed = dict([*self.listed.items(), *there.items()][-2*self.most_listed:])
-    return [dict(path=path, name=e.name[:200], size=e.size, time=e.time, folder=e.folder) for path,e in there.items()]
+    entries = [dict(path=p, name=e.name[:200], size=e.size, time=e.time, folder=e.folder) for p,e in there.items()]
+    return dict(all=len(found), entries=entries)
 
 # %% ../../nbs/api/75_manager.camera_files.ipynb #c9ef0c2e
 def small_picture(

@@ -172,8 +172,8 @@ class CameraRow(Row):
         Args:
             id: As in `status`
         """
-    async def files(self, path: str) -> list:
-        """What is there, as plain values, the newest first; raises `MAVError`
+    async def files(self, path: str) -> dict:
+        """`entries`: what is in it, the newest first, `most_listed` at most; `all`: how many there are; raises `MAVError`
 
         Args:
             path: A folder on the camera

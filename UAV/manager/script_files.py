@@ -66,7 +66,10 @@ js_above = r"""
 function above(path) {
   return path === '/' ? [] : [{ path: path.replace(/\/[^/]*$/, '') || '/', name: '..', folder: true }]
 }
-function counted(path, { length }) { return path + ': ' + length + (length === 1 ? ' entry' : ' entries') }
+function counted(path, { all, entries }) {
+  const shown = entries.length < all ? 'the newest ' + entries.length + ' of ' : ''
+  return path + ': ' + shown + all + (all === 1 ? ' entry' : ' entries')
+}
 """
 
 # %% ../../nbs/api/72_manager.script_files.ipynb #ce05b8f4
@@ -88,7 +91,7 @@ function filesView(row) {
     say(said, 'looking …')
     const found = await row.wire.files(row.of, path).catch(error => say(said, error.message))
     if (!found || path !== at) return
-    const items = [...above(path), ...found].map(entry => fileLine(row, entry, open))
+    const items = [...above(path), ...found.entries].map(entry => fileLine(row, entry, open))
     place.replaceChildren(...items)
     seeing = sights(row)
     for (const item of items) seeing.see(item)

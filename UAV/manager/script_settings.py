@@ -83,9 +83,10 @@ const FIELDS = {
 
 # %% ../../nbs/api/72_manager.script_settings.ipynb #6758fd8d
 js_dim = r"""
-function dim(node, input, why) {
+function dim(node, input, reason, why) {
   input.disabled = !!why
   node.toggleAttribute('data-why', !!why)
+  say(reason, why || '')
 }
 """
 
@@ -94,11 +95,11 @@ js_setting = r"""
 function settingRow(row, given) {
   const set = value => row.act('set', { name: given.name, value }), field = FIELDS[given.field](set, given)
   const inside = [h('span', { class: 'word' }, given.label), field.input, ...(field.output ? [field.output] : [])]
-  const node = h('label', { class: 'setting', 'data-name': given.name }, ...inside)
+  const reason = h('small', { class: 'reason' })
+  const node = h('label', { class: 'setting', 'data-name': given.name, title: given.name }, ...inside, reason)
   function update(now) {
     field.update(now)
-    dim(node, field.input, now.why)
-    node.title = now.why || now.name
+    dim(node, field.input, reason, now.why)
   }
   return { node, update }
 }

@@ -14,7 +14,9 @@ css_settings = """
 .uav-panel .settings { display: grid; gap: .3rem 1.2rem; padding: .3rem 0;
   grid-template-columns: repeat(auto-fit, minmax(min(100%, 19rem), 1fr)); align-items: start }
 .uav-panel .settings > div { display: grid; gap: .3rem }
-.uav-panel .setting { display: flex; align-items: center; gap: .5rem; min-width: 0 }
+.uav-panel .setting { display: flex; flex-wrap: wrap; align-items: center; gap: 0 .5rem; min-width: 0 }
+.uav-panel .setting .reason { flex: 0 0 100%; font-size: .8em }
+.uav-panel .setting .reason:empty { display: none }
 .uav-panel .setting .word { flex: 0 0 9.5em; width: auto; overflow-wrap: anywhere }
 .uav-panel .setting select { flex: 1; min-width: 0 }
 .uav-panel .setting output { flex: none; min-width: 3.6em; text-align: right }

@@ -75,33 +75,33 @@ class CameraClient(Component):
             timeout: Seconds to listen; heartbeats come once a second
         """
     async def set_camera_mode(
-            self, target_system: int | None = None, target_component: int | None = None, mode_id: int = ...,
+            self, target_system: int | None = None, target_component: int | None = None, mode_id: int | str = ...,
     ) -> Ack:
         """Switch between taking pictures, video, and surveying
 
         Args:
-            mode_id: A CAMERA_MODE
+            mode_id: A CAMERA_MODE, or its word: `'video'`
         """
     def next_step(self) -> list:
         "Parameters 4 to 7 of a step: each is 0 or NaN, and not all as in one of the 15 steps before"
     async def set_camera_zoom(
-            self, target_system: int | None = None, target_component: int | None = None, zoom_type: int = ...,
+            self, target_system: int | None = None, target_component: int | None = None, zoom_type: int | str = ...,
             zoom_value: float = 1,
     ) -> Ack:
         """Zoom
 
         Args:
-            zoom_type: A CAMERA_ZOOM_TYPE
+            zoom_type: A CAMERA_ZOOM_TYPE, or its word: `'range'` is %
             zoom_value: Steps, speed -1 to 1, %, mm, or degrees
         """
     async def set_camera_focus(
-            self, target_system: int | None = None, target_component: int | None = None, focus_type: int = ...,
+            self, target_system: int | None = None, target_component: int | None = None, focus_type: int | str = ...,
             focus_value: float = 1,
     ) -> Ack:
         """Focus
 
         Args:
-            focus_type: A SET_FOCUS_TYPE
+            focus_type: A SET_FOCUS_TYPE, or its word: `'auto'`
             focus_value: Steps, speed -1 to 1, %, or metres
         """
     async def reset_camera_settings(self, target_system: int | None = None, target_component: int | None = None) -> Ack:

@@ -11,16 +11,29 @@ from .verbs import verb
 from .camera_client import NAN, CameraClient
 
 # %% auto #0
-__all__ = []
+__all__ = ['number_of']
+
+# %% ../../nbs/api/63_mavlink.camera_verbs.ipynb #5968c9c5
+def number_of(
+    enum:str, # Its name in the dialect
+    value:int|str, # A number, or a word such as `'range'`
+    prefix:str, # What the dialect writes before the word
+)->int:
+    "The number of `value`; raises `ValueError` for a word that `enum` has not"
+    if not isinstance(value, str): return value
+    names = {n:e.name for n,e in mavlink.enums[enum].items() if not e.name.endswith('_ENUM_END')}
+    words = {name.removeprefix(prefix).lower():n for n,name in names.items()}
+    if value.lower() not in words: raise ValueError(f'{value!r} is not in {enum}: {", ".join(words)}')
+    return words[value.lower()]
 
 # %% ../../nbs/api/63_mavlink.camera_verbs.ipynb #b5d19b09
 @patch
 @verb(mavlink.MAV_CMD_SET_CAMERA_MODE)
 def set_camera_mode(self:CameraClient,
-    mode_id:int=mavlink.CAMERA_MODE_IMAGE, # A CAMERA_MODE
+    mode_id:int|str=mavlink.CAMERA_MODE_IMAGE, # A CAMERA_MODE, or its word: `'video'`
 ):
     "Switch between taking pictures, video, and surveying"
-    return [0, mode_id, NAN, NAN, NAN, NAN, NAN]
+    return [0, number_of('CAMERA_MODE', mode_id, 'CAMERA_MODE_'), NAN, NAN, NAN, NAN, NAN]
 
 # %% ../../nbs/api/63_mavlink.camera_verbs.ipynb #5989d767
 @patch
@@ -33,20 +46,20 @@ def next_step(self:CameraClient)->list:
 @patch
 @verb(mavlink.MAV_CMD_SET_CAMERA_ZOOM)
 def set_camera_zoom(self:CameraClient,
-    zoom_type:int=mavlink.ZOOM_TYPE_STEP, # A CAMERA_ZOOM_TYPE
+    zoom_type:int|str=mavlink.ZOOM_TYPE_STEP, # A CAMERA_ZOOM_TYPE, or its word: `'range'` is %
     zoom_value:float=1, # Steps, speed -1 to 1, %, mm, or degrees
 ):
     "Zoom"
-    return [zoom_type, zoom_value, 0, *self.next_step()]
+    return [number_of('CAMERA_ZOOM_TYPE', zoom_type, 'ZOOM_TYPE_'), zoom_value, 0, *self.next_step()]
 
 @patch
 @verb(mavlink.MAV_CMD_SET_CAMERA_FOCUS)
 def set_camera_focus(self:CameraClient,
-    focus_type:int=mavlink.FOCUS_TYPE_STEP, # A SET_FOCUS_TYPE
+    focus_type:int|str=mavlink.FOCUS_TYPE_STEP, # A SET_FOCUS_TYPE, or its word: `'auto'`
     focus_value:float=1, # Steps, speed -1 to 1, %, or metres
 ):
     "Focus"
-    return [focus_type, focus_value, 0, *self.next_step()]
+    return [number_of('SET_FOCUS_TYPE', focus_type, 'FOCUS_TYPE_'), focus_value, 0, *self.next_step()]
 
 # %% ../../nbs/api/63_mavlink.camera_verbs.ipynb #8a68d885
 @patch
