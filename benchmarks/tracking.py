@@ -1,12 +1,13 @@
 """How well trackers follow the car of the simulated world, and how long a picture takes them: `python benchmarks/tracking.py`.
 Six cameras look at it; IoU is what two rectangles share of all that they cover. Prints the table of `42_cameras.follower`."""
-import json, math, pathlib, time
+import math, os, pathlib, time
 
 import cv2, numpy as np
 from UAV.cameras.follower import Follower
 from UAV.cameras.lens import View
 from UAV.cameras.sim_world import sim_world
 from UAV.gimbals.vehicle import circle
+from run import machine, write
 
 world,rate = sim_world(),15
 
@@ -127,7 +128,7 @@ def measure(make, shown):
 
 if __name__=='__main__':
     cv2.setNumThreads(1)
-    results = {name:{} for name in trackers}
+    results,load = {name:{} for name in trackers},os.getloadavg()
     for camera in cameras:
         shown = pictures(camera)
         for name,make in trackers.items(): results[name][camera] = measure(make, shown)
@@ -135,4 +136,6 @@ if __name__=='__main__':
     for name,row in results.items():
         means = [f'{mean:.2f}' for mean,_,_ in row.values()]
         print(f'| {name} |', ' | '.join(means), f'| {np.mean([f for _,f,_ in row.values()]):.0%} | {np.median([ms for *_,ms in row.values()]):.1f} |')
-    pathlib.Path(__file__).with_suffix('.json').write_text(json.dumps(results, indent=1)+'\n')
+    rows = [dict(tracker=name, camera=camera, overlap=round(mean, 3), found=round(found, 3), ms=round(ms, 2))
+            for name,row in results.items() for camera,(mean,found,ms) in row.items()]
+    write(pathlib.Path(__file__).with_suffix('.json'), dict(machine=machine(), load_at_start=load, load_at_end=os.getloadavg(), rows=rows))
