@@ -16,3 +16,6 @@ def installed():
 def in_browser(notebook):
     "Whether `notebook` opens a browser: one at a time is enough for a small machine"
     return '"#| browser' in notebook.read_text(encoding='utf-8')
+
+
+if __name__ == '__main__': sys.exit(not set(sys.argv[1:]) <= set(installed()))     # installed.py browser: 0 where it is

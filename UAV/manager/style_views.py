@@ -20,7 +20,7 @@ css_settings = """
 .uav-panel .setting .word { flex: 0 0 9.5em; width: auto; overflow-wrap: anywhere }
 .uav-panel .setting select { flex: 1; min-width: 0 }
 .uav-panel .setting output { flex: none; min-width: 3.6em; text-align: right }
-.uav-panel .setting[data-why] { opacity: .55 }
+.uav-panel .setting[data-why] > :not(.reason) { opacity: .55 }
 """
 
 # %% ../../nbs/api/70_manager.style_views.ipynb #cfd5eda6

@@ -6,25 +6,12 @@
 from __future__ import annotations
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..wire.dialect import Ack
+from ..wire.dialect import Ack,number_of
 from .verbs import verb
 from .camera_client import NAN, CameraClient
 
 # %% auto #0
-__all__ = ['number_of']
-
-# %% ../../nbs/api/63_mavlink.camera_verbs.ipynb #5968c9c5
-def number_of(
-    enum:str, # Its name in the dialect
-    value:int|str, # A number, or a word such as `'range'`
-    prefix:str, # What the dialect writes before the word
-)->int:
-    "The number of `value`; raises `ValueError` for a word that `enum` has not"
-    if not isinstance(value, str): return value
-    names = {n:e.name for n,e in mavlink.enums[enum].items() if not e.name.endswith('_ENUM_END')}
-    words = {name.removeprefix(prefix).lower():n for n,name in names.items()}
-    if value.lower() not in words: raise ValueError(f'{value!r} is not in {enum}: {", ".join(words)}')
-    return words[value.lower()]
+__all__ = []
 
 # %% ../../nbs/api/63_mavlink.camera_verbs.ipynb #b5d19b09
 @patch

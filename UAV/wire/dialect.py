@@ -10,8 +10,8 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 # %% auto #0
-__all__ = ['command_cancel', 'timesync', 'address', 'enum_name', 'enum_value', 'Ack', 'message_class', 'parameters', 'MAVError',
-           'LinkError']
+__all__ = ['command_cancel', 'timesync', 'address', 'enum_name', 'enum_value', 'number_of', 'Ack', 'message_class', 'parameters',
+           'MAVError', 'LinkError']
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #2413f3a0
 @patch
@@ -33,6 +33,19 @@ def enum_name(enum:str, value:int, prefix:str='')->str:
 def enum_value(enum:str, name:str, prefix:str='')->int:
     "The number that the dialect gives to `prefix+name`, in whatever case; raises `KeyError`"
     return {e.name:i for i,e in mavlink.enums[enum].items()}[prefix+name.upper()]
+
+# %% ../../nbs/api/10_wire.dialect.ipynb #8ae6a728
+def number_of(
+    enum:str, # Its name in the dialect
+    value:int|str, # A number, or a word such as `'range'`
+    prefix:str='', # What the dialect writes before the word
+)->int:
+    "The number of `value`; raises `ValueError` for a word that `enum` does not have"
+    if not isinstance(value, str): return value
+    try: return enum_value(enum, value, prefix)
+    except KeyError: names = [e.name for e in mavlink.enums[enum].values() if not e.name.endswith('_ENUM_END')]
+    words = ', '.join(name.removeprefix(prefix).lower() for name in names)
+    raise ValueError(f'{value!r} is not in {enum}: {words}')
 
 # %% ../../nbs/api/10_wire.dialect.ipynb #44ed4632
 class Ack(int):

@@ -9,6 +9,14 @@ def enum_name(enum: str, value: int, prefix: str = '') -> str:
     "The dialect's name for `value` of `enum`, without `prefix`; the number itself when it has none"
 def enum_value(enum: str, name: str, prefix: str = '') -> int:
     "The number that the dialect gives to `prefix+name`, in whatever case; raises `KeyError`"
+def number_of(enum: str, value: int | str, prefix: str = '') -> int:
+    """The number of `value`; raises `ValueError` for a word that `enum` does not have
+
+    Args:
+        enum: Its name in the dialect
+        value: A number, or a word such as `'range'`
+        prefix: What the dialect writes before the word
+    """
 
 class Ack(int):
     "1 if a command was accepted, else 0; it remembers by whom and why"
@@ -53,6 +61,6 @@ class LinkError(MAVError, ConnectionError):
     "A link that cannot be opened, or was closed"
 
 __all__ = [
-    'command_cancel', 'timesync', 'address', 'enum_name', 'enum_value', 'Ack', 'message_class', 'parameters',
-    'MAVError', 'LinkError',
+    'command_cancel', 'timesync', 'address', 'enum_name', 'enum_value', 'number_of', 'Ack', 'message_class',
+    'parameters', 'MAVError', 'LinkError',
 ]
