@@ -1,9 +1,22 @@
 """The package's metadata, read from settings.ini, which nbdev reads too."""
+import sys
 from configparser import ConfigParser
 from pathlib import Path
 from setuptools import find_packages, setup
+from setuptools.command.build_py import build_py
 
 here = Path(__file__).parent
+sys.path.insert(0, str(here))
+import _stubs
+
+
+class BuildWithStubs(build_py):
+    "The package and a stub beside each module: in the wheel, or here for an editable install"
+    def run(self):
+        super().run()
+        _stubs.write(here/'UAV', None if getattr(self, 'editable_mode', False) else Path(self.build_lib)/'UAV')
+
+
 parser = ConfigParser(delimiters=['='])
 parser.read(here/'settings.ini', encoding='utf-8')
 cfg = parser['DEFAULT']
@@ -12,11 +25,15 @@ setup(
     name=cfg['lib_name'], version=cfg['version'], description=cfg['description'], keywords=cfg['keywords'],
     author=cfg['author'], author_email=cfg['author_email'], url=cfg['git_url'], license='Apache-2.0',
     long_description=(here/'README.md').read_text(encoding='utf-8'), long_description_content_type='text/markdown',
-    packages=find_packages(include=['UAV', 'UAV.*']), package_data={'': ['*.pyi', 'py.typed'], 'UAV.cameras': ['configs/*.toml']},
-    zip_safe=False,
+    package_dir={'': '.'},      # so an editable install puts this folder on the path, where editors look and `tests` lies
+    packages=find_packages(include=['UAV', 'UAV.*']),
+    package_data={'': ['py.typed'], 'UAV.cameras': ['configs/*.toml'], 'UAV.check': ['*.css'], 'UAV.manager': ['static/*']},
+    cmdclass={'build_py': BuildWithStubs}, zip_safe=False,
     python_requires='>='+cfg['min_python'],
     install_requires=cfg['requirements'].split(),
-    extras_require={'notebook': cfg['notebook_requirements'].split(), 'dev': cfg['dev_requirements'].split()},
-    entry_points={'console_scripts': cfg['console_scripts'].split(), 'nbdev': [f"{cfg['lib_path']}={cfg['lib_path']}._modidx:d"]},
+    extras_require={name: cfg[f'{name}_requirements'].split() for name in ('notebook', 'gphoto2', 'uvc', 'test', 'dev')},
+    entry_points={'console_scripts': cfg['console_scripts'].split(), 'nbdev': [f"{cfg['lib_path']}={cfg['lib_path']}._modidx:d"],
+                  'uav.devices': cfg['devices'].split(),
+                  'pytest11': [f"uav={cfg['lib_path']}.testing.plugin"]},
     classifiers=['Programming Language :: Python :: 3', 'Intended Audience :: Developers'],
 )

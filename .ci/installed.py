@@ -1,8 +1,17 @@
-"""What this machine has for cells that begin with `#| gst` or `#| browser`."""
+"""What this machine has for cells that begin with `#| gst`, `#| browser`, `#| firefox` or `#| axe`."""
 import subprocess, sys
 
-NEEDS = dict(gst='from UAV.utils.gi import load_gst; load_gst()',            # what must work where such cells shall run
-             browser='from UAV.testing.browser import find_chromium; find_chromium()')
+GST = """
+from UAV.cameras.gst_pipeline import _package_of
+from UAV.cameras.gst_pipeline import load_gst
+find = load_gst().ElementFactory.find
+for name in 'videotestsrc videobalance x264enc h264parse avdec_h264'.split():        # one of each package
+    if not find(name): raise ImportError(f'no element {name!r}: it comes with {_package_of(name)}')
+"""
+BROWSER = 'import selenium; from tests.browser import find_chromium; find_chromium()'
+FIREFOX = 'import websocket; from tests.browser import find_firefox; find_firefox()'
+AXE = 'from tests.browser import axe_source; axe_source()'
+NEEDS = dict(gst=GST, browser=BROWSER, firefox=FIREFOX, axe=AXE)      # what must work where such cells shall run
 
 
 def installed():
@@ -15,7 +24,8 @@ def installed():
 
 def in_browser(notebook):
     "Whether `notebook` opens a browser: one at a time is enough for a small machine"
-    return '"#| browser' in notebook.read_text(encoding='utf-8')
+    text = notebook.read_text(encoding='utf-8')
+    return '"#| browser' in text or '"#| firefox' in text
 
 
 if __name__ == '__main__': sys.exit(not set(sys.argv[1:]) <= set(installed()))     # installed.py browser: 0 where it is

@@ -1,83 +1,160 @@
 #!/usr/bin/env python
 """`nbdev_test` with a process of its own for each notebook, so that one that hangs, crashes, or leaves threads and log levels
-behind fails alone. It takes nbdev_test's options. Without `--flags`, the cells that need GStreamer or Chromium run where these
-are installed. What fails is tried once more, alone; a notebook that passes then is named."""
-import faulthandler, os, signal, sys, time
+behind fails alone. It takes nbdev_test's options. Without `--flags`, the cells that need GStreamer or a browser run where these
+are installed. Nothing is tried twice. The last lines are how many passed, failed and were skipped, and why."""
+import faulthandler, fcntl, gc, importlib, os, pkgutil, re, signal, sys, tempfile, threading, time
 from multiprocessing import get_context
 from multiprocessing.connection import wait
+from pathlib import Path
 
+os.environ['OPENBLAS_NUM_THREADS'] = '1'       # its threads would begin with the imports below, before the forks
 import nbdev.test
-from installed import in_browser,installed
-import cv2, matplotlib.pyplot, numpy, pymavlink.dialects.v20.all      # noqa: once here, and not in each process
+from installed import NEEDS,in_browser,installed
+import av, cv2, hypothesis, matplotlib.pyplot, numpy, PIL.Image, pymavlink.dialects.v20.all, UAV # noqa: once here, and not in each process
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from tests import browser
+drivers = [browser._Firefox]            # the classes whose objects are a running browser
+try: from selenium.webdriver.chromium.webdriver import ChromiumDriver
+except ImportError: pass                # there is no Chromium either
+else: drivers.append(ChromiumDriver)
 
-LONGEST = 600   # s for one notebook; then it says where it hangs, and ends
-begun = []      # the notebooks that nbdev_test has found
+LONGEST = 600                           # s for one notebook; then it says where it hangs, and ends
+BROWSING = 2                            # notebooks with browsers: while one has its browser open, the next one does the rest, or waits
+WORKERS = 2*(os.cpu_count() or 1)+1             # for half of its time a notebook waits; more of them make each one late
+LONG = ('panel_in_a_browser panel_settings panel_in_jupyterlab 03_camera panel_under_siege camera_conformance hostile_bytes 04_gimbal 06_check '
+        'examples 16_check_a_camera watch_in_qgroundcontrol_vlc_ffplay 13_files run_on_a_companion_computer 05_gui 02_serve programs hostile_files '
+        'devices_conformance killed_while_capturing stray_acks 15_survey_by_distance 05_serial_and_mavproxy').split()      # they need longest
 PASSED,FAILED = 60,61           # what `child` ends with; a notebook that ends its process itself, with 0 perhaps, has not passed
+results = {}                    # notebook: whether it passed, and its seconds
 
 
-def child(test, notebook, options):
+class Turn:
+    "One browser at a time in all processes: who opens one waits until that of another notebook has ended"
+    def __init__(self, path, waited):
+        self.path,self.waited,self.file,self.browsers = path,waited,None,0
+        for driver in drivers: self.watch(driver, driver.__init__, driver.quit)
+
+    def watch(self, driver, open, quit):
+        driver.__init__ = lambda self_,*args,**how: (self.take(), open(self_, *args, **how))[1]
+        driver.quit = lambda self_,*args,**how: (quit(self_, *args, **how), self.give())[0]
+
+    def take(self):
+        self.browsers += 1
+        if self.browsers > 1: return
+        began = time.time()
+        self.file = open(self.path, 'w')
+        fcntl.flock(self.file, fcntl.LOCK_EX)               # it ends with the process, too
+        self.waited.value += time.time()-began
+        faulthandler.dump_traceback_later(LONGEST, exit=True, file=sys.__stderr__)      # anew
+
+    def give(self):
+        self.browsers = max(0, self.browsers-1)
+        if self.file and not self.browsers: self.file.close()
+
+
+def load():
+    "Import all of the package, once and not in each process"
+    for module in pkgutil.walk_packages(UAV.__path__, 'UAV.'):
+        try: importlib.import_module(module.name)
+        except ImportError as e: print(f'{module.name}: {e}', flush=True)
+    gc.freeze()             # what is loaded now is not looked through again by each process
+
+
+def child(test, notebook, options, turn, waited):
     "Test one notebook in this process, and leave with `PASSED` or `FAILED`; threads it left are not waited for"
     os.setpgid(0, 0)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     faulthandler.dump_traceback_later(LONGEST, exit=True)
+    Turn(turn, waited)
     passed,_ = test(notebook, **options)
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(PASSED if passed else FAILED)
 
 
-def start(test, notebook, options):
-    "The process that tests `notebook`, and when it was started"
-    process = get_context('fork').Process(target=child, args=(test, notebook, options))
+def start(test, notebook, options, turn):
+    "The process that tests `notebook`, when it was started, and the seconds that it has waited for a browser"
+    fork = get_context('fork')
+    waited = fork.Value('d', 0.)
+    process = fork.Process(target=child, args=(test, notebook, options, turn, waited))
     process.start()
-    return process,notebook,time.time()
+    return process,notebook,time.time(),waited
 
 
-def finish(process, notebook, began):
-    "Whether `notebook` passed, and its seconds; its own processes end with it"
-    process.join()
+def end(process):
+    "Kill `process`, if it runs, and all that it has started"
     try: os.killpg(process.pid, signal.SIGKILL)
-    except ProcessLookupError: pass
+    except ProcessLookupError: process.kill()
+
+
+def finish(process, notebook, began, waited):
+    "Whether `notebook` passed, and its seconds without those that it waited for a browser; its own processes end with it"
+    process.join()
+    end(process)
     ended = process.exitcode
     if ended not in (PASSED, FAILED): print(f'{notebook.name}: its process ended with {ended}', file=sys.stderr, flush=True)
-    return ended == PASSED,time.time()-began
+    return ended == PASSED,time.time()-began-waited.value
 
 
-def run(test, notebooks, workers, options):
-    "What `finish` says of each of `notebooks`, `workers` at a time"
-    waiting,busy,results = list(notebooks),{},{}
-    try:
-        while waiting or busy:
-            while len(busy) < workers:
-                browsing = any(in_browser(notebook) for _,notebook,_ in busy.values())
-                ready = next((notebook for notebook in waiting if not (browsing and in_browser(notebook))), None)
-                if ready is None: break
-                waiting.remove(ready)
-                started = start(test, ready, options)
-                busy[started[0].sentinel] = started
-            for sentinel in wait(list(busy)):
-                started = busy.pop(sentinel)
-                results[started[1]] = finish(*started)
-        return results
-    finally:
-        for process,*_ in busy.values(): process.kill()
+def run(test, waiting, workers, options):
+    "What `finish` says of each notebook of `waiting`, `workers` at a time, `BROWSING` with a browser among them at most"
+    busy = {}
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            while waiting or busy:
+                while len(busy) < workers:
+                    full = sum(in_browser(notebook) for _,notebook,*_ in busy.values()) >= BROWSING
+                    ready = next((notebook for notebook in waiting if not (full and in_browser(notebook))), None)
+                    if ready is None: break
+                    waiting.remove(ready)
+                    started = start(test, ready, options, f'{folder}/browser')
+                    busy[started[0].sentinel] = started
+                for sentinel in wait(list(busy)):
+                    started = busy.pop(sentinel)
+                    results[started[1]] = finish(*started)
+        finally:
+            for process,*_ in busy.values(): end(process)
+
+
+def order(notebook):
+    "Those of a browser take turns, so they begin first; then those that are known to be long, then by the size of their code"
+    rank = LONG.index(notebook.stem) if notebook.stem in LONG else len(LONG)
+    code = re.findall(r'"cell_type": "code".*?"source": \[(.*?)\]', notebook.read_text(encoding='utf-8'), re.S)
+    return not in_browser(notebook),rank,-sum(map(len, code))
 
 
 def parallel(test, notebooks, n_workers, pause, **options):
     "fastcore's `parallel`, as nbdev_test calls it: what `test` gives for each notebook, in their order"
-    begun.extend(notebooks)
-    def late(notebook): return not (in_browser(notebook) or 'explanations' in notebook.parts)
-    longest = sorted(notebooks, key=late)                               # those of a browser, which take turns, begin first
-    results = run(test, longest, max(n_workers*3//2, 1), options)       # for half of its time and more a notebook waits
-    again = [notebook for notebook in notebooks if not results[notebook][0]]
-    if len(again) > 8: again = []           # that is no accident
-    results.update(run(test, again, 1, options))
-    for notebook in again:
-        print(f"{notebook.name}: failed {'first, and passed the second time' if results[notebook][0] else 'twice'}", flush=True)
+    run(test, sorted(notebooks, key=order), max(WORKERS, n_workers), options)
     return [results[notebook] for notebook in notebooks]
 
 
+def notebooks(path=None, **options):
+    "nbdev's `nbglob`; without a path the notebooks of `tests/` too"
+    return nbglob(path, **options)+([] if path else sorted((Path(__file__).parents[1]/'tests').glob('*.ipynb')))
+
+
+def report(flags, began):
+    "Print how long it took, how many passed and failed, and which cells were not run"
+    failed = sorted(notebook.stem for notebook,(passed,_) in results.items() if not passed)
+    slow = sorted(results, key=lambda notebook: -results[notebook][1])[:10]
+    seconds,used = time.time()-began,os.times()
+    print('The longest:', ', '.join(f'{notebook.stem} {results[notebook][1]:.0f} s' for notebook in slow))
+    print(f'{seconds/60:.1f} minutes, {(used.children_user+used.children_system)/60:.1f} of processor; the load is {os.getloadavg()[1]:.1f}')
+    for flag in ('notest', 'slow', 'hardware', *NEEDS):
+        marked = [re.findall(rf'"#\| {flag}\b', notebook.read_text(encoding='utf-8')) for notebook in results]
+        if flag not in flags and any(marked): print(f'skipped: {sum(map(len, marked))} cells that begin with `#| {flag}`, of {sum(map(bool, marked))} notebooks')
+    if failed: print('failed:', *failed)
+    print(f'{len(results)-len(failed)} notebooks passed, {len(failed)} failed', flush=True)
+
+
 if __name__ == '__main__':
-    nbdev.test.parallel = parallel
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit('ended from outside'))      # so that `run` ends its processes
+    load()
+    assert threading.active_count() == len(os.listdir('/proc/self/task') if sys.platform == 'linux' else [0]) == 1, 'a fork needs one thread'
+    nbdev.test.parallel,nbglob,nbdev.test.nbglob = parallel,nbdev.test.nbglob,notebooks
     if '--flags' not in sys.argv: sys.argv += ['--flags', ' '.join(installed())]
-    nbdev.test.nbdev_test()
-    sys.exit(not begun)         # a path that does not exist is not a success
+    flags,began = sys.argv[sys.argv.index('--flags')+1].split(),time.time()
+    try: nbdev.test.nbdev_test()
+    finally: report(flags, began)
+    sys.exit(not results)       # a path that does not exist is not a success

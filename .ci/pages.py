@@ -11,16 +11,25 @@ This is not Quarto, which renders the real site. The cells are nbdev's (`_proc`)
 and classes of cells, outputs and figures, `nbs/styles.css` and the widths of `_quarto.yml` are those of the site. The theme,
 the bars at the top and at the sides, tabsets and mermaid diagrams are not there; callouts are plain boxes.
 """
-import argparse, base64, html, json, os, re, shutil, subprocess, sys, tempfile, urllib.parse
+import argparse, base64, html, json, os, re, shutil, subprocess, sys, tempfile, threading, urllib.parse
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from html.parser import HTMLParser
 from pathlib import Path
 
-import pypandoc, yaml
+import IPython.core.history, pypandoc, yaml
 from nbdev.config import get_config
 from nbdev.quarto import refresh_quarto_yml
 from nbdev.serve import proc_nbs
+
+class HistoryThread(IPython.core.history.HistorySavingThread):
+    "IPython 9.18 means this thread to be a daemon, and hides `Thread.daemon` by an attribute: processes of `proc_nbs` never ended"
+    daemon = threading.Thread.daemon
+    def __init__(self, *args):
+        super().__init__(*args)
+        self.daemon = True
+
+IPython.core.history.HistorySavingThread = HistoryThread        # in the processes that nbdev spawns too: they import this file
 
 widths = 1400, 390      # a laptop's window, and a phone
 least_letters = 11      # px
@@ -165,7 +174,7 @@ return findings'''.replace('LEAST', str(least_letters))
 
 def look_at(pages):
     "`[(page, width, kind, by how much, what)]`, as Chromium shows them"
-    from UAV.testing.browser import Browser
+    from tests.browser import Browser
     findings = []
     with Browser() as browser:
         for path in pages:

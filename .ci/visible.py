@@ -1,21 +1,20 @@
 #!/usr/bin/env python
-"""Run what a reader copies: the visible code cells of a page, in order, and nothing else.
+"""Can a reader run what a page shows? Its visible code cells, in order and without the hidden ones, are to make every name they use.
 
     visible.py [--kernel] [PAGE …]      default: index, tutorials, how-tos and explanations
 
-Each page has a fresh process, two for each core run at a time: execnb's shell, or with --kernel a real Jupyter kernel. Cells whose source
-the site hides are left out; cells that begin with `#| gst` or `#| browser` run where GStreamer or Chromium is installed.
-What fails is tried once more, alone. The exit status is 1 when a page failed twice."""
-import argparse, ctypes, json, os, re, subprocess, sys, tempfile, time
-from concurrent.futures import ThreadPoolExecutor
+The cells are read, not run: that takes a second for all pages. With --kernel they are run too, in a real Jupyter kernel, without
+what the site hides, without cells that are not for this machine (`#| gst` without GStreamer). The exit status is 1 when a page fails."""
+import argparse, ast, builtins, json, os, re, sys
 from pathlib import Path
 
-import psutil
+from IPython.core.inputtransformer2 import TransformerManager
 
-from installed import NEEDS,in_browser,installed
+from installed import NEEDS,installed
 
-LONGEST = 600                                                       # s for one page
+LONGEST = 300                                                       # s for one page
 HIDDEN = r'^#\s*\|\s*(hide\b|hide_input\b|echo:\s*false|include:\s*false|eval:\s*false|notest\b|slow\b|hardware\b)'
+GIVEN = {*dir(builtins), 'get_ipython', 'display', '_', '__name__', '__file__'}        # what a notebook has from the beginning
 
 
 def is_visible(cell, flags):
@@ -31,121 +30,136 @@ def visible_cells(page, flags):
     return [(n, ''.join(cell['source'])) for n,cell in cells if is_visible(cell, flags)]
 
 
-def in_shell(sources):
-    "Run each of `sources` in execnb's shell; for each its error, or None"
-    from execnb.shell import CaptureShell
-    shell = CaptureShell()
-    for source in sources:
-        error = next((o for o in shell.run(source) if o['output_type'] == 'error'), None)
-        yield error and f"{error['ename']}: {error['evalue']}"
+def starred(node):
+    "The names that `from … import *` gives"
+    module = __import__(node.module, fromlist=['*'])
+    return getattr(module, '__all__', None) or [name for name in vars(module) if name[0] != '_']
 
 
-def in_kernel(sources):
-    "Run each of `sources` in one Jupyter kernel; for each its error, or None"
+class Names(ast.NodeVisitor):
+    "The names that code makes, in a scope, and those that it takes from outside of it"
+    def __init__(self): self.made,self.taken,self.later = set(),[],[]
+
+    def visit_Name(self, node):
+        if isinstance(node.ctx, ast.Store): self.made.add(node.id)
+        elif node.id not in self.made: self.taken.append(node.id)
+
+    def visit_AugAssign(self, node):
+        self.visit(node.value)
+        self.visit(ast.Name(node.target.id, ast.Load()) if isinstance(node.target, ast.Name) else node.target)
+
+    def visit_Assign(self, node):
+        for part in [node.value, *node.targets]: self.visit(part)
+
+    def visit_NamedExpr(self, node):
+        self.visit(node.value)
+        self.visit(node.target)
+
+    def visit_For(self, node):
+        for part in [node.iter, node.target, *node.body, *node.orelse]: self.visit(part)
+    visit_AsyncFor = visit_For
+
+    def visit_alias(self, node): self.made.add((node.asname or node.name).split('.')[0])
+
+    def visit_ImportFrom(self, node):
+        if node.names[0].name == '*': self.made |= {*starred(node)}
+        else: self.generic_visit(node)
+
+    def visit_ExceptHandler(self, node):
+        self.made |= {node.name} if node.name else set()
+        self.generic_visit(node)
+
+    def visit_MatchAs(self, node):
+        self.made |= {node.name} if node.name else set()
+        self.generic_visit(node)
+
+    def visit_comprehension(self, node):
+        for part in [node.iter, node.target, *node.ifs]: self.visit(part)
+
+    def _comprehension(self, node):
+        inner = Names()
+        for part in [*node.generators, *([node.key, node.value] if isinstance(node, ast.DictComp) else [node.elt])]: inner.visit(part)
+        self._take(inner)
+        self.made |= {n.target.id for n in ast.walk(node) if isinstance(n, ast.NamedExpr)}
+    visit_ListComp = visit_SetComp = visit_GeneratorExp = visit_DictComp = _comprehension
+
+    def visit_FunctionDef(self, node):
+        for part in [*node.decorator_list, *node.args.defaults, *filter(None, node.args.kw_defaults), node.returns, *_annotations(node.args)]:
+            if part: self.visit(part)
+        self.made.add(node.name)
+        self._body(node.args, node.body)
+    visit_AsyncFunctionDef = visit_FunctionDef
+
+    def visit_Lambda(self, node):
+        for part in [*node.args.defaults, *filter(None, node.args.kw_defaults)]: self.visit(part)
+        self._body(node.args, [node.body])
+
+    def visit_ClassDef(self, node):
+        for part in [*node.decorator_list, *node.bases, *node.keywords]: self.visit(part)
+        self.made.add(node.name)
+        inner = Names()
+        for part in node.body: inner.visit(part)
+        self._take(inner)
+        self.later += inner.later
+
+    def _body(self, args, body):
+        "A function may use what is made after it, as long as its cells come before it is called"
+        inner = Names()
+        inner.made = {a.arg for a in [*args.posonlyargs, *args.args, *args.kwonlyargs, args.vararg, args.kwarg] if a}
+        for part in body: inner.visit(part)
+        self.later += [name for name in inner.taken+inner.later if name not in inner.made]
+
+    def _take(self, inner): self.taken += [name for name in inner.taken if name not in self.made]
+
+
+def _annotations(args): return [a.annotation for a in [*args.posonlyargs, *args.args, *args.kwonlyargs, args.vararg, args.kwarg] if a]
+
+
+def missing(page, flags):
+    "`(cell, names)` of the cells of `page` that use what no visible cell before them made"
+    made,later,python = set(GIVEN),[],TransformerManager()
+    for n,source in visible_cells(page, flags):
+        if source.lstrip().startswith(('%%', '!')): continue
+        names = Names()
+        names.visit(ast.parse(python.transform_cell(source)))
+        lacking = {name for name in names.taken if name not in made}
+        made |= names.made
+        later.append((n, names.later))
+        if lacking: yield n,sorted(lacking)
+    for n,names in later:
+        if lacking := {*names}-made: yield n,sorted(lacking)
+
+
+def in_kernel(page, flags):
+    "Run the visible cells of `page` in one Jupyter kernel, beside the page; `(cell, error)` of those that fail"
     import nbformat
     from nbclient import NotebookClient
-    notebook = nbformat.v4.new_notebook(cells=list(map(nbformat.v4.new_code_cell, sources)))
-    client = NotebookClient(notebook, timeout=LONGEST, allow_errors=True)
-    with client.setup_kernel():
-        for n,cell in enumerate(notebook.cells):
-            client.execute_cell(cell, n)
-            error = next((o for o in cell.outputs if o['output_type'] == 'error'), None)
-            yield error and f"{error['ename']}: {error['evalue']}"
-
-
-def end(process):
-    "Kill all that `process` has started, and what that has started"
-    for child in process.children(recursive=True):
-        try: child.kill()
-        except psutil.NoSuchProcess: pass
-
-
-def run_here(page, diary, run, flags):
-    "Run `page` in this process; a line of `diary` for each cell that begins and each that fails. Nothing is left running"
-    if sys.platform == 'linux': ctypes.CDLL(None).prctl(36, 1)      # PR_SET_CHILD_SUBREAPER: orphans stay our children
     cells = visible_cells(page, flags)
-    os.chdir(page.parent)
-    with open(diary, 'w', buffering=1) as lines:
-        def note(*what): lines.write(json.dumps(what)+'\n')
-        try:
-            errors = run([source for _,source in cells])
-            for n,source in cells:
-                note('began', n)
-                if error := next(errors): note('failed', n, error)
-            note('ended', len(cells))
-            errors.close()
-        finally: end(psutil.Process())
-    os._exit(0)
-
-
-def run_apart(page, mode, flags):
-    "Run `page` in a process of its own: how many cells it has, what failed, and its seconds"
-    began = time.time()
-    with tempfile.TemporaryDirectory() as folder:
-        diary,output = Path(folder)/'diary',Path(folder)/'output'
-        command = [sys.executable, __file__, '--diary', str(diary), *mode, '--flags', *flags, '--', str(page)]
-        with output.open('w') as out: process = psutil.Popen(command, stdout=out, stderr=out, start_new_session=True)
-        try: why = f'the process ended with {process.wait(LONGEST)}'
-        except psutil.TimeoutExpired: why = f'no end after {LONGEST} s'
-        finally:
-            if process.is_running():
-                end(process)
-                process.kill()
-                process.wait()
-        lines = [json.loads(line) for line in diary.read_text().splitlines()] if diary.exists() else []
-        failed = [f'cell {n}: {why}' for what,n,*rest in lines for why in rest if what == 'failed']
-        if not lines or lines[-1][0] != 'ended':
-            at = next((n for what,n,*_ in reversed(lines) if what == 'began'), None)
-            failed.append(f'cell {at}: {why}\n{output.read_text()[-1000:]}')
-            return None,failed,time.time()-began
-        return lines[-1][1],failed,time.time()-began
-
-
-def report(page, cells, failed, seconds):
-    "Print how it went"
-    name = '/'.join(page.parts[-2:])
-    if not failed: print(f'ok      {name}: its {cells} visible cells run ({seconds:.0f} s)', flush=True)
-    else:
-        lines = [f'FAILED  {name}: visible cells fail ({seconds:.0f} s)', *(f.replace('\n', '\n            ') for f in failed)]
-        print(*lines, sep='\n        ', flush=True)
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for _,source in cells])
+    client = NotebookClient(notebook, timeout=LONGEST, allow_errors=True, resources=dict(metadata=dict(path=str(page.parent))))
+    with client.setup_kernel():
+        for k,(n,_) in enumerate(cells):
+            client.execute_cell(notebook.cells[k], k)
+            for out in notebook.cells[k].outputs:
+                if out['output_type'] == 'error': yield n,f"{out['ename']}: {out['evalue']}"
 
 
 def main():
-    parser = argparse.ArgumentParser()
+    parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
     parser.add_argument('pages', nargs='*', type=Path)
     parser.add_argument('--kernel', action='store_true')
-    parser.add_argument('--diary')
-    parser.add_argument('--flags', nargs='*')
     args = parser.parse_args()
-    if args.diary: run_here(args.pages[0].resolve(), args.diary, in_kernel if args.kernel else in_shell, args.flags)
-    flags = args.flags
-    if flags is None: flags = list(installed())
-    nbs = Path('nbs')
-    folders = 'explanations','how_to','tutorials'                   # the longest pages first
-    pages = args.pages or [*(page for folder in folders for page in sorted((nbs/folder).glob('*.ipynb'))), nbs/'index.ipynb']
-    pages = [page for page in pages if visible_cells(page, flags)]
-    mode,again = ['--kernel'] if args.kernel else [],[]
-
-    def first(page):
-        result = run_apart(page, mode, flags)
-        if result[1]: again.append((page, result))
-        else: report(page, *result)
-
-    def turns(pages):
-        for page in pages: first(page)
-
-    browsing,others = ([page for page in pages if in_browser(page)==is_so] for is_so in (True,False))
-    with ThreadPoolExecutor(2*os.cpu_count()) as pool:              # most of their time they wait
-        running = [pool.submit(turns, browsing), *(pool.submit(first, page) for page in others)]
-        for one in running: one.result()
-    bad = 0
-    for page,(_,before,_) in again:
-        result = run_apart(page, mode, flags)
-        report(page, *result)
-        bad += bool(result[1])
-        print('the first time:', *before, sep='\n        ')
-        print(f"{page.name}: failed {'twice' if result[1] else 'first, and passed the second time'}", flush=True)
-    return bool(bad)
+    nbs,folders = Path('nbs'),('tutorials', 'how_to', 'explanations')
+    pages = args.pages or [nbs/'index.ipynb', *(page for folder in folders for page in sorted((nbs/folder).glob('*.ipynb')))]
+    flags,failed = list(installed()) if args.kernel else list(NEEDS),0
+    for page in pages:
+        bad = [f'cell {n} has not been given {", ".join(names)}' for n,names in missing(page, flags)]
+        if args.kernel: bad += [f'cell {n}: {why}' for n,why in in_kernel(page, flags)]
+        failed += bool(bad)
+        if bad: print(f'FAILED  {page}', *bad, sep='\n        ', flush=True)
+    print(f'{len(pages)-failed} pages can be copied{" and run" if args.kernel else ""}, {failed} cannot')
+    sys.stdout.flush()
+    os._exit(bool(failed))                                          # a page may leave threads
 
 
-if __name__ == '__main__': sys.exit(main())
+if __name__ == '__main__': main()

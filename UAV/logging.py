@@ -6,7 +6,7 @@
 __all__ = ['LogLevels', 'get_logger']
 
 # %% ../nbs/api/00_logging.ipynb #6479d189
-import logging
+import logging, os, sys
 
 # %% ../nbs/api/00_logging.ipynb #205e1f6b
 class LogLevels:
@@ -18,12 +18,54 @@ class LogLevels:
     ERROR = logging.ERROR
     CRITICAL = logging.CRITICAL
 
+# %% ../nbs/api/00_logging.ipynb #bcc3f0eb
+_package = logging.getLogger('UAV')
+
+def _is_handled(log, ours=None)->bool:
+    "True if the lines of `log` go to a handler other than `ours`"
+    while log:
+        if any(h is not ours for h in log.handlers): return True
+        log = log.parent if log.propagate else None
+    return False
+
+class _Stderr(logging.StreamHandler):
+    "Shows warnings, and the lines that were asked for, while the program has no handler of its own"
+    stream = property(lambda self: sys.stderr)
+    def __init__(self):
+        logging.Handler.__init__(self)      # that of `StreamHandler` would keep the stream of today
+        self.setFormatter(logging.Formatter('%(asctime)s.%(msecs)03d %(levelname)s %(name)s: %(message)s', '%H:%M:%S'))
+
+    def filter(self, record):
+        log = logging.getLogger(record.name)
+        asked = _everywhere or 0<log.level<LogLevels.INFO or record.levelno>=LogLevels.WARNING
+        return asked and not _is_handled(log, self) and super().filter(record)
+
+_stderr = _Stderr()
+
+# %% ../nbs/api/00_logging.ipynb #0bee508c
+def _level_named(word:str)->int:
+    "The level called `word`; a warning, and `NONE`, when there is none of that name"
+    names = 'DEBUG','INFO','WARNING','ERROR','CRITICAL'
+    if word.upper() in names: return getattr(LogLevels, word.upper())
+    if word: _package.warning('UAV_LOG=%s has no effect: write %s or %s', word, ', '.join(names[:-1]), names[-1])
+    return LogLevels.NONE
+
+_everywhere = LogLevels.NONE        # what `UAV_LOG` asks of all loggers
+
+def _set_level(log, loglevel:int):
+    "Set the level of `log`; have its lines shown on stderr when it was asked for, and no handler would show them"
+    log.setLevel(_everywhere or loglevel)
+    if (_everywhere or 0<log.level<LogLevels.INFO) and not _is_handled(log): _package.addHandler(_stderr)
+
+_everywhere = _level_named(os.environ.get('UAV_LOG', ''))
+if _everywhere: _set_level(_package, _everywhere)
+
 # %% ../nbs/api/00_logging.ipynb #f8d1e688
 def get_logger(
     name:str, # For example 'camera_server.100'
-    loglevel:int=LogLevels.NONE, # Messages below this level are dropped; `NONE` leaves it to the parent logger
+    loglevel:int=LogLevels.NONE, # Lower messages are dropped; DEBUG: all go to stderr; `NONE`: as the parent logger
 )->logging.Logger:
-    "The logger `UAV.<name>`, set to `loglevel`"
+    "Return the logger `UAV.<name>`, set to `loglevel`, or to `UAV_LOG`"
     log = logging.getLogger('UAV' if not name else f'UAV.{name}')
-    log.setLevel(loglevel)
+    _set_level(log, loglevel)
     return log

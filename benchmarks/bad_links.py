@@ -108,7 +108,7 @@ def play(name, seed, quick=False):
 async def ask_all(way, ground, radios, journal):
     "One ask after the other: what was told, and how long it took"
     client,asks = new_client(ground),[]
-    how = zoom_in if 'zoom' in way else capture if hasattr(client, 'capture') else start_and_wait
+    how = zoom_in if 'zoom' in way else capture
     if not await client.wait_heartbeat(target_system=1, timeout=60): raise SystemExit('the drone does not beat')
     for r in radios: r.outages = [(time.monotonic()-r.opened+start, time.monotonic()-r.opened+end) for start,end in way.get('outages', ())]
     for journal.ask in range(way['asks']):
@@ -134,19 +134,13 @@ def chatter(component, rate):
             time.sleep(40/rate)
     threading.Thread(target=send, daemon=True).start()
 
-# three ways to ask: each gives how many it was told are done, the notices it was given, and what was raised ---------------------------
-
-async def start_and_wait(client, count):
-    "As the tutorials have it before `capture`"
-    told = count*bool(await client.image_start_capture(count=count, interval=.2*(count>1)))
-    try: return told,await client.wait_images(count=count),''
-    except Exception as e: return told,[],type(e).__name__
+# two ways to ask: each gives how many it was told are done, the notices it was given, and what was raised ---------------------------
 
 async def capture(client, count):
     "The pictures of this request, as they come: what was given is promised"
     pictures = []
     try:
-        async for picture in client.capture(count=count, interval=.2*(count>1)): pictures.append(picture)
+        async for picture in client.camera().capture(count, interval=.2*(count>1)): pictures.append(picture)
     except Exception as e: return len(pictures),pictures,type(e).__name__
     return len(pictures),pictures,''
 

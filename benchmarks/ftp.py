@@ -4,7 +4,7 @@ from pathlib import Path
 
 from trees import HERE, environment
 from run import machine, write
-from UAV.mavlink import CameraClient, CameraServer, Component, LossyLink, MAVCom, mavlink
+from UAV.mavlink import CameraServer, Component, LossyLink, MAVCom, mavlink
 from UAV.mavlink.camera_server import FakeCamera
 from UAV.testing import free_port
 
@@ -33,10 +33,9 @@ def serve(port, size, link, seed):
 
 def fetch_uav(port, size):
     async def go(com):
-        client = com.add_component(CameraClient(mavlink.MAV_COMP_ID_MISSIONPLANNER))
-        await client.find_cameras(count=1, timeout=30)
+        camera = await com.find_camera(system=222, component=mavlink.MAV_COMP_ID_CAMERA, timeout=30)
         start = time.monotonic()
-        got = await client.download(222, mavlink.MAV_COMP_ID_CAMERA, '/file.bin')
+        got = await camera.files.fetch('/file.bin')
         return time.monotonic()-start,len(got)==size
     with MAVCom(f'udpin:127.0.0.1:{port}') as com: return asyncio.run(go(com))
 

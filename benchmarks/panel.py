@@ -26,7 +26,7 @@ def painted_camera():
     import numpy as np
     from UAV.cameras.camera import Camera
     from UAV.cameras.values import CameraInformation, Frame
-    from UAV.testing.marks import mark
+    from UAV.testing import mark
     class Painted(Camera):
         information,number,frame_rate = CameraInformation(model='Painted', resolution_h=SIZE[0], resolution_v=SIZE[1]),0,float(RATE)
         texture = ground()
@@ -40,7 +40,7 @@ def tell(**facts): print(json.dumps(facts), flush=True)
 
 def camera(port):
     "A camera server: MAVLink, and one RTSP stream"
-    import UAV.cameras.video
+    import UAV.cameras.camera
     from UAV.mavlink import CameraServer, MAVCom
     with painted_camera() as painted, MAVCom(f'udpout:127.0.0.1:{port}', source_system=1) as com:
         stream = painted.add_stream(port=0, host='127.0.0.1', rate=RATE)
@@ -94,7 +94,7 @@ def mjpeg(port, url, at_once=False):
 
 def raw(port, url):
     "No page: the pictures as our Player hands them out"
-    from UAV.testing.marks import read_mark
+    from UAV.testing import read_mark
     from UAV.video.player import Player
     asked = threading.Thread(target=sys.stdin.read, daemon=True)
     with Player(url) as player:
@@ -151,7 +151,7 @@ requestAnimationFrame(look)
 
 def read_bits(text):
     "`(number, time_us)` of the bits of a mark; `None` when its checksum is wrong"
-    from UAV.testing.marks import _checksum
+    from UAV.testing.kit import _checksum
     painted = int(text, 2).to_bytes(12, 'big')
     body,checksum = painted[:10],painted[10:]
     return (int.from_bytes(body[:4], 'big'),int.from_bytes(body[4:], 'big')) if _checksum(body)==checksum else None
@@ -170,7 +170,7 @@ def judge(seen, seconds):
 
 def in_browser(shown, seconds):
     "What a browser sees on a page, and what server and browser need for that while we do not look"
-    from UAV.testing import Browser
+    from tests.browser import Browser
     with Browser() as browser:
         page = browser.open(shown.page)
         page.js(PROBE)
@@ -185,7 +185,7 @@ def in_browser(shown, seconds):
         time.sleep(seconds)
         server,chrome = (100*(b-a)/seconds for a,b in zip(before, (cpu(shown.pid),cpu(*chromium))))
         complaints = browser.complaints()
-    if complaints: print(shown.page.split('?')[0], complaints, file=sys.stderr)
+    if complaints: print(shown.page.split('#')[0], complaints, file=sys.stderr)
     good = [(*mark,at) for mark,at in read if mark]
     return dict(judge(good, seconds), unreadable=len(read)-len(good), server=short(server), browser=short(chrome))
 
@@ -209,7 +209,7 @@ def measure(contender, port, url, seconds):
 # all of it ----------------------------------------------------------------------------------------------------------------------------
 
 def chromium_version():
-    from UAV.testing import find_chromium
+    from tests.browser import find_chromium
     return subprocess.run([find_chromium()[0], '--version'], capture_output=True, text=True).stdout.split()[1]
 
 def main():

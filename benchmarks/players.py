@@ -29,7 +29,7 @@ class Painted:
 
     def next(self, after=-1, timeout=None):
         import numpy as np
-        from UAV.testing.marks import mark
+        from UAV.testing import mark
         number = max(after+1, math.ceil((time.monotonic()-self.began)*RATE))
         time.sleep(max(0, self.began+number/RATE-time.monotonic()))
         image = np.roll(self.ground, number*4, 1)
@@ -47,8 +47,8 @@ def until_told(url, source, sdp=''):
 def our_camera(sink, codec, size, port):
     "`Encoder` and one of its sinks"
     from UAV.video.encoder import Encoder
-    from UAV.video.mpegts import TSSender, TSServer
-    from UAV.video.rtp import RTPSender
+    from UAV.video.senders import TSSender, TSServer
+    from UAV.video.rtsp import RTPSender
     from UAV.video.rtsp_server import RTSPServer
     source = Painted(*size)
     with Encoder(source, codec, rate=RATE, hardware=False) as encoder:
@@ -62,8 +62,8 @@ def our_camera(sink, codec, size, port):
 
 def gst_camera(sink, codec, size, port):
     "gst-rtsp-server at its best: an appsrc that keeps the newest picture only, and no delimiters, with which GStreamer's players wait for the next picture"
-    from UAV.utils.gi import load_gst
-    from UAV.video.codecs import sensible_bitrate
+    from UAV.cameras.gst_pipeline import load_gst
+    from UAV.video.units import sensible_bitrate
     Gst = load_gst()
     import gi
     gi.require_version('GstRtspServer', '1.0')
@@ -94,7 +94,7 @@ def gst_camera(sink, codec, size, port):
 
 def ffmpeg_camera(sink, codec, size, port):
     "ffmpeg, which gets the pictures by a pipe and sends them"
-    from UAV.video.codecs import sensible_bitrate
+    from UAV.video.units import sensible_bitrate
     source,rate = Painted(*size),sensible_bitrate(*size, RATE, codec)
     where = ['-f','rtp','-payload_type','96',f'rtp://127.0.0.1:{port}'] if sink=='rtp' else ['-f','mpegts','-flush_packets','1',f'udp://127.0.0.1:{port}?pkt_size=1316']
     line = ['ffmpeg','-loglevel','error','-probesize','32','-fflags','nobuffer','-f','rawvideo','-pixel_format','bgr24','-video_size',f'{size[0]}x{size[1]}',
@@ -118,7 +118,7 @@ CAMERAS = dict(UAV=our_camera, gst=gst_camera, ffmpeg=ffmpeg_camera)
 
 def watch(images, count, opened):
     "`[number, painted µs, seen µs]` of the first `count` images; of one that cannot be read only when it was seen"
-    from UAV.testing.marks import read_mark
+    from UAV.testing import read_mark
     seen,until = [],time.monotonic()+count/RATE+PATIENCE
     for image in images:
         at = now_us()
@@ -156,7 +156,7 @@ def qgc_source(sink, url, codec, buffer):
 
 def qgc_player(sink, url, sdp, count, codec, buffer=False):
     "QGroundControl's pipeline with an appsink at its end; with `buffer` a picture counts when it would be shown"
-    from UAV.utils.gi import load_gst
+    from UAV.cameras.gst_pipeline import load_gst
     import numpy as np
     Gst = load_gst()
     opened = now_us()
@@ -182,7 +182,7 @@ def vlc_player(sink, url, sdp, count):
         opened,offset = now_us(),time.time_ns()-time.monotonic_ns()
         subprocess.run(['cvlc',*options.split(),url.replace('udp://', 'udp://@'),'vlc://quit'], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=count/RATE+PATIENCE, **user)
         files = sorted(Path(folder).glob('*.jpg'), key=lambda f: f.stat().st_mtime_ns)
-        from UAV.testing.marks import read_mark
+        from UAV.testing import read_mark
         seen = [[*(read_mark(cv2.imread(str(f))) or (None,None)), (f.stat().st_mtime_ns-offset)//1000] for f in files]
     print(json.dumps(dict(opened=opened, seen=seen)), flush=True)
 
@@ -268,7 +268,7 @@ def can_serve(peer):
     "Is the peer on this machine? If not, that is said"
     check = "import gi; gi.require_version('GstRtspServer', '1.0')"
     if peer=='ffmpeg': there = shutil.which('ffmpeg')
-    else: there = gst_has('x264enc') and subprocess.run([sys.executable,'-c',f'from UAV.utils.gi import load_gst; load_gst(); {check}'], env=dict(os.environ, PYTHONPATH=environment()['UAV_TREE']),
+    else: there = gst_has('x264enc') and subprocess.run([sys.executable,'-c',f'from UAV.cameras.gst_pipeline import load_gst; load_gst(); {check}'], env=dict(os.environ, PYTHONPATH=environment()['UAV_TREE']),
                                                         stderr=subprocess.DEVNULL).returncode==0
     if not there: print(f'{NAMES[peer]}: not on this machine, skipped', file=sys.stderr)
     return there

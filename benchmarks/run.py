@@ -88,7 +88,9 @@ def compare(name, where, against, unit, ours, theirs, target, stretch=None, key=
     a,b = middle(ours),middle(theirs)
     found = dict(name=name, where=where, against=against, unit=unit, ours=a[key], theirs=b[key], **ratio(ours, theirs, key), target=round(target, 3))
     if stretch: found['stretch'] = round(stretch, 3)
-    if before: found['before'] = dict(ours=middle(before)[key], **ratio(before, before_theirs or theirs, key))
+    if before:
+        was = found['before'] = dict(ours=middle(before)[key], **ratio(before, before_theirs or theirs, key))
+        found['change'] = round(found['ratio']/was['ratio'], 3) if before_theirs else ratio(ours, before, key)['ratio']     # each to its own peer, or in turns
     if lost := sum(middle(r).get('lost', 0) for r in (ours,theirs,before or theirs[:1])): found['lost'] = lost
     return dict(found, reached=found['ratio']<=found['target'])
 
@@ -287,7 +289,7 @@ def import_time(module, tree=None):
     code = f'import time; t,c = time.perf_counter(),time.process_time(); import {module}; print(time.perf_counter()-t, time.process_time()-c)'
     env = dict(environment(tree), PYTHONPATH=str(tree or TREE), PYTHONPYCACHEPREFIX=bytecode.name)
     env.pop('PYTHONDONTWRITEBYTECODE', None)
-    wall,cpu = map(float, subprocess.run([sys.executable, '-c', code], env=env, capture_output=True, text=True, check=True).stdout.split())
+    wall,cpu = map(float, subprocess.run([sys.executable, '-c', code], cwd=HERE, env=env, capture_output=True, text=True, check=True).stdout.split())
     return dict(p50=1e3*wall, cpu=1e3*cpu)
 
 def imports(quick, before):
@@ -355,7 +357,8 @@ def table(rows):
     for r in rows:
         spread = f'{r["low"]:.2f}–{r["high"]:.2f}' if 'low' in r else ''
         was = f'{r["before"]["ratio"]:6.2f}' if 'before' in r else 6*' '
-        yield (f'{r["name"]:26}{r["where"]:20}{r["ours"]:9.2f} {r["theirs"]:9.2f} {r["unit"]:8}{was} →{r["ratio"]:6.2f} {spread:11} ≤ {r["target"]:<6.3g}'
+        changed = f'{r["change"]-1:+.0%}' if 'before' in r else ''       # of ours, to that before
+        yield (f'{r["name"]:26}{r["where"]:20}{r["ours"]:9.2f} {r["theirs"]:9.2f} {r["unit"]:8}{was} →{r["ratio"]:6.2f} {spread:11}{changed:7} ≤ {r["target"]:<6.3g}'
                f'{"reached" if r["reached"] else "NOT":9}{r["against"]}{" LOST "+str(r["lost"]) if r.get("lost") else ""}')
 
 def main():
@@ -373,6 +376,8 @@ def main():
         rows,results['detail'][name] = group(args.quick, args.before)
         results['rows'] += rows
         for line in table(rows): print(line, flush=True)
+    worse = [f'{r["name"]}, {r["where"]} {r["change"]-1:+.0%}' for r in results['rows'] if r.get('change', 1)>1.1]
+    if args.before: print('more than a tenth worse than before:', '; '.join(dict.fromkeys(worse)) or 'none')
     if args.only: print(json.dumps(results['detail'], indent=1, ensure_ascii=False))
     if args.out or not args.only: write(args.out or HERE/'results.json', results)
 

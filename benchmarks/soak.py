@@ -9,6 +9,7 @@ import cv2, numpy as np, psutil
 from UAV.cameras import Camera, CameraInformation, Frame, Picture
 from UAV.logging import LogLevels
 from UAV.mavlink import CameraClient, CameraServer, MAVCom, mavlink
+from UAV.mavlink.camera_client import CAMERA_CAPTURE_STATUS, CAMERA_INFORMATION, CAMERA_SETTINGS, STORAGE_INFORMATION
 cv2.setNumThreads(1)
 
 VEHICLE,POINTS,MiB = 222,120,2**20
@@ -41,13 +42,12 @@ class Operator:
     async def shoot(self, count):
         if self.note(await self.client.image_start_capture(count=count, interval=.05)):
             self.asked += count
-            self.noticed += len(await self.client.wait_images(count=count, timeout=10))
+            self.noticed += len(await self.client.camera().wait_images(count, timeout=10))
 
     async def ask(self):
         "One of each question, to both cameras at once"
-        c = self.client
-        questions = [f(VEHICLE, camera) for camera in CAMERAS
-                     for f in (c.request_camera_information, c.request_camera_settings, c.request_storage_information, c.request_camera_capture_status)]
+        questions = [self.client.camera(VEHICLE, camera).request(msg_id) for camera in CAMERAS
+                     for msg_id in (CAMERA_INFORMATION, CAMERA_SETTINGS, STORAGE_INFORMATION, CAMERA_CAPTURE_STATUS)]
         self.silent += sum(m is None for m in await asyncio.gather(*questions))
 
     async def stream(self):

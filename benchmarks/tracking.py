@@ -3,7 +3,7 @@ Six cameras look at it; IoU is what two rectangles share of all that they cover.
 import math, os, pathlib, time
 
 import cv2, numpy as np
-from UAV.cameras.follower import Follower
+from UAV.cameras.tracker import Follower
 from UAV.cameras.lens import View
 from UAV.cameras.sim_world import sim_world
 from UAV.gimbals.vehicle import circle

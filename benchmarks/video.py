@@ -144,7 +144,7 @@ NAMES = dict(ffmpeg='ffmpeg', gst='GStreamer')
 
 def case(codec, size, rounds, count):
     "Rows and details of one codec and size"
-    from UAV.video.codecs import sensible_bitrate
+    from UAV.video.units import sensible_bitrate
     what = codec,*SIZES[size],sensible_bitrate(*SIZES[size], RATE, codec)
     with tempfile.TemporaryDirectory(dir='/dev/shm' if Path('/dev/shm').is_dir() else None) as folder:
         folder = Path(folder)

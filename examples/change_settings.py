@@ -3,26 +3,21 @@
 In one terminal:  uav-camera-server
 In another one:   python change_settings.py
 """
-import sys
-
-from UAV.mavlink import CameraClient, MAVCom, mavlink
+from UAV.mavlink import MAVCom
 from UAV.script import run
 
 
 async def main(connection: str = 'udpin:127.0.0.1:14550') -> None:
     with MAVCom(connection, source_system=255) as ground:
-        client = ground.add_component(CameraClient(mavlink.MAV_COMP_ID_MISSIONPLANNER))
-        cameras = await client.find_cameras(count=1, timeout=10)
-        if not cameras: sys.exit(str(cameras))
-        client.set_target(cameras[0].system, cameras[0].component)
+        camera = await ground.find_camera(timeout=10)
 
-        settings = await client.parameters()            # a table that follows the camera
+        settings = await camera.settings.load()         # a table that follows the camera
         print(settings)
-        print(await client.set_parameter(name='CAM_WBMODE', value='Cloudy'))
-        print(await client.set_parameter(name='CAM_EV', value=1.5))
-        print(await client.set_parameter(name='CAM_EV', value=99))         # it says what is wrong
+        print(await settings.set(CAM_WBMODE='Cloudy'))
+        print(await settings.set(CAM_EV=1.5))
+        print(await settings.set(CAM_EV=99))         # it says what is wrong
         print('exposure compensation:', settings.text('CAM_EV'))
-        print(await client.reset_camera_settings())
+        print(await camera.reset())
         if await settings.until(lambda now: now['CAM_EV'] == 0, timeout=10): print('all is as it was')
 
 

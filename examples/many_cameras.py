@@ -7,13 +7,14 @@ import asyncio
 from contextlib import ExitStack
 
 from UAV.cameras import SimCamera
-from UAV.mavlink import CameraClient, CameraServer, MAVCom
+from UAV.mavlink import CameraServer, MAVCom
+from UAV.mavlink.camera_client import RemoteCamera
 from UAV.script import run
 
 
-async def shoot(client: CameraClient, system: int, component: int) -> str:
+async def shoot(camera: RemoteCamera) -> str:
     "Where the next picture of a camera is, on that camera"
-    async for picture in client.capture(system, component):
+    async for picture in camera.capture():
         if picture.capture_result: return str(picture.file_url)
     return 'no picture'
 
@@ -27,9 +28,8 @@ async def main(connection: str = 'virtual:many_cameras') -> None:
             if name == 'Far': camera.set_camera_zoom('range', 40)
             vehicle.add_component(CameraServer(100+number, camera=camera))
 
-        client = ground.add_component(CameraClient(190))
-        cameras = await client.find_cameras(count=3, timeout=10)
-        files = await asyncio.gather(*(shoot(client, c.system, c.component) for c in cameras))
+        cameras = await ground.find_cameras(count=3, timeout=10)
+        files = await asyncio.gather(*map(shoot, cameras))
         for found, file in zip(cameras, files): print(f'{found.name}: {file}')
 
 

@@ -5,7 +5,7 @@ In another one:   python point_gimbal.py
 """
 import sys
 
-from UAV.mavlink import CameraClient, GimbalClient, MAVCom, mavlink
+from UAV.mavlink import MAVCom
 from UAV.script import run
 
 VIEWS = {'down': (-90, 0), 'left': (-20, -60), 'right': (-20, 60), 'ahead': (-10, 0)}       # pitch and yaw, degrees
@@ -13,13 +13,9 @@ VIEWS = {'down': (-90, 0), 'left': (-20, -60), 'right': (-20, 60), 'ahead': (-10
 
 async def main(connection: str = 'udpin:127.0.0.1:14550') -> None:
     with MAVCom(connection, source_system=255) as ground:
-        gimbal = ground.add_component(GimbalClient(mavlink.MAV_COMP_ID_MISSIONPLANNER))
-        camera = ground.add_component(CameraClient(mavlink.MAV_COMP_ID_ONBOARD_COMPUTER))
-        found = await gimbal.wait_ready(timeout=10)
-        print(f'found {found.name}')
-        cameras = await camera.find_cameras(count=1, timeout=10)
-        if not cameras: sys.exit(str(cameras))
-        camera.set_target(cameras[0].system, cameras[0].component)
+        gimbal = await ground.find_gimbal(timeout=10)
+        print(f'found {gimbal.name}')
+        camera = await ground.find_camera(timeout=10)
         async with gimbal.control():
             for name, (pitch, yaw) in VIEWS.items():
                 (await gimbal.set_angles(pitch=pitch, yaw=yaw)).check()

@@ -4,10 +4,9 @@ In one terminal:    uav-camera-server
 In another one:     python take_pictures.py
 A camera elsewhere: python take_pictures.py udpin:0.0.0.0:14550
 """
-import sys
 from pathlib import Path
 
-from UAV.mavlink import CameraClient, MAVCom, mavlink
+from UAV.mavlink import MAVCom
 from UAV.script import run
 
 
@@ -15,16 +14,12 @@ async def main(connection: str = 'udpin:127.0.0.1:14550') -> None:
     folder = Path('pictures')
     folder.mkdir(exist_ok=True)
     with MAVCom(connection, source_system=255) as ground:
-        client = ground.add_component(CameraClient(mavlink.MAV_COMP_ID_MISSIONPLANNER))
-        cameras = await client.find_cameras(count=1, timeout=10)
-        if not cameras: sys.exit(str(cameras))
-        camera = cameras[0]
+        camera = await ground.find_camera(timeout=10)
         print(f'found {camera.name} at {camera.system}/{camera.component}')
-        client.set_target(camera.system, camera.component)
-        async for picture in client.capture(count=3, interval=1):
+        async for picture in camera.capture(3, interval=1):
             if not picture.capture_result: print(f'picture {picture.image_index} failed')
             else:
-                file = await client.download(path=picture.file_url, to=folder)
+                file = await camera.files.fetch(picture, to=folder)
                 print(f'picture {picture.image_index} is in {file}')
 
 

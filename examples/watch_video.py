@@ -3,11 +3,11 @@
 In one terminal:  uav-camera-server
 In another one:   python watch_video.py
 """
-import asyncio, sys
+import asyncio
 from pathlib import Path
 
 import cv2
-from UAV.mavlink import CameraClient, MAVCom, mavlink
+from UAV.mavlink import MAVCom
 from UAV.script import run
 
 
@@ -15,12 +15,9 @@ async def main(connection: str = 'udpin:127.0.0.1:14550') -> None:
     folder = Path('video')
     folder.mkdir(exist_ok=True)
     with MAVCom(connection, source_system=255) as ground:
-        client = ground.add_component(CameraClient(mavlink.MAV_COMP_ID_MISSIONPLANNER))
-        cameras = await client.find_cameras(count=1, timeout=10)
-        if not cameras: sys.exit(str(cameras))
-        client.set_target(cameras[0].system, cameras[0].component)
-        for stream in await client.streams(): print(f'{stream.name}: {stream.kind}, {stream.width}×{stream.height}')
-        with await client.open_stream() as player:
+        camera = await ground.find_camera(timeout=10)
+        for stream in await camera.video.streams(): print(f'{stream.name}: {stream.kind}, {stream.width}×{stream.height}')
+        async with camera.video() as player:
             for second in range(5):
                 frame = await anext(player)                 # the newest; those that we missed are gone
                 file = folder/f'second_{second}.jpg'

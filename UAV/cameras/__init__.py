@@ -1,17 +1,15 @@
-"""Cameras: they take pictures, and have never heard of MAVLink."""
-from UAV.cameras.values import (CameraBusy, CameraError, CameraInformation, CameraSettings, CaptureStatus, DeviceStatus, Frame, Picture, Pose,
-                                StorageError, StorageFull, StorageInformation, StorageInUse, RecordingEnded, VideoStatus, WrongMode)
-from UAV.cameras.parameter import Option, Parameter, ParametersChanged, UnknownParameter
-from UAV.cameras.declared import check_parameters
-from UAV.cameras.storage import Storage
-from UAV.cameras import formatting
-from UAV.cameras.lens import Focus, Lens, Travel, View
-from UAV.cameras.camera import Camera
-from UAV.cameras import settings, storage_usage, survey, tracking, video     # Camera grows in later rooms
-from UAV.cameras.pursuit import TrackingStatus
-from UAV.cameras.contract import check_camera
-from UAV.cameras.sim_world import SimWorld, sim_world
-from UAV.cameras.sim import SimCamera, locate
-from UAV.cameras.sim_dual import SimDualCamera
-from UAV.cameras.cv2_camera import CV2Camera
-from UAV.cameras.gst_cam import GSTCamera
+"""Cameras: they take pictures, and have never heard of MAVLink. Each name is loaded when it is asked for."""
+_rooms = {'UAV.cameras.values': 'CameraBusy CameraError CameraInformation CameraSettings CaptureStatus DeviceStatus Frame Picture Pose StorageError Still '
+                                'StorageFull StorageInformation StorageInUse RecordingEnded VideoStatus WrongMode',
+          'UAV.cameras.parameters': 'Option Parameter ParametersChanged UnknownParameter check_parameters', 'UAV.cameras.storage': 'Storage',
+          'UAV.cameras.lens': 'Focus Lens Travel View', 'UAV.cameras.camera': 'Camera', 'UAV.cameras.tracker': 'TrackingStatus',
+          'UAV.cameras.contract': 'check_camera', 'UAV.cameras.sim_world': 'SimWorld', 'UAV.cameras.sim': 'SimCamera SimDualCamera locate',
+          'UAV.cameras.cv2_camera': 'CV2Camera', 'UAV.cameras.gst_cam': 'GSTCamera', 'UAV.cameras.pi_camera': 'PiCamera',
+          'UAV.cameras.url_camera': 'URLCamera', 'UAV.cameras.gphoto_camera': 'GPhotoCamera'}
+__all__ = sorted(' '.join(_rooms.values()).split())
+
+def __getattr__(name):
+    from UAV.utils.general import from_rooms
+    return from_rooms(globals(), _rooms, name)
+
+def __dir__(): return sorted({*globals(), *__all__})

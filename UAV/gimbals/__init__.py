@@ -1,10 +1,16 @@
-"""Gimbals: they point cameras, and have never heard of MAVLink."""
-from UAV.gimbals.values import (Axis, GimbalAttitude, GimbalError, GimbalInformation, HeadingUnknown, PositionUnknown, Setpoint, VehicleState)
-from UAV.gimbals.gimbal import Gimbal
-from UAV.gimbals.contract import check_gimbal
-from UAV.gimbals.vehicle import SimVehicle, circle, hover, line, strips
-from UAV.gimbals.region import Location, RegionOfInterest, direction
-from UAV.gimbals.sim import SimGimbal
-from UAV.gimbals import viewsheen_camera       # the class grows in a later room
-from UAV.gimbals.viewsheen import Viewsheen, ViewsheenSetup
-from UAV.gimbals.viewsheen_simulator import ViewsheenSimulator
+"""Gimbals: they point cameras, and have never heard of MAVLink. Each name is loaded when it is asked for."""
+_rooms = {'UAV.gimbals.values': 'Axis GimbalAttitude GimbalError GimbalInformation HeadingUnknown PositionUnknown Setpoint VehicleState',
+          'UAV.gimbals.gimbal': 'Gimbal Location RegionOfInterest direction', 'UAV.gimbals.contract': 'check_gimbal', 'UAV.gimbals.vehicle': 'SimVehicle circle hover line strips',
+          'UAV.gimbals.sim': 'SimGimbal', 'UAV.gimbals.viewsheen': 'Viewsheen ViewsheenSetup',
+          'UAV.gimbals.topotek': 'Topotek',
+          'UAV.gimbals.onvif': 'Onvif OnvifCamera',
+          'UAV.gimbals.siyi_link': 'SiyiLink',
+          'UAV.gimbals.siyi': 'Siyi',
+          'UAV.gimbals.siyi_camera': 'SiyiCamera'}
+__all__ = sorted(' '.join(_rooms.values()).split())
+
+def __getattr__(name):
+    from UAV.utils.general import from_rooms
+    return from_rooms(globals(), _rooms, name)
+
+def __dir__(): return sorted({*globals(), *__all__})

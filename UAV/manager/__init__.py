@@ -1,5 +1,9 @@
-"""A control panel for cameras and gimbals."""
-from UAV.manager.gui import Btn_State, Gui
-from UAV.manager import camera_actions, camera_files, camera_settings, camera_target, card, finding, gimbal_actions, point, record_here, server, show, site_files     # classes grow in later rooms
-
+"""A control panel for cameras and gimbals. Each name is loaded when it is asked for."""
+_rooms = {'UAV.manager.gui': 'Gui', 'UAV.manager.panel': 'Btn_State'}
 __all__ = ['Btn_State', 'Gui']
+
+def __getattr__(name):
+    from UAV.utils.general import from_rooms
+    return from_rooms(globals(), _rooms, name)
+
+def __dir__(): return sorted({*globals(), *__all__})

@@ -1,25 +1,17 @@
-"""MAVLink components: everything that people import, in one place."""
+"""MAVLink components: everything that people import, in one place. Each name is loaded when it is asked for."""
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from UAV.mavlink.mavcom import MAVCom
-from UAV.mavlink import fences, routing, commands, finding, event_loop, camera_commands, camera_video, camera_verbs, camera_fov, video_client, capture     # classes grow in later rooms
-from UAV.mavlink import camera_storages, camera_sources, camera_tracking, camera_vehicle, camera_trigger, camera_parameters, parameter_client, ftp_changes, ftp_server, ftp_client, ftp_folders
-from UAV.mavlink import gimbal_steering, gimbal_commands, gimbal_intervals, gimbal_setpoints, gimbal_roi, gimbal_mount, gimbal_finding, gimbal_hold, gimbal_at, gimbal_camera, gimbal_verbs
-from UAV.wire.lossy import LossyLink
-from UAV.wire.message_log import MessageLog
-from UAV.wire.tlog import ReplayLink
-from UAV.mavlink.component import Component, __getattr__ as _mavutil
-from UAV.mavlink.camera_client import CameraClient
-from UAV.mavlink.camera_server import CameraServer
-from UAV.mavlink.gimbal_client import GimbalClient
-from UAV.mavlink.gimbal_server import GimbalServer
-
-__all__ = ['MAVCom', 'CameraClient', 'CameraServer', 'Component', 'GimbalClient', 'GimbalServer', 'GimbalServerViewsheen', 'LossyLink', 'MessageLog', 'ReplayLink', 'SimAutopilot', 'mavlink', 'mavutil']
+_rooms = {'UAV.mavlink.mavcom': 'MAVCom', 'UAV.mavlink.component': 'Component mavutil', 'UAV.mavlink.camera_client': 'CameraClient ask_all capture_together',
+          'UAV.mavlink.camera_server': 'CameraServer', 'UAV.mavlink.gimbal_client': 'GimbalClient', 'UAV.mavlink.gimbal_server': 'GimbalServer',
+          'UAV.mavlink.viewsheen_server': 'GimbalCameraServer GimbalServerViewsheen', 'UAV.mavlink.sim_autopilot': 'SimAutopilot',
+          'UAV.wire.dialect': 'Busy CommandError Denied Failed LinkError MAVError NoAnswer Unsupported',
+          'UAV.wire.lossy': 'LossyLink', 'UAV.wire.message_log': 'MessageLog', 'UAV.wire.tlog': 'ReplayLink'}
+__all__ = ['Busy', 'CameraClient', 'CameraServer', 'CommandError', 'Component', 'Denied', 'Failed', 'GimbalClient',
+           'GimbalCameraServer', 'GimbalServer', 'GimbalServerViewsheen', 'LinkError', 'LossyLink', 'MAVCom', 'MAVError',
+           'MessageLog', 'NoAnswer', 'ReplayLink', 'SimAutopilot', 'Unsupported', 'ask_all', 'capture_together',
+           'mavlink', 'mavutil']
 
 def __getattr__(name):
-    "What many programs do without, when it is asked for: a driver, a simulated autopilot, and `mavutil`"
-    if name=='GimbalServerViewsheen': from UAV.mavlink.viewsheen_server import GimbalServerViewsheen as found
-    elif name=='SimAutopilot': from UAV.mavlink.sim_autopilot import SimAutopilot as found
-    else: return _mavutil(name)
-    return globals().setdefault(name, found)
+    from UAV.utils.general import from_rooms
+    return from_rooms(globals(), _rooms, name)
 
 def __dir__(): return sorted({*globals(), *__all__})

@@ -1,18 +1,11 @@
-"""Video: frames in, bytes out, and back again. It has never heard of MAVLink, nor of cameras."""
-__all__ = ['AccessUnit', 'Encoder', 'Player', 'PlayerError', 'RTPSender', 'RTSPServer', 'Recorder', 'Sink', 'TSSender', 'TSServer', 'VideoFormat', 'VideoStream', 'strip']
+"""Video: frames in, bytes out, and back again. It has never heard of MAVLink, nor of cameras. Each name is loaded when it is asked for."""
+_rooms = {'UAV.video.units': 'AccessUnit Sink VideoFormat', 'UAV.video.encoder': 'Encoder', 'UAV.video.rtsp': 'RTPSender',
+          'UAV.video.senders': 'TSSender TSServer', 'UAV.video.rtsp_server': 'RTSPServer', 'UAV.video.stream': 'VideoStream',
+          'UAV.video.recorder': 'Recorder', 'UAV.video.player': 'Player PlayerError strip'}
+__all__ = sorted(' '.join(_rooms.values()).split())
 
 def __getattr__(name):
-    "All of these when one is asked for: a program without video need not load any. (Each class is whole in its own room.)"
-    if name not in __all__: raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    from UAV.video.units import AccessUnit, Sink, VideoFormat
-    from UAV.video.encoder import Encoder
-    from UAV.video.rtp import RTPSender
-    from UAV.video.mpegts import TSSender, TSServer
-    from UAV.video.rtsp_server import RTSPServer
-    from UAV.video.stream import VideoStream
-    from UAV.video.recorder import Recorder
-    from UAV.video.player import Player, PlayerError, strip
-    globals().update({k: v for k,v in locals().items() if k in __all__})
-    return globals()[name]
+    from UAV.utils.general import from_rooms
+    return from_rooms(globals(), _rooms, name)
 
 def __dir__(): return sorted({*globals(), *__all__})

@@ -1,0 +1,1 @@
+"""Programs for a shell: a room for each."""

@@ -1,0 +1,1 @@
+"""MAVLink FTP: frames, and a server for any component."""

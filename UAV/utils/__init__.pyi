@@ -1,1 +1,0 @@
-# Written by .ci/stubs.py from the live classes: do not edit.
