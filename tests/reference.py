@@ -4,7 +4,8 @@
 
 # %% auto #0
 __all__ = ['source_of', 'as_written', 'as_called', 'what_it_is', 'in_package', 'ReferenceEntry', 'places_in', 'sorted_run',
-           'EntriesInOrder', 'near_links', 'NearLinks', 'introduction', 'named_pictures', 'PicturesInWords']
+           'EntriesInOrder', 'near_links', 'NearLinks', 'methods_of', 'method_table', 'class_of', 'ClassFirst',
+           'all_names', 'AllNames', 'introduction', 'named_pictures', 'PicturesInWords']
 
 # %% reference.ipynb #e63860f6
 from dataclasses import is_dataclass
@@ -15,12 +16,14 @@ from importlib import import_module
 from operator import attrgetter
 import ast, inspect, json, os, re, textwrap
 
+from execnb.nbio import mk_cell
 from fastcore.basics import patch
 from fastcore.docments import docments
 from nbdev.config import get_config
 from nbdev.doclinks import NbdevLookup
 from nbdev.process import Processor
 from nbdev.showdoc import showdoc_nm
+from UAV._modidx import d as _modidx
 from UAV.wire.dialect import enum_name
 
 # %% reference.ipynb #d84e7bba
@@ -314,6 +317,79 @@ class NearLinks(Processor):
         if cell.cell_type=='markdown': cell.source = near_links(cell.source, self.home, self.site)
         for data in (o['data'] for o in cell.get('outputs', []) if 'text/markdown' in o.get('data', {})):
             data['text/markdown'] = near_links(''.join(data['text/markdown']), self.home, self.site)
+
+# %% reference.ipynb #7f442191
+def _first(f)->str:
+    "The first line of a docstring, fit for a table"
+    return inspect.cleandoc(_plain(f).__doc__ or '').partition('\n')[0].replace('|', '\\|')
+
+def _call(name:str, f)->str:
+    "A method or property as its caller types it"
+    if isinstance(f, (property,cached_property)): return name
+    return f'{"await " if inspect.iscoroutinefunction(_plain(f)) else ""}{name}()'
+
+# %% reference.ipynb #aaa08559
+def methods_of(cls)->dict:
+    "`{owner: {name: method}}` of the public methods and properties of a class, its own first, then those of its bases here"
+    found,seen = {},set()
+    for owner in cls.__mro__:
+        if not owner.__module__.startswith(get_config().lib_name): continue
+        kinds = (property,cached_property,classmethod,staticmethod)
+        mine = {name:getattr(f, '__func__', f) for name,f in vars(owner).items()
+                if name[0]!='_' and name not in seen and (isinstance(f, kinds) or inspect.isfunction(f))}
+        seen.update(mine)
+        if shown := {name:f for name,f in mine.items() if _first(f)}: found[owner] = dict(sorted(shown.items()))
+    return found
+
+# %% reference.ipynb #911edd30
+def method_table(cls)->str:
+    "A Markdown table of the methods of a class: one line each, with a link to each entry"
+    rows = []
+    for owner,methods in methods_of(cls).items():
+        here = owner.__module__==cls.__module__
+        if owner is not cls: rows.append(f'| *from {owner.__name__}* | |')
+        for name,f in methods.items():
+            full,call = f'{owner.__name__}.{name}',f'`{_call(name, f)}`'
+            rows.append(f'| {f"[{call}](#{full.lower()})" if here and _has_entry(full) else call} | {_first(f)} |')
+    return '\n'.join([f'## Methods of {cls.__name__} {{.unnumbered}}', '', '| method | |', '|---|---|', *rows, '', ': {.methods}'])
+
+# %% reference.ipynb #97f52cab
+def class_of(nb):
+    "The class that is the title of a page; `None` when its title is no class of the package"
+    name = str(getattr(nb, 'frontmatter_', {}).get('title', ''))
+    found = in_package(name, None) if name.isidentifier() else None
+    module = re.sub(r'^\d+[a-z]?_', '', os.path.basename(nb.path_)).removesuffix('.ipynb')
+    return found if inspect.isclass(found) and found.__module__.split('.')[-1]==module else None
+
+class ClassFirst(Processor):
+    "A table of methods before the first heading of a class page; other pages of the reference aren't searched"
+    def begin(self):
+        "Insert the table, or take the page out of the search"
+        path = os.path.relpath(os.path.abspath(self.nb.path_), get_config().nbs_path)
+        if path.split(os.sep)[0]!='api': return
+        cls,cells = class_of(self.nb),self.nb.cells
+        if cls is None:
+            head = next(c for c in cells if c.cell_type=='raw' and c.source.startswith('---'))
+            head.source = head.source.replace('---\n', '---\nsearch: false\n', 1)
+            return
+        first = next((i for i,c in enumerate(cells) if re.match('## ', c.source or '') and c.cell_type=='markdown'), len(cells))
+        cells.insert(first, mk_cell(method_table(cls), 'markdown'))
+
+# %% reference.ipynb #6fae2f6f
+def all_names()->str:
+    "A Markdown list of the modules, each with links to its public classes and functions"
+    lines = []
+    for module,syms in _modidx['syms'].items():
+        names = {name.removeprefix(module+'.'):there for name,(there,_) in syms.items()}
+        links = [f'[`{name}`]({there})' for name,there in names.items() if name.isidentifier() and name[0]!='_']
+        if links: lines.append(f'* `{module}`: {", ".join(links)}')
+    return '\n'.join(['## All public names', '', *lines])
+
+class AllNames(Processor):
+    "The list of all names at the end of the reference page"
+    def end(self):
+        "Append it"
+        if os.path.basename(self.nb.path_)=='reference.ipynb': self.nb.cells.append(mk_cell(all_names(), 'markdown'))
 
 # %% reference.ipynb #cd6e39b8
 def introduction(
