@@ -2,14 +2,14 @@
 """Does every page fit? Render all pages, look at them in Chromium at two widths, and fail when something does not fit.
 
 Usage, from the project's root, in its development environment:
-    python .ci/pages.py [--keep FOLDER] [--only WORD]
+    python .ci/pages.py [--keep FOLDER] [--only WORD] [--dark]
 
 It counts elements wider than their column, letters in drawings under 11 px as they are shown, pictures that do not load
 or have no alternative text, links and anchors that lead nowhere. What scrolls inside a box of its own is fine.
 
 This is not Quarto, which renders the real site. The cells are nbdev's (`_proc`), pandoc is the same program, the elements
-and classes of cells, outputs and figures, `nbs/styles.css` and the widths of `_quarto.yml` are those of the site. The theme,
-the bars at the top and at the sides, tabsets and mermaid diagrams are not there; callouts are plain boxes.
+and classes of cells, outputs and figures, `nbs/styles.css`, the colours and fonts of `nbs/theme*.scss` and the widths of
+`_quarto.yml` are those of the site. Bootstrap, the bars at the top and at the sides, tabsets and mermaid diagrams are not there; callouts are plain boxes.
 """
 import argparse, base64, html, json, os, re, shutil, subprocess, sys, tempfile, threading, urllib.parse
 from collections import Counter
@@ -35,14 +35,15 @@ widths = 1400, 390      # a laptop's window, and a phone
 least_letters = 11      # px
 reader = 'markdown+autolink_bare_uris+emoji-yaml_metadata_block'
 look = '''
-body{{margin:0;font:17px/1.5 "Source Sans Pro","Noto Sans",system-ui,sans-serif}}
+body{{margin:0;font:17px/1.6 {font-family-sans-serif};background:{body-bg};color:{body-color}}} a{{color:{link-color}}}
+code{{color:{code-color};background:{code-bg}}} pre code{{color:inherit;background:none}}
 #quarto-content{{display:grid;justify-content:center;column-gap:1.5em;padding:0 1.5em;
   grid-template-columns:{sidebar-width} minmax(0,calc({body-width} - 3em)) {margin-width}}}
 main{{grid-column:2;min-width:0}}
 @media (max-width:991px){{#quarto-content{{grid-template-columns:minmax(0,1fr)}} main{{grid-column:1}}}}
-code,pre{{font-family:ui-monospace,"DejaVu Sans Mono",monospace;font-size:.875em}} pre code{{font-size:inherit}}
-pre{{margin:0 0 1rem;overflow:auto}} div.sourceCode,main>pre{{background:#f1f3f5;padding:.4em}}
-table{{border-collapse:collapse}} td,th{{padding:.5rem;border-bottom:1px solid #dee2e6;text-align:left}}
+code,pre{{font-family:{font-family-monospace};font-size:.875em}} pre code{{font-size:inherit}}
+pre{{margin:0 0 1rem;overflow:auto}} div.sourceCode,main>pre{{background:{code-block-bg};padding:.4em}}
+table{{border-collapse:collapse}} td,th{{padding:.5rem;border-bottom:1px solid {border-color};text-align:left}}
 figure{{margin:0 0 1rem}} .img-fluid{{max-width:100%;height:auto}} .callout{{border-left:5px solid #0d6efd;padding:.3rem .8rem}}'''
 
 
@@ -77,7 +78,7 @@ def smallest_letters(svg):
 class Page:
     "One processed notebook, and the HTML that becomes of it"
     def __init__(self, notebook, proc, out):
-        self.cells,self.notebook,self.pictures = json.loads(notebook.read_text())['cells'],notebook,0
+        self.cells,self.notebook,self.out,self.pictures = json.loads(notebook.read_text())['cells'],notebook,out,0
         self.front = {}
         for cell in self.cells:
             if cell['cell_type']=='raw' and (m := re.match(r'---\n(.*?)\n---', text(cell['source']), re.S)): self.front.update(yaml.safe_load(m[1]) or {})
@@ -127,7 +128,7 @@ class Page:
             return f']({os.path.relpath(names[target], self.path.parent)}{m[2] or ""})' if target in names else m[0]
         return re.sub(r'\]\((?!\w+:)([^)#\s]+\.ipynb)(#[^)]*)?\)', there, words)
 
-    def render(self, names, style):
+    def render(self, names, theme='light'):
         "Write the page; what pandoc complains of"
         words = self.relink('\n\n'.join(map(self.cell, self.cells)), names)
         words = re.sub(r'```\{(\w+)\}', r'``` \1', words)
@@ -137,7 +138,7 @@ class Page:
         head = f'<h1 class="title">{html.escape(str(self.front.get("title", "")))}</h1><div><div class="description">{html.escape(str(said))}</div></div>'
         self.path.parent.mkdir(parents=True, exist_ok=True)
         self.path.write_text(f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
-                             f'<style>{style}</style></head><body><div id="quarto-content"><main class="content">'
+                             f'<link rel="stylesheet" href="{os.path.relpath(self.out, self.path.parent)}/page.css"></head><body class="quarto-{theme}"><div id="quarto-content"><main class="content">'
                              f'<header id="title-block-header">{head}</header>\n{done.stdout}</main></div></body></html>')
         return [done.stderr.strip()] if done.returncode or done.stderr.strip() else []
 
@@ -217,10 +218,32 @@ def dead_links(pages, out):
     return findings
 
 
+def variables(file):
+    "`{name: value}` of a theme's file"
+    return dict(re.findall(r'^\$([\w-]+): (.+);$', Path(file).read_text(), re.M))
+
+
+def contrast(one, other):
+    "How many times one colour is brighter than another (WCAG 2.2)"
+    def bright(colour):
+        parts = [int(colour[i:i+2], 16)/255 for i in (1,3,5)]
+        return sum(w*(p/12.92 if p<=.04045 else ((p+.055)/1.055)**2.4) for w,p in zip((.2126,.7152,.0722), parts))
+    dark,light = sorted((bright(one), bright(other)))
+    return (light+.05)/(dark+.05)
+
+
+def readable():
+    "Colours of a theme that can't be read on its background"
+    pairs = ('body-color','body-bg'),('link-color','body-bg'),('code-color','code-bg'),('body-color','code-block-bg'),('sidebar-fg','sidebar-bg'),('navbar-fg','navbar-bg')
+    themes = {name:variables(f'nbs/{name}.scss') for name in ('theme','theme-dark')}
+    return [(f'{name}.scss', 0, 'contrast', 1, f'{a} on {b}: {contrast(theme[a], theme[b]):.1f}')
+            for name,theme in themes.items() for a,b in pairs if contrast(theme[a], theme[b])<4.5]
+
+
 def configuration(config):
     "What `_quarto.yml` names and is not there"
     cfg,said = get_config(),json.dumps(config)
-    missing = [name for name in re.findall(r'"((?:api/|images/|\w+/)?[\w.]+\.(?:ipynb|svg|jpg|png|css))"', said) if not (cfg.nbs_path/name).exists()]
+    missing = [name for name in re.findall(r'"((?:api/\w+/|\w+/)?[\w.]+\.(?:ipynb|svg|jpg|png|s?css))"', said) if not (cfg.nbs_path/name).exists()]
     findings = [('_quarto.yml', 0, 'link', 1, name) for name in missing]
     if f'"{cfg.git_url}"' not in said: findings.append(('_quarto.yml', 0, 'link', 1, f'no link to {cfg.git_url}, the repository of settings.ini'))
     return findings
@@ -230,25 +253,29 @@ def main():
     args = argparse.ArgumentParser(description=__doc__.split('\n')[0])
     args.add_argument('--keep', help='a folder for the pages')
     args.add_argument('--only', default='', help='a part of the names of pages to look at')
+    args.add_argument('--dark', action='store_true', help='in the dark theme')
     args.add_argument('--as-is', action='store_true', help='take _proc as it is')
     args = args.parse_args()
     config = yaml.safe_load(Path('_quarto.yml').read_text())
-    style = look.format(**config['format']['html']['grid'])+Path('nbs/styles.css').read_text()
+    theme = 'dark' if args.dark else 'light'
+    style = look.format(**config['format']['html']['grid'], **variables(f'nbs/theme{"-dark" if args.dark else ""}.scss'))+Path('nbs/styles.css').read_text()
     folder = tempfile.TemporaryDirectory()
     out,proc = Path(args.keep or folder.name).absolute(),Path('_proc').absolute()
     if not args.as_is:
         refresh_quarto_yml()
         proc_nbs(n_workers=2, force=True)
-    for kind in ('*.png','*.jpg','*.jpeg','*.svg','*.gif','*.webp','*.mp4'):
+    for kind in ('*.png','*.jpg','*.jpeg','*.svg','*.gif','*.webp','*.mp4','*.woff2'):
         for file in proc.rglob(kind):
             there = out/file.relative_to(proc)
             there.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(file, there)
+    out.mkdir(parents=True, exist_ok=True)
+    (out/'page.css').write_text(style)
     pages = [Page(notebook, proc, out) for notebook in sorted(proc.rglob('*.ipynb'))]
     names = {str(page.notebook):page.path for page in pages}
-    with ThreadPoolExecutor(2) as pool: complaints = list(pool.map(lambda page: page.render(names, style), pages))
+    with ThreadPoolExecutor(2) as pool: complaints = list(pool.map(lambda page: page.render(names, theme), pages))
     findings = [(page.path, 0, 'pandoc', 1, words) for page,said in zip(pages, complaints) for words in said]
-    findings += configuration(config)+dead_links([page.path for page in pages], out)
+    findings += configuration(config)+readable()+dead_links([page.path for page in pages], out)
     chosen = [page.path for page in pages if args.only in str(page.path)]
     findings += look_at(chosen)
     for path,width,kind,much,what in sorted(findings, key=lambda f: (f[2], -f[3]))[:200]:

@@ -330,7 +330,7 @@ def _call(name:str, f)->str:
 
 # %% reference.ipynb #aaa08559
 def methods_of(cls)->dict:
-    "`{owner: {name: method}}` of the public methods and properties of a class, its own first, then those of its bases here"
+    "`{owner: {name: method}}` of the public methods and properties of a class, its own first (with those of private bases), then those of its bases in the package"
     found,seen = {},set()
     for owner in cls.__mro__:
         if not owner.__module__.startswith(get_config().lib_name): continue
@@ -338,7 +338,9 @@ def methods_of(cls)->dict:
         mine = {name:getattr(f, '__func__', f) for name,f in vars(owner).items()
                 if name[0]!='_' and name not in seen and (isinstance(f, kinds) or inspect.isfunction(f))}
         seen.update(mine)
-        if shown := {name:f for name,f in mine.items() if _first(f)}: found[owner] = dict(sorted(shown.items()))
+        if owner.__name__[0]!='_' or not found: last = owner
+        if shown := {name:f for name,f in mine.items() if _first(f)}:
+            found[last] = dict(sorted((found.get(last, {})|shown).items()))
     return found
 
 # %% reference.ipynb #911edd30
@@ -349,9 +351,10 @@ def method_table(cls)->str:
         here = owner.__module__==cls.__module__
         if owner is not cls: rows.append(f'| *from {owner.__name__}* | |')
         for name,f in methods.items():
-            full,call = f'{owner.__name__}.{name}',f'`{_call(name, f)}`'
-            rows.append(f'| {f"[{call}](#{full.lower()})" if here and _has_entry(full) else call} | {_first(f)} |')
-    return '\n'.join([f'## Methods of {cls.__name__} {{.unnumbered}}', '', '| method | |', '|---|---|', *rows, '', ': {.methods}'])
+            full,call = _plain(f).__qualname__,f'`{_call(name, f)}`'
+            entry = here and full==f'{owner.__name__}.{name}' and _has_entry(full)
+            rows.append(f'| {f"[{call}](#{full.lower()})" if entry else call} | {_first(f)} |')
+    return '\n'.join([f'## Methods of {cls.__name__} {{.unnumbered}}', '', '| method | |', '|-----|-----------|', *rows, '', ': {.methods}'])
 
 # %% reference.ipynb #97f52cab
 def class_of(nb):
@@ -381,7 +384,9 @@ def all_names()->str:
     lines = []
     for module,syms in _modidx['syms'].items():
         names = {name.removeprefix(module+'.'):there for name,(there,_) in syms.items()}
-        links = [f'[`{name}`]({there})' for name,there in names.items() if name.isidentifier() and name[0]!='_']
+        public = {name:there for name,there in names.items() if name.isidentifier() and name[0]!='_'}
+        made = {name:getattr(in_package(f'{name}', None), '__name__', '')==name for name in public}
+        links = [f'[`{name}`]({there if made[name] else there.partition("#")[0]})' for name,there in public.items()]
         if links: lines.append(f'* `{module}`: {", ".join(links)}')
     return '\n'.join(['## All public names', '', *lines])
 
