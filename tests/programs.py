@@ -4,20 +4,22 @@
 
 # %% auto #0
 __all__ = ['is_installed', 'own_environment', 'mavproxy', 'Shell', 'Kernel', 'told', 'kernel_environment', 'JupyterLab',
-           'LabPage', 'run_pytest']
+           'LabPage', 'commands_in', 'parse_command', 'check_commands', 'run_pytest']
 
 # %% programs.ipynb #a22a1b87
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from secrets import token_hex
 from urllib.request import urlopen
-import atexit, json, os, re, shutil, signal, subprocess, sys, sysconfig, tempfile, textwrap, time, venv
+import atexit, io, json, os, re, shlex, shutil, signal, subprocess, sys, sysconfig, tempfile, textwrap, time, venv
 
 import UAV
 from fastcore.basics import patch
 from fastcore.test import test_eq
 from .browser import Browser
+from UAV.cli import common
 from UAV.testing import free_port
 
 # %% programs.ipynb #5ff362d4
@@ -329,6 +331,47 @@ def saved(self:LabPage)->dict:
 def outputs(self:LabPage, n:int)->list:
     "What the saved notebook has below cell `n`"
     return self.saved()['cells'][n]['outputs']
+
+# %% programs.ipynb #670a1c05
+def commands_in(page:str)->list:
+    "Words of each `uav-…` command in the shell blocks and tables of a notebook"
+    cells = json.loads(Path(page).read_text())['cells']
+    text = '\n'.join(''.join(cell['source']) for cell in cells if cell['cell_type']=='markdown')
+    lines = [line for block in re.findall(r'```sh\n(.*?)```', text, re.S) for line in block.splitlines()]
+    lines += [code for row in re.findall(r'^\|.*\|$', text, re.M) for code in re.findall(r'`([^`]+)`', row)]
+    found = (re.match(r'(?:\S*/)?(uav-[a-z-]+)(?= |$)(.*)', line) for line in lines)
+    return [[m[1],*shlex.split(m[2], comments=True)] for m in found if m]
+
+# %% programs.ipynb #19b268b3
+class _Parsed(Exception): "A command line was parsed; the program isn't run"
+
+def parse_command(
+    words:list, # Of a command, the program first
+):
+    "Parse a command as its program does; raises SystemExit if it's wrong"
+    main = import_module(f"UAV.cli.{dict(zip(_programs, 'demo serve camera gimbal gui check'.split()))[words[0]]}").main
+    if hasattr(main, '__self__'): return main.__self__.parse(words[1:])
+    def stop(*parts):
+        read(*parts)
+        raise _Parsed
+    read,common._read = common._read,stop
+    try: main(words[1:])
+    except _Parsed: return
+    finally: common._read = read
+
+_programs = 'uav-demo uav-camera-server uav-camera uav-gimbal uav-gui uav-camera-check'.split()
+
+# %% programs.ipynb #358c3bfa
+def check_commands(page:str)->int:
+    "Parse each command of a page; return how many there are, and raise ValueError for a wrong one"
+    commands = commands_in(page)
+    for words in commands:
+        said = io.StringIO()
+        try:
+            with redirect_stderr(said), redirect_stdout(said): parse_command(words)
+        except SystemExit as e:
+            if e.code: raise ValueError(f'{" ".join(words)}: {said.getvalue().strip()}') from None
+    return len(commands)
 
 # %% programs.ipynb #9fe8fdbf
 @cache
