@@ -27,8 +27,9 @@ def _check(loop:LoopThread):
     if asyncio._get_running_loop() is not None: raise RuntimeError(_in_a_loop)
     if loop.closed or loop.orphaned: raise LinkError(_gone)
 
+# %% ../nbs/api/02_blocking.ipynb #dfc50d78
 def _wait(loop:LoopThread, start):
-    "Await what `start()` gives, on the thread of `loop`, and return its result"
+    "Await the coroutine that `start()` returns, on the thread of `loop`, and return its result"
     _check(loop)
     try: return loop.wait(start)
     except LoopClosed: raise LinkError(_gone) from None
@@ -36,28 +37,29 @@ def _wait(loop:LoopThread, start):
 # %% ../nbs/api/02_blocking.ipynb #98378a89
 @cache
 def _has_async(kind:type)->bool:
-    "True if objects of `kind` have something to await"
+    "True if objects of `kind` have anything to await"
     members = [m for c in kind.__mro__ for m in vars(c).values()]
     waits = any(inspect.iscoroutinefunction(m) or inspect.isasyncgenfunction(m) for m in members)
     return waits or hasattr(kind, '__aiter__') or hasattr(kind, '__aenter__')
 
 # %% ../nbs/api/02_blocking.ipynb #e3fcee6e
 def _bare(value):
-    "The argument without wrappers: what a handle takes"
+    "Return an argument without wrappers, as a handle takes it"
     if isinstance(value, Blocking): return vars(value)['_target']
     if type(value) in (list,tuple): return type(value)(map(_bare, value))
     return value
 
 # %% ../nbs/api/02_blocking.ipynb #d737b596
 def _awaited(coroutine, loop:LoopThread):
-    "Its result; one that could not begin is closed"
+    "Return the result of a coroutine; close one that couldn't start"
     try: return _wait(loop, lambda: coroutine)
     except LinkError:
         coroutine.close()
         raise
 
+# %% ../nbs/api/02_blocking.ipynb #0b39e332
 def _wrapped(value, loop:LoopThread):
-    "The result with wrappers: what a program without `async` takes"
+    "Return a result with wrappers, for programs without `async`"
     if isinstance(value, (FunctionType,MethodType)): return _call(value, loop)
     if inspect.iscoroutine(value): return _wrapped(_awaited(value, loop), loop)
     if isinstance(value, (list,tuple)) and any(_has_async(type(v)) for v in value):
@@ -68,7 +70,7 @@ def _wrapped(value, loop:LoopThread):
 
 # %% ../nbs/api/02_blocking.ipynb #356be79c
 def _call(f, loop:LoopThread):
-    "`f`, which returns what it otherwise promises"
+    "Return `f` as a function that waits for its result"
     @wraps(f)
     def call(*args, **kwargs):
         _check(loop)
@@ -77,9 +79,9 @@ def _call(f, loop:LoopThread):
 
 # %% ../nbs/api/02_blocking.ipynb #c00b3d7d
 class Blocking:
-    "A handle whose methods wait for their result; otherwise as the handle behind it"
-    def __init__(self, target, # The handle
-                 loop:LoopThread): # Where its coroutines run
+    "A handle whose methods wait for their results"
+    def __init__(self, target, # The async handle
+                 loop:LoopThread): # Runs its coroutines
         vars(self).update(_target=target, _loop=loop)
 
     def __getattr__(self, name):
@@ -94,12 +96,13 @@ class Blocking:
 
 # %% ../nbs/api/02_blocking.ipynb #f9558874
 def _forward(name:str):
-    "The special method `name` of the handle"
+    "Return a method that calls the handle's special method `name`"
     def method(self, *args): return _wrapped(getattr(self._target, name)(*map(_bare, args)), self._loop)
     return method
 
+# %% ../nbs/api/02_blocking.ipynb #cc726b59
 def _iterate(self):
-    "For `for`: each item of an `async for`"
+    "Yield each item of an `async for`"
     items = aiter(self._target)
     try:
         while True:
@@ -113,11 +116,12 @@ def _iterate(self):
 def _enter(self): return _wrapped(_wait(self._loop, self._target.__aenter__), self._loop)
 def _exit(self, *error): return _wait(self._loop, lambda: self._target.__aexit__(*error))
 
+# %% ../nbs/api/02_blocking.ipynb #feea58c4
 _special = '__call__ __contains__ __enter__ __exit__ __getitem__ __iter__ __len__ __next__'.split()
 
 @cache
 def _kind(kind:type)->type:
-    "The class of wrappers for handles of a class"
+    "Return the class of wrappers for handles of class `kind`"
     has = {name for c in kind.__mro__[:-1] for name in vars(c)}
     body = {name: _forward(name) for name in _special if name in has}
     if '__aiter__' in has: body['__iter__'] = _iterate
@@ -133,7 +137,7 @@ class BlockingMAVCom(Blocking):
         _open.add(self)
 
     def close(self):
-        "Close it, and end the thread; may be called twice"
+        "Close the links and end the thread; safe to call twice"
         try: self._loop.close()                     # first, so what still runs can clean up over the link
         finally: self._target.close()
 
@@ -149,12 +153,12 @@ _open = Opened(lambda com: None)        # a forked process has none
 
 @atexit.register
 def _close_all():
-    "At the end of the program: generators that are still open must not wait for a thread that has stopped"
+    "Close all at exit, so that open generators don't wait for a stopped thread"
     for com in _open: com.close()
 
 # %% ../nbs/api/02_blocking.ipynb #a84ab4e6
 def _together(name:str):
-    "The function `name` of `UAV.mavlink` that takes a list of handles first"
+    "Return `UAV.mavlink.<name>`, which takes a list of handles, as a function that waits"
     def call(cameras, *args, **kwargs):
         cameras = list(cameras) if isinstance(cameras, (list,tuple,set,frozenset)) else [cameras]
         loop = next((vars(c)['_loop'] for c in cameras if isinstance(c, Blocking)), None)

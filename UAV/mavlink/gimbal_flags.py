@@ -35,32 +35,32 @@ __all__ = ['RETRACT', 'NEUTRAL', 'ROLL_LOCK', 'PITCH_LOCK', 'YAW_LOCK', 'VEHICLE
     enum_value('GIMBAL_DEVICE_FLAGS', name, 'GIMBAL_DEVICE_FLAGS_') for name in ('RETRACT', 'NEUTRAL', 'ROLL_LOCK',
         'PITCH_LOCK', 'YAW_LOCK', 'YAW_IN_VEHICLE_FRAME', 'YAW_IN_EARTH_FRAME', 'ACCEPTS_YAW_IN_EARTH_FRAME'))
 RC = mavlink.GIMBAL_DEVICE_FLAGS_RC_EXCLUSIVE|mavlink.GIMBAL_DEVICE_FLAGS_RC_MIXED
-LEVEL = ROLL_LOCK|PITCH_LOCK            # roll and pitch from the horizon, as nearly all gimbals have it
+LEVEL = ROLL_LOCK|PITCH_LOCK            # roll and pitch from the horizon, as on nearly all gimbals
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #a3c71b6a
 def _yaw_frame(flags:int)->str:
-    "What the yaw beside these flags is measured from: 'vehicle' or 'earth'; raises `ValueError` when they say both"
+    "Return the frame of a yaw with these flags, 'vehicle' or 'earth'; raises `ValueError` for both"
     frames = flags&(VEHICLE_FRAME|EARTH_FRAME)
     if frames==VEHICLE_FRAME|EARTH_FRAME: raise ValueError('yaw cannot be in two frames')
     if frames: return 'earth' if frames==EARTH_FRAME else 'vehicle'
-    return 'earth' if flags&YAW_LOCK else 'vehicle'     # the rule from before there were frame bits
+    return 'earth' if flags&YAW_LOCK else 'vehicle'     # the rule before frame bits
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #6e699f33
 @dataclass(frozen=True, repr=False, eq=False)
 class _Target(Value):
-    "What a sender wants of a gimbal; what was not given is NaN"
-    roll:Axis=Axis() # Degrees, degrees a second
+    "A requested attitude of a gimbal; NaN is not given"
+    roll:Axis=Axis() # Degrees, degrees per second
     pitch:Axis=Axis()
     yaw:Axis=Axis()
-    frame:str='vehicle' # What yaw is measured from
-    lock:bool=False # Shall yaw hold its direction on earth?
+    frame:str='vehicle' # Zero of yaw: 'vehicle' (nose) or 'earth' (north)
+    lock:bool=False # True holds the direction of yaw on earth
     mode:str='point' # 'point', 'center' or 'retract'
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #e08fd7a8
-_most_angle,_most_rate = 360.,1000. # degrees, degrees a second: more is a mistake
+_most_angle,_most_rate = 360.,1000. # degrees, degrees per second; more is refused
 
 def _axis(what:str, angle:float=NAN, rate:float=NAN)->Axis:
-    "What is wanted of one of `axes`, degrees and degrees a second; raises `ValueError`"
+    "Return a request for one of `axes`, degrees and degrees per second; raises `ValueError`"
     if not math.isnan(angle): angle = inside(what, angle, -_most_angle, _most_angle)
     if not math.isnan(rate): rate = inside(f'{what} rate', rate, -_most_rate, _most_rate)
     return Axis(angle, NAN if rate==0 and not math.isnan(angle) else rate)
@@ -68,7 +68,7 @@ def _axis(what:str, angle:float=NAN, rate:float=NAN)->Axis:
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #28ca68c6
 @patch(cls_method=True)
 def of_flags(cls:_Target, flags:int, roll:Axis=Axis(), pitch:Axis=Axis(), yaw:Axis=Axis())->_Target:
-    "What flags and axes together want; raises `ValueError`, or `Unsupported` for a radio control"
+    "Combine flags and axes; raises `ValueError`, or `Unsupported` for a radio control"
     if flags<0: raise ValueError(f'flags are {flags}')
     if flags&RC: raise Unsupported('no radio control is wired to it')
     if flags>=1<<10: raise Unsupported(f'flags {flags:#x} are not known')
@@ -78,7 +78,7 @@ def of_flags(cls:_Target, flags:int, roll:Axis=Axis(), pitch:Axis=Axis(), yaw:Ax
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #71f14703
 @patch(cls_method=True)
 def of_pitchyaw(cls:_Target, flags:int, pitch:float=NAN, yaw:float=NAN, pitch_rate:float=NAN, yaw_rate:float=NAN):
-    "What DO_GIMBAL_MANAGER_PITCHYAW and its kin want, degrees and degrees a second; raises `ValueError`, `Unsupported`"
+    "Target of a DO_GIMBAL_MANAGER_PITCHYAW, degrees and degrees per second; raises `ValueError`, `Unsupported`"
     return cls.of_flags(flags, pitch=_axis('pitch', pitch, pitch_rate), yaw=_axis('yaw', yaw, yaw_rate))
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #ad938855
@@ -86,19 +86,19 @@ def _rates_of(msg)->tuple: return tuple(math.degrees(getattr(msg, f'angular_velo
 
 @patch(cls_method=True)
 def of_attitude(cls:_Target, msg)->_Target:
-    "What a SET_ATTITUDE wants; raises `ValueError`, `Unsupported`"
+    "Target of a SET_ATTITUDE message; raises `ValueError`, `Unsupported`"
     angles = (NAN,)*3 if all(n!=n for n in msg.q) else euler(unit(msg.q))
     return cls.of_flags(msg.flags, *(_axis(*three) for three in zip(axes, angles, _rates_of(msg))))
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #2483279a
 def axis_limits(information:GimbalInformation, axis:str, # One of `axes`
                )->tuple:
-    "Least and greatest angle, degrees: half a turn at most, and 0 without such an axis"
+    "Return the least and greatest angle in degrees, within ±180; 0 without such an axis"
     return tuple(min(max(end, -180.), 180.) for end in getattr(information, axis) or (0.,0.))
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #c1d20b03
 def _stick_axis(information:GimbalInformation, axis:str, angle:float=NAN, rate:float=NAN, most:float=30.)->Axis:
-    "What a stick (-1 to 1) wants of one axis; a full rate is `most` degrees a second. Raises `ValueError`"
+    "Target of a stick (-1 to 1) on one axis, at most `most` degrees per second; raises `ValueError`"
     if known(angle) and known(rate): raise ValueError(f'{axis} has an angle and a rate')
     low,high = axis_limits(information, axis)
     if known(angle): return Axis(inside(axis, angle, -1, 1)*(high if angle>0 else -low))
@@ -107,7 +107,7 @@ def _stick_axis(information:GimbalInformation, axis:str, angle:float=NAN, rate:f
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #06dae710
 @patch(cls_method=True)
 def of_stick(cls:_Target, msg, information:GimbalInformation, most:float=30.)->_Target:
-    "What a GIMBAL_MANAGER_SET_MANUAL_CONTROL wants; raises `ValueError`, `Unsupported`. `most`: degrees a second"
+    "Target of a GIMBAL_MANAGER_SET_MANUAL_CONTROL (`most` in degrees per second); raises `ValueError`, `Unsupported`"
     sticks = ('pitch', msg.pitch, msg.pitch_rate),('yaw', msg.yaw, msg.yaw_rate)
     pitch,yaw = (_stick_axis(information, *stick, most) for stick in sticks)
     return replace(cls.of_flags(msg.flags, pitch=pitch, yaw=yaw), frame='vehicle')
@@ -115,13 +115,13 @@ def of_stick(cls:_Target, msg, information:GimbalInformation, most:float=30.)->_
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #29473ec4
 def flag_names(enum:str, # Such as 'GIMBAL_DEVICE_CAP_FLAGS'
                flags:int)->tuple:
-    "The dialect's names of the bits in `flags`"
+    "Return the dialect's names of the bits in `flags`"
     bits = {i:e.name for i,e in mavlink.enums[enum].items() if i and not i&(i-1)}
     return tuple(name.removeprefix(f'{enum}_') for i,name in sorted(bits.items()) if flags&i)
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #765c32ee
 def _capabilities(gimbal)->int:
-    "GIMBAL_DEVICE_CAP_FLAGS of any object with `information` and some verbs of a `Gimbal`"
+    "Return GIMBAL_DEVICE_CAP_FLAGS of an object with `information` and some methods of a `Gimbal`"
     has = lambda verb: callable(getattr(gimbal, verb, None))
     names = {f'HAS_{bit}' for bit,verb in (('RETRACT','retract'), ('NEUTRAL','center')) if has(verb)}
     for axis in (a for a in axes if getattr(gimbal.information, a)):
@@ -134,14 +134,14 @@ def _capabilities(gimbal)->int:
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #e7206059
 def _float_radians(degrees:float)->float:
-    "Radians as a float of 32 bits carries them, and not less than `degrees` in size"
+    "Return radians as a 32-bit float, not less in size than `degrees`"
     radians, = struct.unpack('<f', struct.pack('<f', math.radians(degrees)))
     if abs(math.degrees(radians))>=abs(degrees): return radians
     bits, = struct.unpack('<I', struct.pack('<f', radians))
     return struct.unpack('<f', struct.pack('<I', bits+1))[0]
 
 def _limits(information:GimbalInformation)->list:
-    "Least and greatest roll, pitch and yaw, rad"
+    "Return the least and greatest roll, pitch and yaw in radians"
     return [_float_radians(end) for axis in axes for end in axis_limits(information, axis)]
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #1c31ae6f
@@ -152,17 +152,17 @@ def _caps(msg)->int: return getattr(msg, 'cap_flags2', 0) or msg.cap_flags
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #efd6eb73
 def _reach(msg, axis:str, has:bool)->tuple|None:
-    "How far an axis goes, degrees, as a message of information says it"
+    "Return the limits of an axis in degrees from an information message"
     ends = tuple(round(math.degrees(getattr(msg, f'{axis}_{end}')), 3) for end in ('min','max'))
     return ends if has or any(known(e) and e for e in ends) else None
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #c62a8199
 def _text(field)->str:
-    "The characters of a field before its first 0"
+    "Return the characters of a field before its first 0"
     return field if isinstance(field, str) else bytes(field).partition(b'\0')[0].decode(errors='replace')
 
 def information_of(msg)->GimbalInformation:
-    "What a GIMBAL_DEVICE_INFORMATION says"
+    "Decode GIMBAL_DEVICE_INFORMATION"
     names = flag_names('GIMBAL_DEVICE_CAP_FLAGS', _caps(msg))
     vendor,model,custom = map(_text, (msg.vendor_name, msg.model_name, msg.custom_name))
     reach = {a: _reach(msg, a, f'HAS_{a.upper()}_AXIS' in names) for a in axes}
@@ -174,7 +174,7 @@ def information_of(msg)->GimbalInformation:
 _modes = dict(point=0, center=NEUTRAL, retract=RETRACT)
 
 def _attitude_fields(a:GimbalAttitude, frame:str='vehicle')->dict:
-    "The fields of GIMBAL_DEVICE_ATTITUDE_STATUS but for time and id, with a yaw in `frame` if the heading is known"
+    "Return the fields of GIMBAL_DEVICE_ATTITUDE_STATUS without time and id; yaw is in `frame` if the heading is known"
     earth = one_of('frame', frame, ('vehicle','earth'))=='earth' and known(a.vehicle_yaw)
     flags = LEVEL|ACCEPTS_EARTH|_modes[a.mode]|(YAW_LOCK if a.lock else 0)|(EARTH_FRAME if earth else VEHICLE_FRAME)
     failures = (enum_value('GIMBAL_DEVICE_ERROR_FLAGS', n, 'GIMBAL_DEVICE_ERROR_FLAGS_') for n in set(a.failures))
@@ -185,7 +185,7 @@ def _attitude_fields(a:GimbalAttitude, frame:str='vehicle')->dict:
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #7c0e0e02
 def _checked_attitude(a:GimbalAttitude)->GimbalAttitude:
-    "`a`; raises what Python raises when no message can carry it"
+    "Return `a`; raises Python's error if it does not fit a message"
     w,x,y,z = a.q
     for number in filter(known, (w, x, y, z, *a.rates, a.vehicle_yaw, a.vehicle_yaw_rate)):
         inside('a number of the attitude', number, -1e6, 1e6)
@@ -194,17 +194,17 @@ def _checked_attitude(a:GimbalAttitude)->GimbalAttitude:
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #a4a4627d
 def _vehicle_q(q:tuple, frame:str, heading:float)->tuple:
-    "An attitude off the wire, as seen from the nose; NaN when that cannot be known"
+    "Return a received attitude relative to the nose; NaN if that is unknown"
     try: q = unit(q)
     except ValueError: return (NAN,)*4
     return q if frame=='vehicle' else product(inverse(quaternion(yaw=heading)), q)
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #2b3e33ce
 def attitude_of(msg, # GIMBAL_DEVICE_ATTITUDE_STATUS
-                heading:float=NAN, # Where the vehicle's nose points, degrees, when the message does not say it
-                time:float=NAN, # When it came, s
+                heading:float=NAN, # Vehicle heading in degrees, if not in the message
+                time:float=NAN, # Time of arrival in s
                )->GimbalAttitude:
-    "What a GIMBAL_DEVICE_ATTITUDE_STATUS says; raises `ValueError` when it has two frames"
+    "Decode GIMBAL_DEVICE_ATTITUDE_STATUS; raises `ValueError` for two frames"
     flags,frame = msg.flags,_yaw_frame(msg.flags)
     says = flags&(VEHICLE_FRAME|EARTH_FRAME)
     if says and known(msg.delta_yaw): heading = math.degrees(msg.delta_yaw)
@@ -216,18 +216,17 @@ def attitude_of(msg, # GIMBAL_DEVICE_ATTITUDE_STATUS
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #7d34c083
 @dataclass(frozen=True)
 class ManagerWays:
-    "How a gimbal manager reads what it is sent"
-    reads_frame:bool=True # Does it read the frame bits of a yaw? Else a locked yaw is from north, another from the nose
-    keeps_nan:bool=True # Does an angle stay as it is when it gets NaN?
-    rates_by_command:bool=True # Or only by GIMBAL_MANAGER_SET_ATTITUDE, which has no ack?
+    "How a gimbal manager interprets commands"
+    reads_frame:bool=True # True if it reads frame bits; else a locked yaw is from north, another from the nose
+    keeps_nan:bool=True # True if NaN keeps an angle
+    rates_by_command:bool=True # False: only by GIMBAL_MANAGER_SET_ATTITUDE, which has no ack
     retracts:bool=True
-    relative_alt:bool=True # Does it count the altitude of a place from home, when the frame says so?
-    numbers_devices:bool=False # Does it call components 154, 171, … gimbal 1, 2, …?
+    relative_alt:bool=True # True if it reads an altitude from home in such a frame
+    numbers_devices:bool=False # True if components 154, 171, … are its gimbals 1, 2, …
 
-_ways = {None: ManagerWays(),           # no autopilot, or not known yet
+_ways = {None: ManagerWays(),           # no autopilot, or not identified yet
          mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA: ManagerWays(reads_frame=False, keeps_nan=False, numbers_devices=True),
          mavlink.MAV_AUTOPILOT_PX4: ManagerWays(False, False, False, False, False)}
-
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #6806fc44
 _results = {HeadingUnknown:mavlink.MAV_RESULT_TEMPORARILY_REJECTED,
@@ -237,18 +236,18 @@ _results = {HeadingUnknown:mavlink.MAV_RESULT_TEMPORARILY_REJECTED,
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #cf340114
 @dataclass
 class GimbalOptions:
-    "How a `GimbalServer` reads the gimbal protocol where it leaves a choice"
-    strict:bool=False # Deny commands while no client is in control?
-    px4_release:bool=False # Is "put me in control" from the one in control its release? PX4 sends that
-    roi_long_alt:str='amsl' # An altitude in a COMMAND_LONG, which has no frame; or 'relative' to home
-    mount_control:bool=False # Answer the older MAV_CMD_DO_MOUNT_CONTROL as well?
-    yaw_frame:str='vehicle' # What the yaw we report is measured from: or 'earth'
-    attitude_rate:float=10. # GIMBAL_DEVICE_ATTITUDE_STATUS a second, to all; 0: only when asked
-    status_rate:float=5. # GIMBAL_MANAGER_STATUS a second, to all; 0: only when asked, and on change
-    command_lasts:float=3. # s until the rates of a command end; `math.inf`: with the next one
-    stream_lasts:float=3. # s until streamed rates end that are not sent again
-    max_rate:float=30. # Degrees a second of a stick that is pushed all the way
-    ask_autopilot:bool=True # Ask our vehicle for its attitude and position when it does not send them?
+    "Choices of a `GimbalServer` where the gimbal protocol is open"
+    strict:bool=False # Deny commands while no client is in control
+    px4_release:bool=False # Read "put me in control" from the owner as its release, as PX4 sends it
+    roi_long_alt:str='amsl' # Altitude reference of a COMMAND_LONG, which has no frame: 'amsl', or 'relative' to home
+    mount_control:bool=False # Also answer the older MAV_CMD_DO_MOUNT_CONTROL
+    yaw_frame:str='vehicle' # Frame of reported yaw: 'vehicle' or 'earth'
+    attitude_rate:float=10. # GIMBAL_DEVICE_ATTITUDE_STATUS in Hz, to all; 0: only on request
+    status_rate:float=5. # GIMBAL_MANAGER_STATUS in Hz, to all; 0: only on request and on change
+    command_lasts:float=3. # s until the rates of a command end; `math.inf`: until the next one
+    stream_lasts:float=3. # s until streamed rates end without a new message
+    max_rate:float=30. # Degrees per second at full stick
+    ask_autopilot:bool=True # Request attitude and position from our autopilot if it does not send them
 
     def __post_init__(self):
         one_of('roi_long_alt', self.roi_long_alt, ('amsl','relative'))
@@ -260,7 +259,7 @@ class GimbalOptions:
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #79d05e1e
 def _checked_device_id(number:int|None, component:int, role:str)->int:
-    "The device's `number`, or the one that fits the role; raises `ValueError` when ground stations would not find it"
+    "Return the device's `number`, or the role's default; raises `ValueError` if ground stations would not find it"
     if number is None: number = dict(both=1, manager=mavlink.MAV_COMP_ID_GIMBAL, device=component)[role]
     fits = dict(both=number in (*range(1, 7), component), manager=1<=number<=255, device=number==component)
     if not fits[role]: raise ValueError(f'gimbal_device_id cannot be {number}, role {role!r}, component {component}')
@@ -270,10 +269,10 @@ def _checked_device_id(number:int|None, component:int, role:str)->int:
 _no_owner = 0,0
 
 class Control:
-    "Who is in control of a gimbal"
+    "The owners of a gimbal"
     def __init__(self,
-        strict:bool=False, # Deny what comes while no client is in control? By default it is accepted then
-        px4_release:bool=False, # Is "put me in control" from the one who is in control its release? PX4 sends that
+        strict:bool=False, # Deny commands while no client is in control
+        px4_release:bool=False, # Read "put me in control" from the owner as its release, as PX4 sends it
     ):
         store_attr()
         self.primary = self.secondary = _no_owner      # `(system, component)`
@@ -283,12 +282,12 @@ class Control:
 
     @property
     def owner(self)->str:
-        "Who is in control, in words"
+        "The client in control, as text"
         return 'no client is in control' if self.primary==_no_owner else '{}/{} is in control'.format(*self.primary)
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #fa63fb4f
 def _changed_pair(pair:tuple, sender:tuple, *asked)->tuple:
-    "The pair in control after `sender` asked for these; raises `Denied` for what is no id, and for half a pair"
+    "Return the owner after a request by `sender`; raises `Denied` for an invalid id or half a pair"
     new,left = [],_no_owner if pair==sender else pair
     for value,*meant in zip(asked, pair, sender, left):
         value = dict(zip((-1, -2, -3), meant)).get(value if known(value) else -1, value)
@@ -299,11 +298,11 @@ def _changed_pair(pair:tuple, sender:tuple, *asked)->tuple:
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #e6944ad5
 @patch
-def configure(self:Control, sender:tuple, # `(system, component)` that asks
+def configure(self:Control, sender:tuple, # `(system, component)` of the requester
               p1:float=-1, p2:float=-1, # Primary system and component
               p3:float=-1, p4:float=-1, # Secondary system and component
              )->bool:
-    "Do what MAV_CMD_DO_GIMBAL_MANAGER_CONFIGURE says; has it changed anything? Raises `Denied`"
+    "Apply MAV_CMD_DO_GIMBAL_MANAGER_CONFIGURE; true after a change, raises `Denied`"
     with self._lock:
         before = self.primary,self.secondary
         if self.px4_release and (p1,p2)==(-2,-2) and sender==self.primary: p1 = p2 = -3
@@ -314,14 +313,14 @@ def configure(self:Control, sender:tuple, # `(system, component)` that asks
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #aa412c95
 @patch
 def allows(self:Control, sender:tuple)->bool:
-    "May `sender` move the gimbal now?"
+    "True if `sender` may move the gimbal now"
     primary = self.primary
     return sender==primary or primary==_no_owner and not self.strict
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #ff3ffe15
 @patch
 def lose(self:Control, address:tuple)->bool:
-    "`address` has fallen silent, and controls nothing any more; did it?"
+    "Remove the silent `address` from control; true after a change"
     with self._lock:
         before = self.primary,self.secondary
         self.primary,self.secondary = (_no_owner if pair==address else pair for pair in before)

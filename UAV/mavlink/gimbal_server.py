@@ -34,13 +34,13 @@ _all_ = ['GIMBAL_MANAGER_INFORMATION', 'GIMBAL_MANAGER_STATUS', 'GIMBAL_DEVICE_I
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #9f7d6f66
 class _FakeGimbal:
-    "A gimbal that can only say what it would be"
+    "A gimbal with information and no verbs"
     information,locks,follows = GimbalInformation(model='FakeGimbal'),(),()
     def attitude(self): return GimbalAttitude()         # nothing is known
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #86deb0e6
 def _checked_gimbal(gimbal):
-    "`gimbal`, or one that only describes itself; raises `TypeError`"
+    "Return `gimbal`, or one that only describes itself; raises `TypeError`"
     if gimbal is None: return _FakeGimbal()
     if isinstance(gimbal, type): raise TypeError(f'{gimbal.__name__} is a class; a gimbal is {gimbal.__name__}()')
     if not hasattr(gimbal, 'information'): raise TypeError(f'{gimbal!r} has no `information`')
@@ -50,55 +50,55 @@ def _checked_gimbal(gimbal):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #5e7a0d01
 @dataclass
 class _Stream:
-    "What is remembered of streamed setpoints"
-    waiting:tuple|None=None # The newest one, until it is done: its message, and a function that reads it
+    "State of streamed setpoints"
+    waiting:tuple|None=None # The newest one until it is applied: its message, and a function that reads it
     done:tuple=(None,None) # The last target, and the gimbal's setpoint that came of it
     took:float=0. # s that the gimbal took for it
-    dropped:int=0 # How many made no sense, or could not be done
-    retracted:float=-math.inf # When "retract" was said last, s on the gimbal's clock
+    dropped:int=0 # Number of invalid or failed setpoints
+    retracted:float=-math.inf # Time of the last "retract", s on the gimbal's clock
     lock:threading.Lock=field(default_factory=threading.Lock, repr=False) # One at a time
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #db25c48e
 class _Service(Part):
     "A microservice of a gimbal's server"
     us = property(lambda self: self.component, doc='The server')
-    def tick(self): "Called ten times a second"
+    def tick(self): "Run ten times a second"
 
 class _Manager(_Service):
-    "The gimbal manager: what it is, who is in control, and where the gimbal is to point"
-    told,refused = None,False   # the last status; has another manager tried to move the gimbal?
+    "The gimbal manager: information, control and setpoints"
+    told,refused = None,False   # the last status; True after another manager tried to move the gimbal
 
 class _Device(_Service):
-    "The gimbal device: what it is, and where it points"
+    "The gimbal device: information and attitude"
     @property
     def number(self)->int:
-        "Its number in the messages of the device: 0 means its component, 1 to 6 one behind it"
+        "Number in the device's messages: 0 means its component, 1 to 6 a gimbal behind it"
         number = self.us.gimbal_device_id
         return 0 if number==self.us.source_component>6 else number
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #d653adfb
 class _Directed(_Service):
-    "A device that a manager elsewhere directs: it needs a vehicle that tells how it is held"
-    patience,retract_lasts = 5.,.5  # s of silence that we say nothing of; s in which a "retract" wins
-    told_at = hears = None          # when the vehicle told last how it is held; are we told?
+    "A device under a remote manager, which needs the attitude of its vehicle"
+    patience,retract_lasts = 5.,.5  # s of silence before a warning; s in which a "retract" wins
+    told_at = hears = None          # time of the last attitude of the vehicle; True while it comes
 
-class _Watch(_Service): "Looks whether those who move the gimbal are still there"
+class _Watch(_Service): "Watch over the clients that move the gimbal"
 class _Roi(_Service): "The region of interest: a place, or another vehicle"
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #0d4ab0e1
 class GimbalServer(DeviceServer):
-    "Serves a gimbal object as a MAVLink gimbal"
+    "A MAVLink gimbal that serves a gimbal object"
     _results = {**Component._results, **_results}
-    tick_period = .1        # s between two looks at what may have changed
+    tick_period = .1        # s between two checks
 
     @takes_options(GimbalOptions)
-    def __init__(self, source_component:int=mavlink.MAV_COMP_ID_GIMBAL, # 154, 171 to 175 are what others look for
+    def __init__(self, source_component:int=mavlink.MAV_COMP_ID_GIMBAL, # Component id: 154 or 171 to 175
                  mav_type:int=mavlink.MAV_TYPE_GIMBAL,
-                 gimbal=None, # A `Gimbal`, or any object with `information` and some of its verbs
+                 gimbal=None, # `Gimbal`, or any object with `information` and some of its verbs
                  loglevel:int=LogLevels.INFO,
-                 gimbal_device_id:int|None=None, # What we call the device; `None`: 1, or a component that fits the role
+                 gimbal_device_id:int|None=None, # Number of the device; `None`: 1, or a component that fits the role
                  role:str='both', # 'both', 'manager' or 'device'
-                 **kwargs): # As in `GimbalOptions`
+                 **kwargs): # Options of `GimbalOptions`
         if hasattr(source_component, 'information'):
             raise TypeError('the first argument is a component id: write GimbalServer(gimbal=…)')
         if 2<=check_id('source_component', source_component)<=6:
@@ -111,10 +111,10 @@ class GimbalServer(DeviceServer):
         self.health,self.region = Health(self, self.gimbal),RegionOfInterest(self.gimbal)
         self.control = Control(self.options.strict, self.options.px4_release)
         self.clock = getattr(gimbal, 'clock', time.monotonic)
-        self._ticks,self._stream,self._said = None,_Stream(),Seen(60.)     # the last one is what we complained about
-        self._mover = None              # `(system, component)` that moved it last, as long as it is there
-        self._owner_seen = None,0,0.    # the owner, how many frames of it had come, and since when
-        self._paced_by = {}             # `{message id: (system, component)}`: who has changed what all get
+        self._ticks,self._stream,self._said = None,_Stream(),Seen(60.)     # the last one: warnings already logged
+        self._mover = None              # `(system, component)` that moved it last, while it is present
+        self._owner_seen = None,0,0.    # the owner, its number of frames, and since when
+        self._paced_by = {}             # `{message id: (system, component)}`: client that changed a rate for all
         self._add_parts()
 
     def on_mav_connection(self):
@@ -122,10 +122,10 @@ class GimbalServer(DeviceServer):
         for msg_id,period in self._default_streams.items(): self._start_stream(msg_id, period)
 
     def close(self):
-        "Stop turning, and leave the link; the gimbal stays open"
+        "Stop turning and leave the link; the gimbal stays open"
         again,self._closed = self._closed,True
         if self._ticks: self.timers.cancel(self._ticks, timeout=5)
-        if not again: self.worker.do(self._stop_turning)         # which is waited for, but not without end
+        if not again: self.worker.do(self._stop_turning)         # waited for with a time limit
         super().close()
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #32e31e07
@@ -143,12 +143,12 @@ def _add_parts(self:GimbalServer):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #656b6692
 @patch
 def _is_ours(self:GimbalServer, device_id:float)->bool:
-    "Does this number mean our gimbal? 0 and NaN mean all"
+    "True if a device number means our gimbal; 0 and NaN mean all"
     return not known(device_id) or device_id in (0, self.gimbal_device_id, self.source_component)
 
 @patch
 def _check_device(self:GimbalServer, device_id:float):
-    "Raise `Denied` when a command names another gimbal"
+    "Raise `Denied` if a command names another gimbal"
     if not self._is_ours(device_id): raise Denied(f'gimbal {device_id:g} is not here')
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #6db4a409
@@ -157,7 +157,7 @@ _about_messages = (mavlink.MAV_CMD_REQUEST_MESSAGE,mavlink.MAV_CMD_SET_MESSAGE_I
 
 @patch
 def _on_command(self:GimbalServer, msg):
-    "As every component does, but a broadcast to another gimbal, or about a message we do not have, is not for us"
+    "Run a command, but ignore broadcasts for other gimbals or about messages we don't have"
     handler = self.commands.get(msg.command)
     if handler is not None and not msg.target_component:
         place,values = handler.options.get('device'),parameters(msg)
@@ -168,7 +168,7 @@ def _on_command(self:GimbalServer, msg):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #f734d70b
 @patch
 def _admit(self:GimbalServer, msg, device_id:float=0)->tuple:
-    "The sender of a command; raises `Denied` when it names another gimbal, or its sender may not move ours"
+    "Return the sender of a command; raises `Denied` for another gimbal, or a sender without control"
     self._check_device(device_id)
     source = address(msg)
     if not self.control.allows(source): raise Denied('{}/{} may not: '.format(*source)+self.control.owner)
@@ -177,13 +177,13 @@ def _admit(self:GimbalServer, msg, device_id:float=0)->tuple:
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #897edf92
 @patch
 def _complain(self:GimbalServer, about:str, error:Exception):
-    "Log an error, once a minute for what it is `about`"
+    "Log an error, once a minute per subject"
     if not self._said.again((about, type(error))): self.log.warning('%s: %s', about, error)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #b409109d
 @patch
 def tick(self:GimbalServer):
-    "What is done ten times a second"
+    "Check health, rates and parts; called ten times a second"
     for look in (self._see_gimbal, *(part.tick for part in self._services)):
         if self._closed or self.mav_com is None: return
         try: look()
@@ -192,7 +192,7 @@ def tick(self:GimbalServer):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #e3ad400d
 @patch
 def _stop_turning(self:GimbalServer):
-    "Have the gimbal turn no more; never raises"
+    "Stop the gimbal; never raises"
     self._stream.waiting = None
     try:
         if self.can('stop'): self.gimbal.stop()
@@ -201,7 +201,7 @@ def _stop_turning(self:GimbalServer):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #5780433d
 @patch
 def _see_gimbal(self:GimbalServer):
-    "Tell of its health, and end rates that are over"
+    "Send a change of health, and end expired rates"
     if self.health.is_news: self.beat()
     if self.can('tick'): self.gimbal.tick()
 
@@ -209,7 +209,7 @@ def _see_gimbal(self:GimbalServer):
 @patch
 @message(GIMBAL_MANAGER_INFORMATION)
 def _information(self:_Manager):
-    "GIMBAL_MANAGER_INFORMATION: what we manage"
+    "Encode GIMBAL_MANAGER_INFORMATION: capabilities, device and limits"
     us = self.us
     flags = _capabilities(us.gimbal)
     if mavlink.MAV_CMD_DO_SET_ROI_LOCATION in us.commands and us.can('point'):
@@ -223,7 +223,7 @@ def _text(text:str)->bytes: return text.encode()[:31]       # a 0 must follow: o
 @patch
 @message(GIMBAL_DEVICE_INFORMATION)
 def _information(self:_Device):
-    "GIMBAL_DEVICE_INFORMATION: what the device is"
+    "Encode GIMBAL_DEVICE_INFORMATION: names, versions and limits"
     i,flags = self.us.gimbal.information,_capabilities(self.us.gimbal)
     return self.us.mav.gimbal_device_information_encode(time_since_boot_ms(), _text(i.vendor), _text(i.model),
         _text(i.custom_name), _packed(i.firmware_version), _packed(i.hardware_version), i.uid, flags&0xffff, 0,
@@ -232,7 +232,7 @@ def _information(self:_Device):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #c06a562d
 @patch
 def attitude(self:GimbalServer)->GimbalAttitude:
-    "Where the gimbal points; nothing but COMMS_ERROR when it does not say, or what makes no sense"
+    "Return the gimbal's attitude, or only COMMS_ERROR if it is missing or invalid"
     try: return _checked_attitude(self.gimbal.attitude())
     except Exception as e: self._complain('attitude', e)
     return GimbalAttitude(failures=('COMMS_ERROR',))
@@ -241,7 +241,7 @@ def attitude(self:GimbalServer)->GimbalAttitude:
 @patch
 @message(GIMBAL_DEVICE_ATTITUDE_STATUS)
 def _attitude_status(self:_Device):
-    "GIMBAL_DEVICE_ATTITUDE_STATUS: where it points"
+    "Encode GIMBAL_DEVICE_ATTITUDE_STATUS"
     fields = _attitude_fields(self.us.attitude(), self.us.options.yaw_frame)
     return self.us.mav.gimbal_device_attitude_status_encode(0, 0, time_since_boot_ms(), **fields,
                                                                 gimbal_device_id=self.number)
@@ -249,7 +249,7 @@ def _attitude_status(self:_Device):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #c5851e33
 @patch
 def _now(self:_Manager)->tuple:
-    "What GIMBAL_MANAGER_STATUS tells: flags, and the two pairs"
+    "Return flags, primary and secondary owner for GIMBAL_MANAGER_STATUS"
     flags = _attitude_fields(self.us.attitude(), self.us.options.yaw_frame)['flags']
     return flags,self.us.control.primary,self.us.control.secondary
 
@@ -257,7 +257,7 @@ def _now(self:_Manager)->tuple:
 @patch
 @message(GIMBAL_MANAGER_STATUS)
 def _status(self:_Manager):
-    "GIMBAL_MANAGER_STATUS: who is in control"
+    "Encode GIMBAL_MANAGER_STATUS: flags and owners"
     flags,primary,secondary = self.told = self._now()
     return self.us.mav.gimbal_manager_status_encode(time_since_boot_ms(), flags, self.us.gimbal_device_id,
                                                         *primary, *secondary)
@@ -265,25 +265,25 @@ def _status(self:_Manager):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #110ddecc
 @patch(as_prop=True)
 def _default_streams(self:GimbalServer)->dict:
-    "What goes to all unasked: `{message id: µs}`"
+    "Streams to all: `{message id: µs}`"
     rates = {GIMBAL_DEVICE_ATTITUDE_STATUS:self.options.attitude_rate, GIMBAL_MANAGER_STATUS:self.options.status_rate}
     return {i: 1e6/rate for i,rate in rates.items() if rate and i in self.messages}
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #6ea8c5a1
 @patch
 def tick(self:_Manager):
-    "Send GIMBAL_MANAGER_STATUS to all when it has changed"
+    "Send GIMBAL_MANAGER_STATUS to all if it has changed"
     if self.told!=self._now(): self.us.send_message(self._status())
 
 @patch
 def _tell_status(self:GimbalServer):
-    "Tell all at once what has changed"
+    "Send a changed status to all at once"
     if self._manager and self.mav_com is not None and not self._closed: self._manager.tick()
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #d788204b
 @patch
 def tick(self:_Directed):
-    "Log whether a device is told how its vehicle is held, when that changes"
+    "Log when the vehicle's attitude starts or stops coming"
     us = self.us
     now,hears = us.clock(),us.vehicle.is_told()
     if hears or self.told_at is None: self.told_at = now
@@ -295,7 +295,7 @@ def tick(self:_Directed):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #3951d033
 @patch
 def _see_mover(self:GimbalServer):
-    "Stop what turns when the link is down, or the one who moves it has gone"
+    "Stop the gimbal if the link is down or its mover has gone"
     com,mover = self.mav_com,self._mover
     if not any(channel.up for channel in com.channels): self._stop_turning()
     if mover is None or com.reaches(*mover) and not com.lost(mover): return
@@ -305,13 +305,13 @@ def _see_mover(self:GimbalServer):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #fa283dae
 @patch
 def _apply(self:GimbalServer, target:_Target, lasts:float|None=None, source:tuple|None=None, streamed:bool=False):
-    "Have the gimbal do what `source` wants, rates for `lasts` s; raises `Unsupported`, and what the gimbal raises"
+    "Apply the target of `source`, rates for `lasts` s; raises `Unsupported` and the gimbal's errors"
     verb = self.need(target.mode)           # 'point', 'center' or 'retract'
     if target.lock and 'yaw' not in getattr(self.gimbal, 'locks', ()): raise Unsupported('its yaw holds no direction')
     if target.mode=='point' and not self.can('stop'):
         if any(a.turning for a in (target.roll, target.pitch, target.yaw)): self.need('stop')       # which raises
     sender = source and self.remotes.get(source)
-    unmissed = source and (sender is None or sender.type is None)       # nobody notices when it falls silent
+    unmissed = source and (sender is None or sender.type is None)       # its silence goes unnoticed
     if unmissed and lasts is not None: lasts = min(lasts, self.options.stream_lasts)
     if not streamed: self._stream.waiting = None        # a command does not wait for what was streamed
     with self.region.giving_way():
@@ -324,13 +324,13 @@ def _apply(self:GimbalServer, target:_Target, lasts:float|None=None, source:tupl
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #b92a8c2b
 @patch
 def _lose(self:GimbalServer, source:tuple, why:str):
-    "As every component does; and one that is silent controls nothing. The gimbal may hang: who calls does not wait"
+    "Drop a lost peer, and its control on the worker: the gimbal may hang"
     Component._lose(self, source, why)
     if source in (self.control.primary, self.control.secondary, self._mover): self.worker.do(self._let_go, source, why)
 
 @patch
 def _let_go(self:GimbalServer, source:tuple, why:str):
-    "`source` controls nothing any more, and what it turned stops"
+    "Take control from `source`, and stop its turns"
     steered = source in (self.control.primary, self._mover)
     if self.control.lose(source): self.log.info(f'{why}: {self.control.owner}')
     if steered: self._stop_turning()
@@ -339,7 +339,7 @@ def _let_go(self:GimbalServer, source:tuple, why:str):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #c7b3ac92
 @patch
 def _see_owner(self:GimbalServer):
-    "An owner of which nothing has come for five seconds is lost"
+    "Take control from an owner that was silent for five seconds"
     seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),time.monotonic()
     if seen!=self._owner_seen[:2]: self._owner_seen = *seen,now
     elif seen[1] and now-self._owner_seen[2]>=self.mav_com.lost_after: self._let_go(seen[0], 'the owner is silent')
@@ -349,7 +349,7 @@ def _see_owner(self:GimbalServer):
 @command(mavlink.MAV_CMD_DO_GIMBAL_MANAGER_CONFIGURE, once=True, device=6)
 def _configure(self:_Manager, system:float=NAN, component:float=NAN, system2:float=NAN,
                component2:float=NAN, p5:float=None, p6:float=None, device_id:float=0, *, msg):
-    "MAV_CMD_DO_GIMBAL_MANAGER_CONFIGURE: who is in control"
+    "Change the owners (MAV_CMD_DO_GIMBAL_MANAGER_CONFIGURE)"
     us = self.us
     us._check_device(device_id)
     before,control = us.control.primary,us.control
@@ -363,7 +363,7 @@ def _configure(self:_Manager, system:float=NAN, component:float=NAN, system2:flo
 @command(mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW, once=True, device=6)
 def _pitchyaw(self:_Manager, pitch:float=NAN, yaw:float=NAN, pitch_rate:float=NAN,
               yaw_rate:float=NAN, flags:int=0, p6:float=None, device_id:float=0, *, msg):
-    "MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW: point there, in degrees, or turn"
+    "Point, in degrees, or turn (MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW)"
     source = self.us._admit(msg, device_id)
     self.us._apply(_Target.of_pitchyaw(flags, pitch, yaw, pitch_rate, yaw_rate), self.us.options.command_lasts, source)
 
@@ -373,7 +373,7 @@ _to_asker = 1       # in `response_target`, parameter 7 of a request
 
 @patch
 def _set_pace(self:GimbalServer, msg_id:int, interval:float, asker:tuple|None=None):
-    "Send one of `_usual` to all every `interval` µs (-1: not at all), as `asker` wants it, or as usual (`None`)"
+    "Stream one of `_usual` to all every `interval` µs (-1: never), for `asker` or by default (`None`)"
     self.sending.stop(None, msg_id)
     self._paced_by = {i: who for i,who in self._paced_by.items() if i!=msg_id}
     if interval>0: self._start_stream(msg_id, interval)
@@ -384,7 +384,7 @@ def _set_pace(self:GimbalServer, msg_id:int, interval:float, asker:tuple|None=No
 @command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
 def _set_message_interval(self:GimbalServer, msg_id:int, interval:float, index:float=None, p4:float=None, p5:float=None,
                           p6:float=None, response_target:float=0, *, msg):
-    "Answer MAV_CMD_SET_MESSAGE_INTERVAL: as every component does, but what goes to all is changed for all"
+    "Set a message interval; the streams to all are changed for all (MAV_CMD_SET_MESSAGE_INTERVAL)"
     ours = msg_id in _usual and msg_id in self.messages
     if ours and interval==0: interval = self._default_streams.get(msg_id, _usual[msg_id])
     for_all = ours and response_target!=_to_asker and self.control.allows(address(msg))
@@ -395,7 +395,7 @@ def _set_message_interval(self:GimbalServer, msg_id:int, interval:float, index:f
 @patch
 @message(mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL)
 def _message_interval(self:GimbalServer, msg_id:int, *, msg=None):
-    "MESSAGE_INTERVAL: what the sender of `msg` hears, from its own stream or from that for all"
+    "Encode MESSAGE_INTERVAL of the sender's own stream, or of that to all"
     answer = Component._message_interval(self, msg_id, msg=msg)
     if answer.interval_us==-1: answer.interval_us = int(self.sending.interval(None, msg_id))
     return answer
@@ -403,20 +403,20 @@ def _message_interval(self:GimbalServer, msg_id:int, *, msg=None):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #9ee3fee5
 @patch
 def _see_pace(self:GimbalServer):
-    "Back to the usual rate when the one who changed it has fallen silent"
+    "Restore the default rate when the client that changed it is lost"
     for msg_id,who in list(self._paced_by.items()):
         if self.mav_com.lost(who): self._set_pace(msg_id, self._default_streams.get(msg_id, -1))
 
 @patch
 def tick(self:_Watch):
-    "Look at the one who moved it last, at the owner, and at those who have changed a pace"
+    "Check the last mover, the owner, and clients that changed a rate"
     for look in (self.us._see_mover, self.us._see_owner, self.us._see_pace): look()
 
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #463235f4
 @patch
 def _drive_to(self:GimbalServer, target:_Target, source:tuple|None=None):
-    "Do what a stream wants, unless that is so already; rates are given again each time"
+    "Apply a streamed target unless it is in force; rates are renewed each time"
     before,setpoint = self._stream.done
     in_force = target==before and setpoint is not None and setpoint is getattr(self.gimbal, 'setpoint', None)
     if in_force and not setpoint.turning: return
@@ -426,18 +426,18 @@ def _drive_to(self:GimbalServer, target:_Target, source:tuple|None=None):
     self._stream.done = target,getattr(self.gimbal, 'setpoint', None)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #f32d70e8
-_quick = .05        # s that a gimbal may take for a setpoint
+_quick = .05        # s a gimbal may need for a setpoint
 
 @patch
 def _take_setpoint(self:GimbalServer, msg, target):
-    "Do what `target()` says: now, or when a slow gimbal is ready"
+    "Apply `target()`, now or when a slow gimbal is ready"
     self._stream.waiting = msg,target
     if self._stream.took<=_quick: self._take_newest()
     else: self.worker.do(self._take_newest)
 
 @patch
 def _take_newest(self:GimbalServer):
-    "Do what was said last, if that is not done yet; when that cannot be, count it, and complain once a minute"
+    "Apply the newest setpoint; count and log a failure"
     with self._stream.lock:
         (msg,target),self._stream.waiting = self._stream.waiting or (None,None),None
         if msg is None: return
@@ -449,21 +449,21 @@ def _take_newest(self:GimbalServer):
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #ffe2683d
 @patch
 def _take_stream(self:GimbalServer, msg, target):
-    "Do what the streamed message `msg` wants, if its sender may; `target()` reads it"
+    "Apply the streamed message `msg` if its sender may; `target()` reads it"
     if self._is_ours(msg.gimbal_device_id) and self.control.allows(address(msg)): self._take_setpoint(msg, target)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #2d0b6386
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_GIMBAL_MANAGER_SET_ATTITUDE)
 def _set_attitude(self:_Manager, msg):
-    "GIMBAL_MANAGER_SET_ATTITUDE: a quaternion, or rates"
+    "Apply a quaternion or rates (GIMBAL_MANAGER_SET_ATTITUDE)"
     self.us._take_stream(msg, lambda: _Target.of_attitude(msg))
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #ac1bdb49
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_GIMBAL_MANAGER_SET_PITCHYAW)
 def _set_pitchyaw(self:_Manager, msg):
-    "GIMBAL_MANAGER_SET_PITCHYAW: angles and rates, in rad"
+    "Apply angles and rates, in rad (GIMBAL_MANAGER_SET_PITCHYAW)"
     numbers = map(math.degrees, (msg.pitch, msg.yaw, msg.pitch_rate, msg.yaw_rate))
     self.us._take_stream(msg, lambda: _Target.of_pitchyaw(msg.flags, *numbers))
 
@@ -471,13 +471,13 @@ def _set_pitchyaw(self:_Manager, msg):
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_GIMBAL_MANAGER_SET_MANUAL_CONTROL)
 def _set_manual_control(self:_Manager, msg):
-    "GIMBAL_MANAGER_SET_MANUAL_CONTROL: how far a stick is pushed"
+    "Apply the position of a stick (GIMBAL_MANAGER_SET_MANUAL_CONTROL)"
     self.us._take_stream(msg, lambda: _Target.of_stick(msg, self.us.gimbal.information, self.us.options.max_rate))
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #e71b47d0
 @patch
 def _is_manager(self:_Directed, source:tuple)->bool:
-    "Is `source` our manager? The device has a manager as a manager has an owner"
+    "True if `source` is our manager, adopted if we have none"
     us = self.us
     if source[0]!=us.source_system: return False
     adopts = source[1]==mavlink.MAV_COMP_ID_AUTOPILOT1 or us.control.primary==_no_owner
@@ -489,7 +489,7 @@ def _is_manager(self:_Directed, source:tuple)->bool:
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_GIMBAL_DEVICE_SET_ATTITUDE)
 def _set_attitude(self:_Directed, msg):
-    "GIMBAL_DEVICE_SET_ATTITUDE: a quaternion, or rates, from our manager"
+    "Apply a quaternion or rates of our manager (GIMBAL_DEVICE_SET_ATTITUDE)"
     us = self.us
     if not self._is_manager(address(msg)): return
     now = us.clock()
@@ -500,7 +500,7 @@ def _set_attitude(self:_Directed, msg):
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_GIMBAL_DEVICE_SET_ATTITUDE)
 def _refuse(self:_Manager, msg):
-    "GIMBAL_DEVICE_SET_ATTITUDE: log once that a manager of our system wants to move a gimbal that has its own"
+    "Log once that another manager wants to move our gimbal (GIMBAL_DEVICE_SET_ATTITUDE)"
     if address(msg)[0]!=self.us.source_system or self.refused: return
     self.refused = True
     self.us.log.warning("%s/%s manages gimbals, and we manage this one: it is not moved by GIMBAL_DEVICE_SET_ATTITUDE. "
@@ -511,7 +511,7 @@ _alt_frames = {mavlink.MAV_FRAME_GLOBAL:'amsl', mavlink.MAV_FRAME_GLOBAL_INT:'am
               mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT:'relative', mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT:'relative'}
 
 def _location_in(msg, long_alt:str='amsl')->Location:
-    "The place in a command; raises `Denied` for a frame that we cannot count in. `long_alt` is a COMMAND_LONG's frame"
+    "Return the place in a command, `long_alt` being a COMMAND_LONG's frame; raises `Denied` for other frames"
     if msg.get_type()=='COMMAND_LONG': return Location(msg.param5, msg.param6, msg.param7, long_alt)
     if msg.frame not in _alt_frames: raise Denied(f'no altitude in {enum_name("MAV_FRAME", msg.frame)}')
     return Location(msg.x/1e7, msg.y/1e7, msg.z, _alt_frames[msg.frame])
@@ -519,7 +519,7 @@ def _location_in(msg, long_alt:str='amsl')->Location:
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #d441f9b3
 @patch
 def _location_of(self:_Roi, system:int, seconds:float=0.)->Location:
-    "Where another vehicle will be in so many seconds; raises `PositionUnknown`"
+    "Return the place of another vehicle in `seconds`; raises `PositionUnknown`"
     state = self.us.vehicle.state_of(system).after(seconds)
     if not known(state.lat): raise PositionUnknown(f'position of system {system} unknown')
     return Location(state.lat, state.lon, state.alt)
@@ -527,16 +527,16 @@ def _location_of(self:_Roi, system:int, seconds:float=0.)->Location:
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #12af69f6
 @patch
 def tick(self:_Roi):
-    "Look again, and say when we cannot any more"
+    "Point again, and send a STATUSTEXT when that fails or works again"
     us = self.us
-    if us.region.target is None: return           # without waiting for a setpoint that is on its way
+    if us.region.target is None: return           # without waiting for a pending setpoint
     news = us.region.tick(us.vehicle.state)
     if news: us.say(mavlink.MAV_SEVERITY_WARNING if us.region.lost else mavlink.MAV_SEVERITY_NOTICE, news)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #15d776ee
 @patch
 def _track(self:GimbalServer, target, msg, device_id:float=0):
-    "Look at a `Location`, or at what a function gives, if the sender of `msg` may say so; raises what the gimbal does"
+    "Look at a `Location`, or at a function's, for the sender of `msg`; raises `Denied` and the gimbal's errors"
     self._admit(msg, device_id)
     self.need('look_at')
     self.region.set(target, self.vehicle.state)
@@ -546,14 +546,14 @@ def _track(self:GimbalServer, target, msg, device_id:float=0):
 @patch
 @command(mavlink.MAV_CMD_DO_SET_ROI_LOCATION, once=True, device=0)
 def _set_location(self:_Roi, device_id:float=0, *, msg):
-    "MAV_CMD_DO_SET_ROI_LOCATION: look at a place"
+    "Look at a place (MAV_CMD_DO_SET_ROI_LOCATION)"
     self.us._track(_location_in(msg, self.us.options.roi_long_alt), msg, device_id)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #8837df81
 @patch
 @command(mavlink.MAV_CMD_DO_SET_ROI_SYSID, once=True, device=1)
 def _set_system(self:_Roi, system:int=0, device_id:float=0, *, msg):
-    "MAV_CMD_DO_SET_ROI_SYSID: look at another vehicle"
+    "Look at another vehicle (MAV_CMD_DO_SET_ROI_SYSID)"
     if not 1<=system<=255: raise Denied(f'{system} is no system id')
     if system==self.us.source_system: raise Denied(f'we hang from system {system}')
     self.us._track(partial(self._location_of, system), msg, device_id)
@@ -562,7 +562,7 @@ def _set_system(self:_Roi, system:int=0, device_id:float=0, *, msg):
 @patch
 @command(mavlink.MAV_CMD_DO_SET_ROI_NONE, once=True, device=0)
 def _set_none(self:_Roi, device_id:float=0, *, msg):
-    "MAV_CMD_DO_SET_ROI_NONE: back to what the gimbal was told before"
+    "Return to the setpoint before the region (MAV_CMD_DO_SET_ROI_NONE)"
     self.us._admit(msg, device_id)
     self.us.need('look_at')
     self.us.region.end()
@@ -573,31 +573,31 @@ _mount_modes = {mavlink.MAV_MOUNT_MODE_RETRACT:'retract', mavlink.MAV_MOUNT_MODE
                 mavlink.MAV_MOUNT_MODE_MAVLINK_TARGETING:'point'}
 
 def _mount_target(mode:int, roll:float=NAN, pitch:float=NAN, yaw:float=NAN)->_Target:
-    "What a mount command wants, degrees; raises `Unsupported` for other modes, `ValueError` for angles that cannot be"
+    "Return the target of a mount command in degrees; raises `Unsupported` (mode), `ValueError` (angle)"
     if mode not in _mount_modes: raise Unsupported(f'no {enum_name("MAV_MOUNT_MODE", mode)}')
     if _mount_modes[mode]!='point': return _Target(mode=_mount_modes[mode])
     return _Target(*(_axis(axis, angle) for axis,angle in dict(roll=roll, pitch=pitch, yaw=yaw).items()))
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #01291302
 def _mount_location(lat:float, lon:float, alt:float, alt_frame:str='amsl')->Location:
-    "The place in a mount command, in degrees or in ten-millionths of a degree; raises `ValueError`"
+    "Return the place in a mount command, in degrees or 1e-7 degrees; raises `ValueError`"
     scale = 1e-7 if abs(lat)>90 or abs(lon)>180 else 1.
     return Location(lat*scale, lon*scale, alt, alt_frame)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #7b7e06f0
 class _Mount(_Service):
-    "The commands from before there were gimbal managers"
+    "The mount commands, older than gimbal managers"
     @command(mavlink.MAV_CMD_DO_MOUNT_CONTROL)
     def control(self, pitch:float=NAN, roll:float=NAN, yaw:float=NAN, alt:float=NAN, lat:float=NAN, lon:float=NAN,
                 mode:int=None, *, msg):
-        "MAV_CMD_DO_MOUNT_CONTROL: point there, in degrees, or look at a place"
+        "Point, in degrees, or look at a place (MAV_CMD_DO_MOUNT_CONTROL)"
         source = self.us._admit(msg)
         if mode!=mavlink.MAV_MOUNT_MODE_GPS_POINT: self.us._apply(_mount_target(mode, roll, pitch, yaw), source=source)
         else: self.us._track(_mount_location(lat, lon, alt, self.us.options.roi_long_alt), msg)
 
     @command(mavlink.MAV_CMD_DO_MOUNT_CONFIGURE)
     def configure(self, mode:int=None, *, msg):
-        "MAV_CMD_DO_MOUNT_CONFIGURE: stow, look ahead, or be ready"
+        "Stow, center, or get ready (MAV_CMD_DO_MOUNT_CONFIGURE)"
         source = self.us._admit(msg)
         if mode!=mavlink.MAV_MOUNT_MODE_GPS_POINT: self.us._apply(_mount_target(mode), source=source)
 
@@ -605,6 +605,6 @@ class _Mount(_Service):
 @patch
 @message(MOUNT_ORIENTATION)
 def _mount_orientation(self:_Device):
-    "MOUNT_ORIENTATION: where it points, degrees; yaw from the nose and, when that is known, from north"
+    "Encode MOUNT_ORIENTATION in degrees; yaw from the nose and, if known, from north"
     a = self.us.attitude()
     return self.us.mav.mount_orientation_encode(time_since_boot_ms(), a.roll, a.pitch, a.yaw, a.earth_yaw)

@@ -39,14 +39,14 @@ _wire_names = dict(bool='UINT8', float='REAL32', double='REAL64')
 
 def param_type(kind:str, # One of `kinds`, such as 'uint8'
               )->int:
-    "MAV_PARAM_EXT_TYPE of a parameter of this kind"
+    "Return the MAV_PARAM_EXT_TYPE of a parameter of this kind"
     return getattr(mavlink, f'MAV_PARAM_EXT_TYPE_{_wire_names.get(kind, kind.upper())}')
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #bb49d4f9
 def pack_value(kind:str, # One of `kinds`
-               value, # In this type
+               value, # Value of this type
               )->bytes:
-    "`value` as the wire has it: 128 bytes"
+    "Pack `value` into 128 bytes"
     raw = value if kind=='custom' else struct.pack('<'+_codes.get(kind, 'B'), value)
     return raw.ljust(128, b'\0')
 
@@ -55,13 +55,13 @@ _kinds_of = {param_type(kind):kind for kind in (*_codes,'custom')}
 
 def kind_of(number:int, # A MAV_PARAM_EXT_TYPE
            )->str|None:
-    "The kind of a parameter with this type on the wire; `None`: there is none"
+    "Return the kind of a type on the wire, or `None`"
     return _kinds_of.get(number)
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #cc046f17
-def unpack_value(kind:str|None, # As `kind_of` gives it
-                 raw:bytes): # What is left of the 128 bytes
-    "The number or the bytes in `raw`; `None` when the type is not known"
+def unpack_value(kind:str|None, # Result of `kind_of`
+                 raw:bytes): # Up to 128 bytes
+    "Return the number or bytes in `raw`, or `None` for an unknown type"
     if kind in (None,'custom'): return raw.rstrip(b'\0') if kind else None
     value = struct.unpack_from('<'+_codes[kind], raw.ljust(8, b'\0'))[0]
     return as_float32(value) if kind=='float' and abs(value)<math.inf else value
@@ -69,31 +69,31 @@ def unpack_value(kind:str|None, # As `kind_of` gives it
 # %% ../../nbs/api/mavlink/07_settings.ipynb #b90f5422
 def param_name(msg, # Any of the PARAM_EXT messages with a name
               )->str:
-    "The name of the parameter: 16 bytes at most, with or without a 0 at the end"
+    "Return the name of the parameter, at most 16 bytes, with or without a trailing 0"
     text = msg._param_id_raw[:16].split(b'\0')[0].decode('ascii', 'replace')
     return ''.join(c if c.isprintable() else '\ufffd' for c in text)
 
 def param_value(msg): # A PARAM_EXT_VALUE, PARAM_EXT_SET or PARAM_EXT_ACK
-    "The value in it; `None` when its type is not known"
+    "Return the value, or `None` for an unknown type"
     return unpack_value(kind_of(msg.param_type), msg._param_value_raw)
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #7a256b7e
 def _text(kind:str, value)->str:
-    "`value` as the file has it"
+    "Format `value` for the file"
     value = typed(kind, value)
     if kind=='custom': return value.decode('ascii', 'replace')
     return str(int(value)) if kind=='bool' else repr(value)
 
-_farthest = {'uint32':2**31-1, 'uint64':2**63-1}        # ends of a range that MAVSDK can read
+_farthest = {'uint32':2**31-1, 'uint64':2**63-1}        # largest numbers that MAVSDK can read
 def _limit(kind:str, value)->str: return _text(kind, min(value, _farthest.get(kind, math.inf)))
 
 def _decimals(p:Parameter)->int:
-    "How many decimals tell the values of `p` apart"
+    "Return the number of decimals in the step of `p`"
     return next((n for n in range(7) if p.step and math.isclose(p.step, round(p.step, n), rel_tol=1e-6)), 3)
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #12ef0166
 def _add_option(parent, kind:str, option:Option, others:dict):
-    "An `option` element; `others` are all the parameters, by name"
+    "Add an `option` element; `others` are all parameters by name"
     e = ET.SubElement(parent, 'option', name=option.name, value=_text(kind, option.value))
     _add_texts(e, 'exclusions', 'exclude', option.exclusions)
     ranges = ET.SubElement(e, 'parameterranges') if option.ranges else None
@@ -135,31 +135,31 @@ def _tree(information:CameraInformation, declared, version:int):
     return root
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #150ce61d
-def definition_version(information:CameraInformation, # Whose maker and model stand in the file
-                       declared, # The parameters: a list of `Parameter`
+def definition_version(information:CameraInformation, # Vendor and model for the file
+                       declared, # List of `Parameter`
                       )->int:
-    "The version of this content, 1 to 65535: the same in each process, another one for another content"
+    "Return a version of this content, 1 to 65535, the same in each process"
     content = ET.tostring(_tree(information, declared, 0))
     return 1+int.from_bytes(sha256(content).digest()[:8], 'big')%0xffff
 
-def definition_xml(information:CameraInformation, # Whose maker and model stand in the file
-                   declared, # The parameters: a list of `Parameter`
+def definition_xml(information:CameraInformation, # Vendor and model for the file
+                   declared, # List of `Parameter`
                   )->bytes:
-    "The camera definition file; raises `ValueError` for a value that does not fit its type"
+    "Return the camera definition file; raises `ValueError` for a value that does not fit its type"
     tree = _tree(information, declared, definition_version(information, declared))
     return b'<?xml version="1.0" encoding="UTF-8"?>\n'+ET.tostring(tree, 'utf-8')+b'\n'
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #09aa44a5
-def definition_xz(xml:bytes, # As `definition_xml` gives it
+def definition_xz(xml:bytes, # Result of `definition_xml`
                  )->bytes:
-    "The file compressed, as `.xml.xz`"
+    "Compress the file to `.xml.xz`"
     return lzma.compress(xml, check=lzma.CHECK_CRC32, filters=[dict(id=lzma.FILTER_LZMA2, preset=6, dict_size=1<<16)])
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #61cfa068
-most_bytes,most_settings = 1<<20,1000   # of a definition that is read: its size, its parameters and options of each
+most_bytes,most_settings = 1<<20,1000   # limits of a definition: its size, its parameters and options of each
 
 def _unpacked(data:bytes)->bytes:
-    "`data`, decompressed if need be; raises `ValueError`"
+    "Decompress `data` if necessary; raises `ValueError`"
     if data.startswith(b'\xfd7zXZ\0'):
         try: data = lzma.LZMADecompressor(memlimit=1<<26).decompress(data, most_bytes+1)
         except (lzma.LZMAError, EOFError) as e: raise ValueError(f'the definition is damaged: {e}') from None
@@ -168,7 +168,7 @@ def _unpacked(data:bytes)->bytes:
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #649c22ef
 def _root(data:bytes):
-    "The outermost element; raises `ValueError`"
+    "Return the root element; raises `ValueError`"
     try: text = _unpacked(data).decode('utf-16' if data[:2] in (b'\xff\xfe',b'\xfe\xff') else 'utf-8-sig')
     except UnicodeDecodeError as e: raise ValueError(f'the definition is no text: {e}') from None
     if '\0' in text: raise ValueError('the definition is no text: it has a zero')        # UTF-16, to the parser
@@ -178,12 +178,12 @@ def _root(data:bytes):
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #6fac600f
 def _clean(text:str|None, most:int=200)->str:
-    "`text` on one line, without signs that cannot be printed"
+    "Return `text` on one line, without unprintable characters"
     return ''.join(c for c in ' '.join((text or '').split()) if c.isprintable())[:most]
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #c083a2c1
 def _value(kind:str, text:str|None, default=None):
-    "What `text` says, in its type; `default` when it says nothing that fits"
+    "Parse `text` as a value of this kind, or return `default`"
     words = dict(true='1', false='0') if kind=='bool' else {}
     try:
         text = words.get(text.strip().lower(), text.strip())
@@ -194,7 +194,7 @@ def _value(kind:str, text:str|None, default=None):
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #0651f30b
 def _read_option(e, kind:str, types:dict)->Option|None:
-    "The option of an element; `None` when it has no name, or no value that fits"
+    "Return the option of an element, or `None` without a name or valid value"
     name,value = _clean(e.get('name')),_value(kind, e.get('value'))
     if not name or value is None: return None
     exclusions = [_clean(x.text, 16) for x in e.iterfind('exclusions/exclude')]
@@ -221,7 +221,7 @@ def _read_parameter(e, kind:str, types:dict)->Parameter:
 # %% ../../nbs/api/mavlink/07_settings.ipynb #c7ee02d1
 def read_definition(data:bytes, # The file, compressed or not
                    )->list:
-    "The `Parameter`s of a camera definition file of any maker; raises `ValueError` when it cannot be read at all"
+    "Return the `Parameter`s of any camera definition file; raises `ValueError` if it can't be read"
     found = {}      # `{name: (element, kind)}` of those that can be read
     for e in list(_root(data).iterfind('parameters/parameter'))[:most_settings]:
         name,kind = e.get('name') or '',{'string':'custom'}.get(e.get('type'), e.get('type'))
@@ -231,11 +231,11 @@ def read_definition(data:bytes, # The file, compressed or not
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #3cb78510
 class RemoteParameters(Mapping):
-    "The settings of one camera: `{name: value}` in the camera's order, always as they were heard last"
-    most = 1000     # names that are noted
+    "Settings of one camera, `{name: value}` in the camera's order, with the latest values"
+    most = 1000     # names that are stored
     def __init__(self, target:tuple=(0,0)): # `(system, component)` of the camera
-        self.target,self.declared = target,{}       # `{name: Parameter}`, when there is a definition
-        self.definition = '',0                      # where that is, and its version
+        self.target,self.declared = target,{}       # `{name: Parameter}` of the definition, if any
+        self.definition = '',0                      # its URI and version
         self.count,self._heard,self._waiting = 0,{},[]      # `_heard`: `{name: (index, value, kind)}`
 
     def __len__(self): return len(self._heard)
@@ -252,7 +252,7 @@ class RemoteParameters(Mapping):
 # %% ../../nbs/api/mavlink/07_settings.ipynb #6ebe3776
 @patch
 def note(self:RemoteParameters, msg):
-    "Take a PARAM_EXT_VALUE, or a PARAM_EXT_ACK"
+    "Store the value of a PARAM_EXT_VALUE or PARAM_EXT_ACK"
     name,value,listed = param_name(msg),param_value(msg),msg.get_msgId()==PARAM_EXT_VALUE
     if value is None or not listed and msg.param_result: return
     if name not in self and not (listed and len(self)<self.most): return
@@ -261,33 +261,33 @@ def note(self:RemoteParameters, msg):
     self._heard[name] = index,value,kind_of(msg.param_type)
     for answer,test in list(self._waiting):
         try: now = bool(test(self))
-        except Exception as e: now = e          # for the one who waits, not for the reader of the link
+        except Exception as e: now = e          # raised in `until`, not on the link's reader
         if now: answer.set(now)
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #bb80f22e
 @patch
-def keep(self:RemoteParameters, names): # Of all the parameters that there are
-    "Forget the others"
+def keep(self:RemoteParameters, names): # Names of all existing parameters
+    "Remove all other parameters"
     self._heard = {name:heard for name,heard in self._heard.items() if name in names}
     self.count = len(names)
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #056d3305
 @patch
 def kind(self:RemoteParameters, name:str)->str|None:
-    "The type of one, as it was heard or is declared; `None`: it is not known"
+    "Return the type of a parameter, or `None` if unknown"
     return self._heard[name][2] if name in self else getattr(self.declared.get(name), 'kind', None)
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #cbb43b7a
 @patch
 def text(self:RemoteParameters, name:str)->str:
-    "The value of one in words, with its unit"
+    "Return a value in words, with its unit"
     p = self.declared.get(name)
     return p.text(self[name]) if p else str(self[name])
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #d7ac3c88
 @patch
 def _refusal(self:RemoteParameters, name:str, value)->str:
-    "Why `value` cannot be set, as the declarations have it; empty when they don't say"
+    "Return why the declarations forbid `value`, or ''"
     p = self.declared.get(name)
     if p is None: return ''
     try: p.check(value)
@@ -298,7 +298,7 @@ def _refusal(self:RemoteParameters, name:str, value)->str:
 
 @patch
 def _rows(self:RemoteParameters)->list:
-    "Name, value, choice and description of each"
+    "Return name, value, choice and description of each parameter"
     def rest(name, p): return (p.what()+', read only'*p.readonly, p.description) if p else (self.kind(name), '')
     return [(name, self.text(name), *rest(name, self.declared.get(name))) for name in self]
 
@@ -306,15 +306,15 @@ RemoteParameters.__repr__ = Parameters.__repr__
 
 @patch
 def _repr_markdown_(self:RemoteParameters):
-    "A table, in which words that came over the air stay words"
+    "Return a table with received texts escaped"
     return Parameters._repr_markdown_(ns(_rows=lambda: [map(escape, row) for row in self._rows()]))
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #2af19002
 @patch
 async def until(self:RemoteParameters, test, # A function of these parameters, such as `lambda p: p['CAM_EV']>0`
-                timeout:float|None=None, # Seconds; `None` waits as long as it takes
+                timeout:float|None=None, # Seconds; `None` waits forever
                )->bool:
-    "Wait until `test` is true; false when that does not happen in time"
+    "Wait until `test` is true; returns false after `timeout`"
     waiting = Answer(),test
     self._waiting.append(waiting)
     try: return bool(test(self)) or bool(await waiting[0].wait(timeout))
@@ -326,14 +326,14 @@ _results = {mavlink.PARAM_ACK_ACCEPTED:mavlink.MAV_RESULT_ACCEPTED,
             mavlink.PARAM_ACK_IN_PROGRESS:mavlink.MAV_RESULT_IN_PROGRESS}
 
 class ParameterAck(Ack):
-    "1 if a parameter was set, else 0; it remembers by whom, and what the parameter is now"
+    "1 if a parameter was set, else 0, with the sender and the present value"
     def __new__(cls, result:int|None, # PARAM_ACK; `None`: no answer
-                name:str, # Of the parameter
-                now:str='', # What it is now, in words
+                name:str, # Name of the parameter
+                now:str='', # Present value in words
                 source:tuple|None=None, # `(system, component)` that answered
-                lost:str='', # Why there was no answer, when that is known
-                target:tuple|None=None, # `(system, component)` that was asked
-                why:str=''): # Why it was refused, when that is known
+                lost:str='', # Reason of a missing answer, if known
+                target:tuple|None=None, # `(system, component)` of the camera
+                why:str=''): # Reason of the refusal, if known
         code = None if result is None else _results.get(result, mavlink.MAV_RESULT_FAILED)
         self = super().__new__(cls, code, source, lost=lost, target=target)
         self.name,self.now,self.param_result,self.why = name,now,result,why
@@ -348,32 +348,32 @@ class ParameterAck(Ack):
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #09256aa3
 class Listing:
-    "The answers to a LIST, as they come in"
+    "Answers to a LIST"
     def __init__(self): self.count,self.indexes,self.names = 0,set(),set()
 
     def add(self, msg)->bool:
-        "Take a PARAM_EXT_VALUE; is it complete now?"
+        "Add a PARAM_EXT_VALUE; true if the list is complete"
         self.count = max(self.count, msg.param_count)
         self.indexes.add(msg.param_index)
         self.names.add(param_name(msg))
         return len(self.names)>=self.count
 
     def missing(self, most:int=4)->list:
-        "Some indexes that have not come"
+        "Return some missing indexes"
         return [i for i in range(min(self.count, 2000)) if i not in self.indexes][:most]
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #50116f42
 class SetRequest:
-    "One SET under way, and the acks that may be its answer"
+    "A pending SET, and the acks that may answer it"
     def __init__(self, name:str, kind:str, raw:bytes):
         self.name,self.kind,self.raw,self.acks,self.news = name,kind,raw,deque(),Answer()
 
     def encode(self, mav, target:tuple):
-        "The PARAM_EXT_SET"
+        "Encode the PARAM_EXT_SET"
         return mav.param_ext_set_encode(*target, self.name.encode(), self.raw, param_type(self.kind))
 
     def note(self, msg):
-        "Take a PARAM_EXT_ACK, on the reader of the link"
+        "Add a PARAM_EXT_ACK, on the link's reader"
         if param_name(msg)!=self.name: return
         self.acks.append(msg)
         self.news.set(True)
@@ -381,12 +381,12 @@ class SetRequest:
 # %% ../../nbs/api/mavlink/07_settings.ipynb #88909847
 @patch
 def is_ours(self:SetRequest, msg)->bool:
-    "Is this our answer for sure?"
+    "True if this is certainly our answer"
     return msg._param_value_raw.ljust(128, b'\0')==self.raw and msg.param_result==mavlink.PARAM_ACK_ACCEPTED
 
 @patch
 async def next(self:SetRequest, timeout:float):
-    "The next ack, or `None`"
+    "Return the next ack, or `None` after `timeout`"
     if not self.acks: await self.news.wait(timeout)
     self.news = Answer()
     return self.acks.popleft() if self.acks else None

@@ -33,9 +33,9 @@ def _uav_link():
 
 @pytest.fixture
 def uav_radio(_uav_link):
-    "Call it to make the ground's radio worse, as in `uav_radio(loss=.2, latency=.05, seed=1)`; returns its `LossyLink`"
+    "Degrade the ground's radio by a call: `uav_radio(loss=.2, latency=.05, seed=1)`; returns its `LossyLink`"
     def set_radio(**options):
-        model = type(_uav_link)(_uav_link.link, **options)      # which checks them all
+        model = type(_uav_link)(_uav_link.link, **options)      # checks them all
         for name in options: setattr(_uav_link, name, getattr(model, name))
         if 'outages' in options: _uav_link.opened = model.opened
         if 'seed' in options:
@@ -46,7 +46,7 @@ def uav_radio(_uav_link):
 # %% ../../nbs/api/testing/01_plugin.ipynb #ed0b3e1d
 @pytest.fixture
 def uav_vehicle(_uav_link, uav_log):
-    "A `MAVCom` of system 1 with a `SimAutopilot` that hovers at 30 m; `connection_string` leads to it"
+    "A `MAVCom` of system 1 with a `SimAutopilot` that hovers at 30 m; join it by its `connection_string`"
     from UAV.gimbals.vehicle import hover, SimVehicle
     from UAV.mavlink.mavcom import MAVCom
     from UAV.mavlink.sim_autopilot import SimAutopilot
