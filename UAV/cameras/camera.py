@@ -103,7 +103,7 @@ class Camera(Closes, metaclass=CompleteLater):
         _cameras.add(self)
 
     def _make_parts(self):
-        "What it is made of, as that is at first"
+        "Set up the parts"
         self._fault,self.captures = None,CaptureQueue(self)
         self.frames,self.filming,self.tracking = Frames(self),Filming(self),Tracker(self)
         self.trigger,self.streams = self.captures.trigger,self.filming.streams      # the first stream has number 1
@@ -113,7 +113,7 @@ class Camera(Closes, metaclass=CompleteLater):
         "The newest frame; a subclass has it"
         raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
 
-    fault = property(lambda self: self._fault, doc="What is wrong with the device; `None`: it works")
+    fault = property(lambda self: self._fault, doc="The device's fault; `None` when it works")
     pictures = property(lambda self: tuple(self.storages.pictures), doc="All shots of the count, by index")
     recording = property(lambda self: self.filming.recorder is not None, doc="Is a video being recorded?")
     recording_time = property(lambda self: self.filming.seconds, doc="Length of that video, s")
@@ -187,7 +187,7 @@ def set_camera_mode(self:Camera, mode:str): # One of `modes`
 # %% ../../nbs/api/cameras/09_camera.ipynb #e815d435
 @patch
 def capture_status(self:Camera)->CaptureStatus:
-    "What the camera is doing"
+    "The camera's state"
     available,recorder = self.storages.photo.information().available,self.filming.recorder
     return CaptureStatus(*self.captures.state, self.storages.next_index, available, recorder is not None,
                          recorder.seconds if recorder is not None else 0., self.trigger.distance)
@@ -199,7 +199,7 @@ def storage_information(self:Camera)->list:
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5316
 @patch
-def set_fault(self:Camera, fault:str|None, # What is wrong with the device; `None`: it works
+def set_fault(self:Camera, fault:str|None, # The device's fault; `None` when it works
               error:BaseException|None=None): # What was raised, when it is a surprise
     "Note whether the device works; listeners get a `DeviceStatus` when that is news"
     with self._lock:
@@ -441,7 +441,7 @@ def _apply(self:Camera, name:str, value)->dict|None:
 # %% ../../nbs/api/cameras/09_camera.ipynb #ad561868
 @patch(as_prop=True)
 def parameters(self:Camera)->Parameters:
-    "What can be set, and how it is set now; the mode comes first, when there is one to choose and none is declared"
+    "Settings with their values; the mode comes first, if there's a choice and none is declared"
     if '_parameters' not in vars(self):
         declared = declarations(self.declared)
         missing = declared and len(self.modes) > 1 and all(p.name != 'CAM_MODE' for p in declared)

@@ -56,7 +56,7 @@ class _NewestFrame:
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6a0f5061
 def _takes(capture, number:int, value:float)->bool:
-    "Can the property `cv2.CAP_PROP_…` of a `cv2.VideoCapture` be set to `value`?"
+    "Try to set the property `cv2.CAP_PROP_…` of a `cv2.VideoCapture`; returns whether it was"
     return capture.set(number, value) and abs(capture.get(number)-value) < .001
 
 def _has(capture, number:int)->bool: return _takes(capture, number, capture.get(number))
@@ -118,7 +118,7 @@ def _slider(capture, name:str)->Parameter|None:
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #4588dea1
 def _find_controls(capture)->list:
-    "What the device lets us set, as `Parameter`s; their defaults are the values that it has now, and keeps"
+    "List a device's settings as `Parameter`s; their defaults are its present values"
     switches = [p for name in _switches if (p := _switch(capture, name))]
     sliders = [p for name in _sliders if (p := _slider(capture, name))]
     for p in switches: capture.set(_number_of(p.name), p.default)
@@ -128,7 +128,7 @@ def _find_controls(capture)->list:
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #cac5af76
 class _Controls:
-    "What the reader of a device is to set, and has set; without a `cv2.VideoCapture` there is nothing to set"
+    "Settings for a device's reader, requested and set; none without a `cv2.VideoCapture`"
     def __init__(self, capture=None):
         self.declared = [] if capture is None else _find_controls(capture)
         self.defaults = {p.name: p.default for p in self.declared}
@@ -194,7 +194,7 @@ def _driver_parameter(control)->Parameter|None:
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #712f88aa
 class _DriverControls(_Controls):
-    "What the driver of a `/dev/video*` lets us set; raises `ImportError` without linuxpy, `OSError` without a device"
+    "List the driver's settings of a `/dev/video*`; raises `ImportError` without linuxpy, `OSError` without a device"
     def __init__(self, path:str):
         super().__init__()
         self.path,self.ids,found = path,{},[]
@@ -440,7 +440,7 @@ def _again(self:CV2Camera):
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #9e76fae8
 @patch
 def _silence(self:CV2Camera)->str|None:
-    "What is wrong when no frame has come for `read_timeout`; a film that waits for us is not silent"
+    "Return the error of a silent device: no frame for `read_timeout`; a film that waits for us isn't silent"
     silent = time.monotonic()-self._newest.arrived
     if silent <= self.read_timeout or self.lockstep: return None
     return f'{_source_name(self.source)} has given no frame for {silent:.0f} s'

@@ -108,7 +108,7 @@ def _degrees_minutes(angle:float, letters:str)->str:
     return f'{degrees},{millionths/1e6:.6f}{letters[angle<0]}'
 
 def _description(pose:Pose)->bytes:
-    "What the XMP block says of `pose`"
+    "Write `pose` as an XMP block"
     told = {'Camera:Yaw': pose.yaw, 'Camera:Pitch': pose.pitch+90, 'Camera:Roll': pose.roll,
             'drone-dji:GimbalYawDegree': pose.yaw, 'drone-dji:GimbalPitchDegree': pose.pitch,
             'drone-dji:GimbalRollDegree': pose.roll, 'drone-dji:AbsoluteAltitude': pose.alt,

@@ -134,7 +134,7 @@ def _run(self:Frames):
 # %% ../../nbs/api/cameras/08_frames.ipynb #3b5e2c31
 @patch
 def _look(self:Frames):
-    "Called by the timer: has a read hung for too long?"
+    "Check for a hanging read; called by the timer"
     since,patience = self._since,self.camera.patience
     if since is not None and time.monotonic()-since>=patience: self.camera.set_fault(f'no picture for {patience:g} s')
 
@@ -230,7 +230,7 @@ def chosen(self:Filming, stream_id:int=0, # 0: all
 # %% ../../nbs/api/cameras/08_frames.ipynb #a45b394a
 @patch
 def _tell_recording(self:Filming):
-    "What a viewer may want to know when a recording begins or ends"
+    "Notify that a recording began or ended"
     self.camera.announce(self.camera.capture_status())
     for storage in self.camera.storage_information(): self.camera.announce(storage)
 

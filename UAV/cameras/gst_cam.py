@@ -39,7 +39,7 @@ def _property_of(pipeline, name:str, row:dict)->Parameter:
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #7ead4376
 def _range_of(spec)->dict:
-    "What a property may be"
+    "A property's range or options"
     if hasattr(spec, 'enum_class'):
         options = {value.value_nick: int(number) for number,value in spec.enum_class.__enum_values__.items()}
         return dict(kind='int32', default=int(spec.default_value), options=options)
@@ -76,7 +76,7 @@ def _channel_parameter(name:str, element, channel)->Parameter:
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #2b48e897
 class _GSTControls:
-    "What a pipeline lets us set"
+    "List a pipeline's settings"
     def __init__(self, table:dict): self.table,self.declared,self.made = table,[],{}
 
     def find(self, pipeline):

@@ -118,7 +118,7 @@ _other_names = dict(vendor_name='vendor', model_name='model')
 _not_ours = 'flags','cam_definition_version','cam_definition_uri','gimbal_device_id'     # the server's own business
 
 def _information_of(section:dict)->CameraInformation:
-    "What a camera is; raises `ValueError` for a name that is unknown"
+    "A camera's information; raises `ValueError` for an unknown name"
     told = {_other_names.get(k, k): v.strip() if isinstance(v, str) else v
             for k,v in section.items() if k not in _not_ours}
     version = told.get('firmware_version', (0,0,0,0))
@@ -158,7 +158,7 @@ class _Recipe:
 _known = dict(gstreamer_video_src='source', gstreamer_encoder='encoder')
 
 def _recipe_of(sections:dict)->_Recipe:
-    "What the sections say; raises `ValueError` when they make no sense"
+    "Read the sections; raises `ValueError` for invalid ones"
     common = {k: v for k,v in sections.items() if not isinstance(v, dict)}
     told = {_known.get(k, k): v for k,v in sections.items() if isinstance(v, dict)}
     lines = {name: _fill_in(_as_text(section['pipeline']), {**common, **section}, name)
@@ -213,7 +213,7 @@ def gst():
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #f59d1c85
 def _in_words(message:str)->str:
-    "What GStreamer says, with the package of an element that is missing, and without passwords"
+    "Format GStreamer's error, with a missing element's package, without passwords"
     message = re.sub(r'(?<=://)[^/\s]*@', '', message.strip().rstrip('.'))
     missing = re.search(r'no element "([^"]+)"', message)
     package = missing and _package_of(missing[1])
@@ -224,7 +224,7 @@ _kinds = {'video/x-h264': 'h264', 'video/x-h265': 'h265', 'image/jpeg': 'jpeg'}
 _appears_later = 'what comes out of {!r} appears later: end it with h264parse, h265parse, jpegparse or videoconvert'
 
 def _gives(line:str)->str:
-    "What comes out: 'h264', 'h265', 'jpeg' or 'raw', also when it is not certain; raises `CameraError`"
+    "Return the output format: 'h264', 'h265', 'jpeg' or 'raw', also when uncertain; raises `CameraError`"
     Gst = gst()
     try: built = Gst.parse_bin_from_description(f'{line} ! identity name=uav_end', True)
     except Exception as e: raise CameraError(_in_words(getattr(e, 'message', str(e)))) from None
@@ -405,7 +405,7 @@ def encoder(self:GSTPipeline)->tuple:
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #26005456
 @patch(as_prop=True)
 def bitrate(self:GSTPipeline)->int:
-    "What the encoder is set to, bit/s; 0 when there is none, or it does not tell"
+    "The encoder's bitrate, bit/s; 0 when unknown"
     element,unit = self.encoder()
     return element.get_property('bitrate')*unit if element else 0
 

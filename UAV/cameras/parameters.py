@@ -97,7 +97,7 @@ class Option(_Declared):
 # %% ../../nbs/api/cameras/05_parameters.ipynb #1429e710
 @dataclass(frozen=True, repr=False, eq=False)
 class Parameter(_Declared):
-    "What a camera declares of one setting"
+    "One setting of a camera"
     name:str # At most 15 characters
     kind:str='float' # One of `kinds`
     default:object=0 # What it is at first
@@ -233,7 +233,7 @@ class Parameters:
 # %% ../../nbs/api/cameras/05_parameters.ipynb #f5a80022
 @patch
 def _chosen(self:Parameters)->list:
-    "What is chosen now and limits others: (parameter, option)"
+    "List the chosen (parameter, option) pairs that limit others"
     limiting = [(p,o) for p in self.declared.values() for o in p.options if o.exclusions or o.ranges]
     return [(p,o) for p,o in limiting if p.check(o.value) == self._values[p.name]]
 
@@ -280,7 +280,7 @@ def _take(self:Parameters, values:dict):
     self._values = self._values | {name: v for name,v in checked.items() if not self.declared[name].writeonly}
 
 def _moved(along)->dict:
-    "What a device says of others, which may be nothing; raises `TypeError`"
+    "Check a device's changes of other settings, which may be `None`; raises `TypeError`"
     if not along or isinstance(along, dict): return along or {}
     raise TypeError(f"what moved along must be None, or a dict such as {{'CAM_ISO':400}}, not {along!r}")
 
@@ -293,7 +293,7 @@ def _put(self:Parameters, p:Parameter, value):
 # %% ../../nbs/api/cameras/05_parameters.ipynb #48080df9
 @patch
 def _tell_device(self:Parameters, name:str, value)->dict|None:
-    "What `apply` gives; raises what it raises, `CameraError` when it takes too long, `CameraBusy` when it still does"
+    "Run `apply`; raises its error, `CameraError` when it takes too long, `CameraBusy` while it still runs"
     if self._call is threading.current_thread(): return self.apply(name, value)     # it sets another one itself
     if self._call and self._call.is_alive(): raise CameraBusy(f'the device is still busy with {self._call.name}')
     answer = Future()
@@ -387,7 +387,7 @@ def _save(self:Parameters):
 most_kept = 1<<20       # bytes; no camera has as many parameters
 
 def _contents(file:Path)->bytes:
-    "What is in a file; raises `OSError`, and `ValueError` for what is no file, or too long"
+    "Read a file; raises `OSError`, and `ValueError` for a non-file or one that's too long"
     flags = getattr(os, 'O_NONBLOCK', 0)        # a pipe blocks
     with open(file, 'rb', opener=lambda path, usual: os.open(path, usual|flags)) as f:
         if not stat.S_ISREG(os.fstat(f.fileno()).st_mode): raise ValueError('it is no file')
@@ -495,7 +495,7 @@ def _links(p:Parameter, names:dict):
     if p.name == 'CAM_MODE' and not (modes and modes <= {0,1,2}): yield 'its options are 0 image, 1 video, and 2 survey'
 
 def _range_of(o, name:str, values:tuple, names:dict):
-    "What is wrong with what an option leaves of another parameter"
+    "List faults in an option's limits on another parameter"
     what = f'option {o.name!r} has a range for {name}'
     if name not in names: yield f'{what}, which is not declared: MAVSDK drops all options'
     elif not names[name].options: yield f'{what}, which has no options'
@@ -520,7 +520,7 @@ def _mavsdk(p:Parameter, names:dict):
 # %% ../../nbs/api/cameras/05_parameters.ipynb #37743998
 def check_parameters(declared, # `Parameter`s
                     )->list:
-    "What QGroundControl or MAVSDK would choke on, a sentence each; empty when all is well. Raises `ValueError`"
+    "List faults for QGroundControl or MAVSDK, a sentence each; empty without any. Raises `ValueError`"
     declared = declarations(declared)
     if not declared: return ['no parameter is declared: a definition needs one at least']
     names,found = {p.name: p for p in declared},[]

@@ -45,7 +45,7 @@ _neutral = 1.,1.,1.
 
 @lru_cache(maxsize=64)
 def _tone_table(stops:float, gains:tuple=_neutral):
-    "What each of 256 values becomes, in blue, green and red: 1 x 256 x 3"
+    "A palette's colours for 256 values, BGR: 1 x 256 x 3"
     factors = (2**stops*np.array(gains, float))**(1/_gamma)
     return np.clip(np.arange(256)[:,None]*factors + .5, 0, 255).astype(np.uint8)[None]
 
@@ -95,7 +95,7 @@ def _develop(image, values):
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #5c0a5603
 def _sim_information(model:str, width:int, height:int)->CameraInformation:
-    "What a `SimCamera` says it is; raises `ValueError` for a size (px) that cannot be made"
+    "A `SimCamera`'s information; raises `ValueError` for an impossible size (px)"
     if isinstance(width, (str,Path)):
         raise TypeError(f'width is in pixels, not {str(width)!r}: a folder is folder={str(width)!r}')
     possible = 16 <= width <= 8192 and 16 <= height <= 8192
@@ -146,7 +146,7 @@ def view(self:SimCamera, look:tuple|None=None, # As from `look`; `None`: now
          size:tuple|None=None, # px; `None`: that of a frame
          lens:Lens|None=None, # Of several; `None`: the one that is in use
         )->View:
-    "What is in the picture"
+    "The objects in the picture"
     north,east,altitude,*looks = self.look() if look is None else look
     size = size or (self.information.resolution_h,self.information.resolution_v)
     return View(size, (lens or self.lens).horizontal_fov, (north, east, -altitude), looks)
@@ -330,7 +330,7 @@ class _ThermalFrame(Frame):
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #2a387a37
 class _ThermalEye(GetAttr):
-    "What `Frames` needs of a camera: the thermal part of a `SimDualCamera`, and else what that has"
+    "The thermal part of a `SimDualCamera`, as a camera for `Frames`"
     _default = 'camera'
     def __init__(self, camera): self.camera = camera
     def read(self): return self.camera._read_thermal()
@@ -360,7 +360,7 @@ class SimDualCamera(SimCamera):
 # %% ../../nbs/api/cameras/12_sim.ipynb #e2e4c16c
 @patch
 def _temperatures(self:SimDualCamera, number:int, look:tuple, size:tuple|None=None):
-    "What the thermal eye measures, °C"
+    "The thermal camera's temperatures, °C"
     levels = self.warm_world.render(self.view(look, size, self.lenses['ir']), number/self.frame_rate)
     return _celsius_of(levels[...,0])
 
@@ -459,7 +459,7 @@ def _only_thermal(self:SimDualCamera, stream)->bool: return getattr(stream.encod
 @patch
 def shows(self:SimDualCamera, stream, # One of `streams`
          )->dict:
-    "What is in a stream now: is it `thermal`, and its `hfov`, degrees"
+    "A stream's source: whether it's `thermal`, and its `hfov`, degrees"
     source = 'ir' if self._only_thermal(stream) else self.source[0]
     return dict(thermal=source=='ir', hfov=self.lenses[source].horizontal_fov)
 

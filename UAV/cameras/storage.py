@@ -97,7 +97,7 @@ class _FolderLock:
 # %% ../../nbs/api/cameras/02_storage.ipynb #b63863ba
 @patch(as_prop=True)
 def here(self:_FolderLock)->bool:
-    "Is the file in the folder still the one that we have locked?"
+    "Return whether the folder's lock file is still ours"
     try: return os.path.samestat(os.fstat(self.file.fileno()), os.stat(self.path))
     except OSError: return False
 
@@ -190,7 +190,7 @@ _ours_pattern = re.compile(rb'\{"ours": "(IMG_\d{6,}_*\.[a-z0-9]{1,8}|VID_\d{6,}
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #c025b775
 class _ShotLog:
-    "What a log says; a log that is not there is empty"
+    "Read a log; a missing one is empty"
     def __init__(self, path:Path):
         self.path,self.pictures,self.elsewhere = path,{},[]         # by index; ranges of indexes on other storages
         self.ours = []                                              # names of other files of ours
@@ -215,7 +215,7 @@ class _ShotLog:
         return line.endswith(b'\n')
 
     def _possible(self, picture:Picture)->bool:
-        "May a camera have counted that far?"
+        "Check a number for plausibility"
         if picture.index < self.most + sum(map(len, self.elsewhere)): return True
         return bool(picture.file and _picture_in(self.path.parent/picture.file, picture.index))
 
@@ -294,7 +294,7 @@ lost_line = 'its line in the log is lost'
 
 @patch
 def _lost(self:Storage, index:int):
-    "What can be said of a shot whose line is lost"
+    "Rebuild a shot's entry from its file"
     return _orphan(self.folder, index, self.ours) or Picture(index, 0., ok=False, error=lost_line)
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #b7c20665
@@ -359,7 +359,7 @@ def _recover(self:Storage):
 # %% ../../nbs/api/cameras/02_storage.ipynb #5a714bab
 @patch(as_prop=True)
 def temporary(self:Storage)->bool:
-    "Does the folder go when the storage is closed?"
+    "Whether closing deletes the folder"
     return (alive := self._release.peek()) is None or alive[2][1] is not None
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #865be62b
@@ -413,7 +413,7 @@ def check_closed(self:Storage):
 # %% ../../nbs/api/cameras/02_storage.ipynb #fab5485b
 @patch
 def _error(self:Storage, error:OSError)->StorageError:
-    "What is raised when the disk says no"
+    "The disk refused a write"
     if error.errno in (errno.ENOSPC, errno.EDQUOT): return StorageFull(f'the disk of storage {self.name!r} is full')
     return StorageError(f'storage {self.name!r}: {error.strerror}')
 

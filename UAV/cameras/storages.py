@@ -48,7 +48,7 @@ class Storages:
 # %% ../../nbs/api/cameras/03_storages.ipynb #18992473
 @patch
 def _remembered(self:Storages)->dict:
-    "What was set last time, as far as it makes sense now"
+    "Load the last use, if still valid"
     try: told = json.loads(self._file.read_bytes())
     except (OSError, ValueError, RecursionError): return {}
     if not isinstance(told, dict): return {}
@@ -74,7 +74,7 @@ Storages.photo = property(lambda self: self.all[self.places['photo']-1], doc="Wh
 @patch
 def usage(self:Storages, storage_id:int, # From 1
          )->tuple:
-    "What a storage is for"
+    "A storage's use"
     return tuple(medium for medium in self.media if self.places[medium] == storage_id)
 
 # %% ../../nbs/api/cameras/03_storages.ipynb #aa138156

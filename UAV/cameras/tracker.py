@@ -31,7 +31,7 @@ def _cut_out(image, middle, size):
 # %% ../../nbs/api/cameras/06_tracker.ipynb #2ba6420e
 @lru_cache(maxsize=1)
 def _grid()->ns:
-    "What is the same for all targets"
+    "Options for all targets"
     y,x = np.mgrid[:side,:side]-side//2
     half,away = side/context/2,np.maximum(abs(x), abs(y))
     window = np.outer(np.hanning(side), np.hanning(side)).astype(np.float32)
@@ -48,7 +48,7 @@ def _spectra(patch):
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #279f37b1
 class _Learned:
-    "What is known of a target, as running means: `learn` takes in a square, and `rate`, 0…1, says how much that counts"
+    "A target's model, as running means: `learn` adds a square with weight `rate`, 0…1"
     def __init__(self, square): self.learn(square, 1.)
 
 class _Appearance(_Learned):
@@ -180,7 +180,7 @@ def blob(self:Follower, square):
 # %% ../../nbs/api/cameras/06_tracker.ipynb #4ce3176f
 @patch
 def fit(self:Follower, image)->bool:
-    "Draw the rectangle towards the pixels that have its colours; are there some?"
+    "Move the rectangle towards pixels of its colours; returns whether there are any"
     blob = self.blob(self._square(image))
     if blob is None: return False
     x,y,width,height = np.array(blob)/side*context
@@ -193,7 +193,7 @@ def fit(self:Follower, image)->bool:
 # %% ../../nbs/api/cameras/06_tracker.ipynb #398fa33d
 @patch
 def judge(self:Follower, image):
-    "The place is found; is it the target that is there?"
+    "Return whether the found place shows the target"
     self.confidence = min(1., self.confidence, self.portrait.likeness(self._square(image)))
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #ba971177
@@ -276,7 +276,7 @@ def rescale(self:Follower, about, # x, y, px: what stays where it is
 # %% ../../nbs/api/cameras/06_tracker.ipynb #485d3226
 @dataclass(frozen=True, repr=False, eq=False)
 class TrackingStatus(Value):
-    "What a camera tracks; all lengths are parts of the picture"
+    "Track a target; all lengths are fractions of the picture"
     status:str='idle' # 'idle', 'active', or 'error': the target is lost, and we look for it
     mode:str='none' # What was asked for: 'none', 'point' or 'rectangle'
     rectangle:tuple|None=None # Left, top, right, bottom
@@ -333,7 +333,7 @@ def _focal(told, before:float=NAN)->float:
 # %% ../../nbs/api/cameras/06_tracker.ipynb #be8f948c
 @patch
 def _find(self:Pursuit, frame:Frame, focal_length:float):
-    "Where is the target in this frame?"
+    "Find the target in a frame"
     image,focal_length = as_bgr(frame.image),_focal(focal_length, self.focal_length)
     size,zoom,before = np.array(image.shape[1::-1], float),focal_length/self.focal_length,copy(self.follower)
     if self.follower is None: self.follower,self.size = Follower(image, self._box(*size)),size

@@ -71,7 +71,7 @@ def feed(self:DistanceTrigger, moment:float, # s
          lat:float, lon:float, # Degrees
          north:float=NAN, east:float=NAN, # Velocity, m/s
         )->bool:
-    "Take a position; is a picture due?"
+    "Take a position; returns whether a picture is due"
     if self.last is None: self.anchor,self.last = (lat,lon),(moment,lat,lon)
     self.tells_speed = self.tells_speed or bool(north or east) and known(north) and known(east)
     velocity = (north,east) if self.tells_speed and known(north) and known(east) else None
@@ -213,7 +213,7 @@ class _CaptureJob:
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #af7b96fc
 class CaptureQueue:
-    "What a camera is to take, and the thread that takes it, which lives while there is something to do"
+    "A camera's picture requests, and the thread that takes them while there are any"
     max_waiting = 2         # single shots that may wait for the one being taken
     def __init__(self,
                  camera): # Its `storages`, `_take_picture`, `_tell_picture`, `announce` and `capture_status` are used
@@ -314,7 +314,7 @@ def _do(self:CaptureQueue, job):
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5222
 @patch
 def _next_job(self:CaptureQueue):
-    "What to do next; `None` ends the thread, after all have heard that the camera is idle"
+    "Return the next task; `None` ends the thread, once the idle status was sent"
     while True:
         with self.changed:
             if not self.running: return          # `close` has given up on us

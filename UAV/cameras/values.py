@@ -21,7 +21,7 @@ _all_ = ['NAN', 'Value', 'inside', 'known', 'one_of']
 # %% ../../nbs/api/cameras/00_values.ipynb #feb357bc
 @dataclass(frozen=True, repr=False, eq=False)
 class CameraInformation(Value):
-    "What a camera is"
+    "A camera's identity and abilities"
     vendor:str='UAV' # Maker, at most 31 characters on the wire
     model:str='' # Model, at most 31 characters on the wire
     firmware_version:tuple=(0,0,0,0) # major, minor, patch, dev
@@ -139,7 +139,7 @@ class CameraSettings(Value):
 # %% ../../nbs/api/cameras/00_values.ipynb #165cef13
 @dataclass(frozen=True, repr=False, eq=False)
 class CaptureStatus(Value):
-    "What a camera is doing"
+    "A camera's state"
     capturing:bool=False # A picture is being taken now
     interval:float=0. # Seconds between pictures; 0 when no sequence runs
     image_count:int=0 # Shots in the storage

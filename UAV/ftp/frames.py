@@ -190,7 +190,7 @@ def read_ftp_url(url:str, # Or only a path
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #54b8ec1b
 class FtpParts:
-    "What has come of a file"
+    "The received part of a file"
     reach = 1<<24       # bytes that may be missing before the end; what lies further ahead is dropped
     def __init__(self, size:int, # Bytes in all
                  start:int=0): # Bytes that were there before
@@ -200,7 +200,7 @@ class FtpParts:
     def __repr__(self): return f'FtpParts: {self.done} of {self.size} bytes, {len(self.holes)} holes'
 
     def take(self, offset:int, data:bytes)->bool:
-        "Data have come; is there anything new in them?"
+        "Add data; returns whether any is new"
         stop = min(offset+len(data), self.size)
         if offset>=stop or offset-self.done>self.reach: return False
         # what is left of the holes, and one more when these bytes lie behind the end
@@ -213,7 +213,7 @@ class FtpParts:
         return news
 
     def take_fresh(self)->list:
-        "What is to be written since we asked last"
+        "Return the data to write since the last call"
         fresh = self.fresh[:]
         del self.fresh[:len(fresh)]
         return fresh
@@ -232,7 +232,7 @@ def done(self:FtpParts)->int:
 # %% ../../nbs/api/ftp/00_frames.ipynb #d667e014
 @patch(as_prop=True)
 def whole(self:FtpParts)->bool:
-    "Has all come?"
+    "Whether the file is complete"
     return self.end==self.size and not self.holes
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #afedf48f

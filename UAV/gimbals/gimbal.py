@@ -28,7 +28,7 @@ class Gimbal:
     vehicle_lasts = 1.              # s for which we believe what we were told of the vehicle
     carries = .5                    # s for which it is taken to fly and turn on as it was told
     patience = 5.                   # s that `close` waits for a driver that hangs
-    fault = None                    # What is wrong with the device; `None`: it works
+    fault = None                    # The device's fault; `None` when it works
     camera = None                   # the `Camera` that it turns, when its driver has one
     def __init__(self,
                  clock=time.monotonic): # Gives seconds, and never goes back; with another one, call `tick` yourself
@@ -74,13 +74,13 @@ def set_vehicle(self:Gimbal, state:VehicleState): # How the vehicle is held, and
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #9fac4763
 @patch
 def _vehicle_at(self:Gimbal, t:float)->VehicleState:
-    "What we were told last of the vehicle, carried on to `t`, s on the gimbal's clock"
+    "Extrapolate the last vehicle state to `t`, s on the gimbal's clock"
     state,told = self._told
     return state.after(min(max(t-told, 0.), self.carries))
 
 @patch(as_prop=True)
 def vehicle(self:Gimbal)->VehicleState|None:
-    "What is known of the vehicle; `None` when nothing is, or no longer"
+    "The vehicle's state; `None` when unknown or out of date"
     now = self.clock()
     return self._vehicle_at(now) if now-self._told[1]<=self.vehicle_lasts else None
 
@@ -93,7 +93,7 @@ def heading(self:Gimbal)->float:
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #29be9e37
 @patch(as_prop=True)
 def can_lock(self:Gimbal)->bool:
-    "Can its yaw hold a direction on earth?"
+    "Whether yaw can hold a direction on earth"
     return 'yaw' in self.locks and self.information.yaw is not None
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #c084059c

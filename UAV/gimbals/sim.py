@@ -158,7 +158,7 @@ def carry(self:_Suspension, vehicle:VehicleState, lock:bool, dt:float):
 # %% ../../nbs/api/gimbals/03_sim.ipynb #78f85185
 @patch
 def step(self:_Suspension, setpoint:Setpoint, vehicle:VehicleState, dt:float, power:bool=True):
-    "What happens in `dt` s below a vehicle that is held like this; the motors may have no `power`"
+    "Simulate `dt` s below a vehicle in this attitude; the motors may have no `power`"
     before,q = self.angles,self.q
     self.carry(vehicle, setpoint.lock, dt)
     self.hold(power, dt)
@@ -191,7 +191,7 @@ class _Delayed:
     def __init__(self, value, delay:float=0.): self.value,self.delay,self.coming = value,delay,deque()
     def set(self, value, t:float): self.coming.append((t+self.delay, value))
     def at(self, t:float):
-        "What it is at `t`; `t` never goes back"
+        "Simulate up to `t`, which never goes back"
         while self.coming and self.coming[0][0]<=t: self.value = self.coming.popleft()[1]
         return self.value
 
@@ -223,7 +223,7 @@ class SimGimbal(Gimbal):
 # %% ../../nbs/api/gimbals/03_sim.ipynb #1d12a11b
 @patch
 def in_effect(self:SimGimbal, t:float)->Setpoint:
-    "What the motors are told at `t`"
+    "The motors' targets at `t`"
     setpoint = self.driven.at(t)
     if setpoint.mode=='retract': return Setpoint(*map(Axis, self.stowed), mode='retract')
     if t<setpoint.until: return setpoint
@@ -249,7 +249,7 @@ def drive(self:SimGimbal, setpoint:Setpoint): # Where to point
 # %% ../../nbs/api/gimbals/03_sim.ipynb #10306338
 @patch(as_prop=True)
 def failures(self:SimGimbal)->tuple:
-    "What is wrong, as GIMBAL_DEVICE_ERROR_FLAGS names it"
+    "The faults, as GIMBAL_DEVICE_ERROR_FLAGS"
     motors = {axis: motor for axis,motor in self.suspension.motors.items() if getattr(self.information, axis)}
     pressing = [f'AT_{axis.upper()}_LIMIT' for axis,motor in motors.items() if motor.pressing]
     return *pressing, *filter(None, self.faults.values())
@@ -284,7 +284,7 @@ def place(self:SimGimbal)->tuple:
 # %% ../../nbs/api/gimbals/03_sim.ipynb #429bb862
 @patch(as_prop=True)
 def vehicle(self:SimGimbal)->VehicleState|None:
-    "What is known of the vehicle; `None` when nothing is, or no longer"
+    "The vehicle's state; `None` when unknown or out of date"
     return self.mount.state(self.steps.time) if self.mount else Gimbal.vehicle.fget(self)
 
 @patch

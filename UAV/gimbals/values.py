@@ -24,7 +24,7 @@ class PositionUnknown(GimbalError): "There is no direction to a place: the vehic
 # %% ../../nbs/api/gimbals/00_values.ipynb #bbcae0ce
 @dataclass(frozen=True, repr=False, eq=False)
 class GimbalInformation(Value):
-    "What a gimbal is, and how far each axis goes"
+    "A gimbal's identity, and each axis's range"
     vendor:str='UAV' # Maker, at most 31 characters on the wire
     model:str='' # Model, at most 31 characters on the wire
     custom_name:str='' # What its owner calls it, at most 31 characters on the wire
@@ -56,7 +56,7 @@ class Axis(Value):
 
     @property
     def turning(self)->bool:
-        "Does it turn at a rate (degrees/s), to no angle?"
+        "Whether all axes turn at a rate (degrees/s), to no angle"
         return known(self.rate) and not known(self.angle)
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #3f681b18
@@ -72,7 +72,7 @@ class Setpoint(Value):
 
     @property
     def turning(self)->bool:
-        "Does any axis turn at a rate?"
+        "Whether any axis turns at a rate"
         return any(getattr(self, a).turning for a in axes)
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #5dcb0688

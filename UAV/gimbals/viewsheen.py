@@ -121,7 +121,7 @@ class Report(Value):
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #36bf6cb0
 @dataclass(frozen=True, repr=False, eq=False)
 class RangeReport(Value):
-    "What the laser range finder measured"
+    "A laser range finder's measurement"
     ok:bool=False # Did it measure anything?
     distance:float=NAN # m
     height:float=NAN # m
@@ -133,7 +133,7 @@ IDENTITY = b'\x21\xfe\x0f\x01'
 
 def parse_report(body:bytes, # As `ViewsheenReader` gives it
                 )->Report|RangeReport|None:
-    "What a gimbal reports; `None`: nothing that we know"
+    "Decode a gimbal's report; `None` for an unknown one"
     if body[:4]!=IDENTITY or len(body)<13: return
     if len(body)<17:
         *flags,pitch,magnetic_yaw,yaw = struct.unpack_from('<BBBhHh', body, 4)
@@ -229,7 +229,7 @@ class ViewsheenSetup(Value):
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #e138c00e
 @patch(as_prop=True)
 def information(self:ViewsheenSetup)->GimbalInformation:
-    "What servers tell of it"
+    "The information for servers"
     note = '' if self.feedback else 'open loop'
     return GimbalInformation('Viewsheen', self.model, note, pitch=self.pitch, yaw=self.yaw)
 
@@ -289,7 +289,7 @@ class Viewsheen(Gimbal):
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #0a881818
 @patch(as_prop=True)
 def fault(self:Viewsheen)->str|None:
-    "What is wrong with the device; `None`: it works"
+    "The device's fault; `None` when it works"
     if not self.line.up: return f'no connection: {self.line.error or "just lost"}'
     if self._is_silent(): return f'no report for {self.silence:g} s'
 
@@ -328,7 +328,7 @@ def _device_yaw(self:Viewsheen, setpoint:Setpoint)->float:
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #dc6179bb
 @patch
 def _needs_heading(self:Viewsheen, setpoint:Setpoint)->bool:
-    "Do setpoint and device measure yaw from different directions?"
+    "Whether setpoint and device measure yaw from different directions"
     return setpoint.lock!=(self.setup.yaw_reference=='earth') and known(setpoint.yaw.angle)
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #8dd5e10d
@@ -436,7 +436,7 @@ def _go_on(self:Viewsheen, now:float):
 
 @patch
 def _is_busy(self:Viewsheen)->bool:
-    "Is there anything to say soon?"
+    "Whether a message is due soon"
     led = any(getattr(self.setpoint, a).rate>0 for a in self.axes)
     return self._waits or self.setpoint.turning or led or self.setup.feedback or self._needs_heading(self.setpoint)
 

@@ -96,7 +96,7 @@ def amount(number:float, # Of what
 # %% ../../nbs/api/utils/06_output.ipynb #4d84b035
 @patch(as_prop=True)
 def line(self:Progress)->str:
-    "What is shown"
+    "The text shown"
     share,seconds = self.done/self.total if self.total else 1.,self.clock()-self.began
     bar = ('█'*int(share*self.width)).ljust(self.width, '░')
     speed = f', {amount(self.done/seconds, self.unit)}/s' if seconds>0 else ''

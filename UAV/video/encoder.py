@@ -36,7 +36,7 @@ class _Pace:
 
 # %% ../../nbs/api/video/01_encoder.ipynb #100e0f2c
 class _Measured:
-    "What an encoder really produced in the last two seconds"
+    "An encoder's real output in the last two seconds"
     span = 2.           # s
     rate = property(lambda self: self._lately()[0], doc="Pictures in a second")
     bitrate = property(lambda self: self._lately()[1], doc="bit/s")
@@ -111,7 +111,7 @@ class Encoder(Closes):
         return f'{self.codec.upper()} encoder {self.name}, {len(self._sinks)} sinks{self.fault and f", {self.fault}" or ""}'
 
     def _tell(self, fault:Exception|None):
-        "What is wrong now, in the log when it is new"
+        "Log a new fault"
         if repr(fault)==repr(self.fault): return
         if fault: _log.warning('%s: %s', self.name, fault)
         else: _log.info('%s: pictures again', self.name)
@@ -120,7 +120,7 @@ class Encoder(Closes):
 # %% ../../nbs/api/video/01_encoder.ipynb #8ab1dc79
 @patch
 def _wanted(self:Encoder, image)->VideoFormat:
-    "What to make of such an image"
+    "Return the encoding for such an image"
     height,width = as_bgr(image).shape[:2]
     size = self.size or _even((width,height))
     bitrate = self.bitrate or sensible_bitrate(*size, self.rate, self.codec)

@@ -24,7 +24,7 @@ __all__ = ['transports', 'receivers', 'RTSPReceiver', 'PlayerError', 'Decoded', 
 # %% ../../nbs/api/video/08_player.ipynb #473100ff
 @dataclass
 class _Answer:
-    "What a server says"
+    "A server's response"
     line:str # Such as `RTSP/1.0 200 OK`
     headers:dict # By their names in small letters
     body:bytes=b''
@@ -112,7 +112,7 @@ def _resolve(base:str, control:str)->str:
 # %% ../../nbs/api/video/08_player.ipynb #da5dc1a9
 @patch
 def _describe(self:RTSPReceiver):
-    "What the server has: `(Media, URL of the video, URL of all)`"
+    "Describe the server's video: `(Media, its URL, URL of the presentation)`"
     _,said,_ = self._ask('OPTIONS', self.url)
     self._methods = said.get('public', '')
     _,said,body = self._ask('DESCRIBE', self.url, Accept='application/sdp')
@@ -309,7 +309,7 @@ class _FilePictures:
 
 # %% ../../nbs/api/video/08_player.ipynb #c62616e2
 def _open_pictures(url, timeout:float=5., paced:bool=True, transport:str|None=None):
-    "What gives the pictures of `url`, as in the table above; raises `ValueError` or `PlayerError`"
+    "Open the source of `url`, as in the table above; raises `ValueError` or `PlayerError`"
     scheme = _scheme(url)
     path = re.sub('^file://', '', os.fspath(url))
     if scheme=='file': return _FilePictures(path, paced)
@@ -360,7 +360,7 @@ class _Pictures:
         return frame if (frame := self.last) and frame.number>after else None
 
     def wait(self, find, timeout:float|None):
-        "What `find`, such as `take`, finds; `None` when that takes longer than `timeout` s, or all is over"
+        "Wait for a result of `find`, such as `take`; `None` after `timeout` s, or when closed"
         with self.changed: found = self.changed.wait_for(lambda: find() or self.over, timeout)
         return found if isinstance(found, Decoded) else None
 

@@ -91,7 +91,7 @@ def _first_piece(payload:bytes, codec:str)->bytes:
 
 # %% ../../nbs/api/video/03_receivers.ipynb #78e56ba9
 def _rtp_payload(payload:bytes, codec:str='h264')->bytes:
-    "What it adds to the byte stream, RFC 6184 and RFC 7798; raises `ValueError` for what they do not allow here"
+    "Return its part of the byte stream, RFC 6184 and RFC 7798; raises `ValueError` for an invalid payload"
     header,several,piece = _layouts[codec]
     if len(payload)<=header: raise ValueError('an RTP packet without a NAL unit')
     kind = payload[0]&31 if codec=='h264' else payload[0]>>1&63
@@ -201,7 +201,7 @@ def _pes_size(payload:bytes)->int|None:
 
 # %% ../../nbs/api/video/03_receivers.ipynb #91a1d8e4
 def _is_packet(data:bytes, n:int)->bool:
-    "Is there a packet at `n`, and another one behind it, or nothing yet?"
+    "Whether a packet is at `n`, followed by another one or by nothing yet"
     return data[n]==0x47 and (n+ts_size==len(data) or data[n+ts_size]==0x47)
 
 # %% ../../nbs/api/video/03_receivers.ipynb #5935ff89
@@ -258,7 +258,7 @@ def _video(self:_TSReader, begins, filled, payload, counter)->list:
 # %% ../../nbs/api/video/03_receivers.ipynb #cd145a70
 @patch
 def _at_end(self:_TSReader)->bool:
-    "Is the picture complete?"
+    "Whether the picture is complete"
     if not self._pes: return False
     if self._size: return len(self._pes)>=self._size
     return self.trust and self._filled
@@ -317,7 +317,7 @@ class Receiver(Closes):
         return [key.fileobj for key,_ in ready]
 
     def _receive(self, sock)->bytes:
-        "What comes next; empty at the end of a TCP connection"
+        "Read more; empty at the end of a TCP connection"
         self._wait({sock:selectors.EVENT_READ})
         return sock.recv(1<<16)
 
@@ -426,7 +426,7 @@ class _OneSender:
         self.fits,self.address,self._heard = fits,None,-self.patience
 
     def receive(self, sock)->bytes:
-        "What has come; empty when it is from another sender. Raises `OSError`"
+        "Read a packet; empty when it's from another sender. Raises `OSError`"
         data,address = sock.recvfrom(1<<16)
         now = time.monotonic()
         is_late = address!=self.address and now-self._heard<self.patience
@@ -437,7 +437,7 @@ class _OneSender:
 # %% ../../nbs/api/video/03_receivers.ipynb #325e7303
 @dataclass
 class _Media:
-    "What an SDP says of its video"
+    "An SDP's video description"
     codec:str # One of `UAV.video.units.codecs`
     payload_type:int|None # Of the RTP packets; `None` is any
     host:str='' # Where the packets come to
@@ -456,7 +456,7 @@ def _parameter_sets(fmtp)->bytes:
 
 # %% ../../nbs/api/video/03_receivers.ipynb #378912fa
 def _find(pattern:str, text:str, default='')->str:
-    "What the group of the pattern finds"
+    "Return the pattern's group"
     found = re.search(pattern, text, re.M|re.I)
     return found[1].strip() if found else default
 
@@ -475,7 +475,7 @@ def _read_sdp(text:str)->_Media:
 
 # %% ../../nbs/api/video/03_receivers.ipynb #2f4331ab
 def _rtp_media(url:str)->_Media:
-    "What `rtp://HOST:PORT?codec=h265` says; raises `ValueError` for a codec that we do not know"
+    "Parse `rtp://HOST:PORT?codec=h265`; raises `ValueError` for an unknown codec"
     place = urlsplit(url)
     codec = _find(r'codec=(\w+)', place.query, 'h264').lower()
     if codec not in codecs: raise ValueError(f'codec is one of {codecs}, not {codec!r}')

@@ -34,7 +34,7 @@ class _SafeFile:
         return self._at
 
     def mark(self):
-        "What is there now makes sense without what comes"
+        "Whether the file is complete up to here"
         self._whole = self.size
 
     def write(self, data)->int:
@@ -84,7 +84,7 @@ def close(self:_SafeFile):
 # %% ../../nbs/api/video/06_recorder.ipynb #add00637
 @patch
 def is_there(self:_SafeFile)->bool:
-    "Is our file still found under its name?"
+    "Whether our file still has its name"
     try: return self._file is None or os.path.samestat(os.stat(self.path), os.fstat(self._file.fileno()))
     except OSError: return False
 
@@ -159,7 +159,7 @@ class Recorder(Sink):
         if free<self.reserve: raise _DiskFull(why)
 
     def _needs_file(self, unit:AccessUnit)->bool:
-        "Must this key picture begin a new file?"
+        "Whether this key picture must begin a new file"
         last = self.videos[-1] if self.videos else None
         return not last or unit.time-last.began>=self.segment or _shape(unit.format)!=_shape(last.format)
 

@@ -202,7 +202,7 @@ reasons = {200:'OK', 400:'Bad Request', 401:'Unauthorized', 404:'Not Found', 405
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #1b7d80de
 class RTSPError(Exception):
-    "What was asked cannot be; `status` says why (RFC 2326, section 11), `headers` go with the answer"
+    "A request is refused with `status` (RFC 2326, section 11) and `headers`"
     def __init__(self, status:int, headers:dict|None=None):
         super().__init__(f'{status} {reasons[status]}')
         self.status,self.headers = status,headers or {}
@@ -210,7 +210,7 @@ class RTSPError(Exception):
 # %% ../../nbs/api/video/04_rtsp.ipynb #48e0359c
 @dataclass
 class _Request:
-    "What a player asks"
+    "A player's request"
     method:str # Such as `DESCRIBE`
     uri:str # Of what
     headers:dict=field(default_factory=dict) # By their names in small letters
@@ -287,7 +287,7 @@ class _RequestReader:
 # %% ../../nbs/api/video/04_rtsp.ipynb #557b1c80
 @dataclass
 class _Response:
-    "What we answer"
+    "A server's response"
     status:int=200
     headers:dict=field(default_factory=dict)
     body:str=''
@@ -345,7 +345,7 @@ class _Session:
         self.id,self.rtp = secrets.token_hex(8),_RTPStream()
 
     def overdue(self, now:float)->bool:
-        "Has the client been silent longer than `timeout`, at `now` (monotonic s)?"
+        "Whether the client has been silent longer than `timeout`, at `now` (monotonic s)"
         return now-self.heard>self.timeout
 
     def _options(self, request:_Request)->_Response: return _Response(200, {'Public': ', '.join(_offered)})

@@ -110,7 +110,7 @@ class _Connection:
         log.info('%r has stopped', self)
 
     def _check_viewer(self):
-        "Nothing more will come, and we have not stopped it?"
+        "Whether the source ended by itself"
         if self.viewer is not None and self.viewer.source is None: self.close()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #cc9df80f
@@ -349,7 +349,7 @@ def add(self:RTSPServer, path:str, # Behind `rtsp://host:port/`
 def url(self:RTSPServer, path:str, # Of a video
         host:str|None=None, # Our address, as the player can reach it; `None`: where we listen, or this computer
        )->str:
-    "What a player must open"
+    "The URL for players"
     if not host: host = '127.0.0.1' if self.host in ('','0.0.0.0','::') else self.host
     return f'rtsp://{f"[{host}]" if ":" in host else host}:{self.port}/{quote(path.strip("/"))}'
 

@@ -26,7 +26,7 @@ log = get_logger('video')
 
 # %% ../../nbs/api/video/02_senders.ipynb #7b00dbfd
 class _Outbox:
-    "What the other side has not taken yet; `full` is called when something must wait"
+    "Data that the peer hasn't taken yet; `full` is called when something must wait"
     most = 4<<20            # bytes that may wait; a player that leaves more is given up
     waiting = property(lambda self: len(self._data), doc="How many bytes wait")
     def __init__(self, sock, full=lambda: None):
@@ -74,7 +74,7 @@ def _tune(sock):
 # %% ../../nbs/api/video/02_senders.ipynb #f08e5844
 def is_group(host:str, # An address, or a name
             )->bool:
-    "Is this a multicast address?"
+    "Whether this is a multicast address"
     try: return ipaddress.ip_address(host.partition('%')[0]).is_multicast
     except ValueError: return False
 

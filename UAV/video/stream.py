@@ -200,7 +200,7 @@ def send_away(self:VideoStream, leaves): # Which players that fetch it: a functi
 @patch
 def uri(self:VideoStream, host:str='127.0.0.1', # Our address, as the viewer can reach it
        )->str:
-    "What a viewer opens: a URL, or the number of its own port that it is sent to"
+    "The viewer's address: a URL, or the number of its own port"
     if self.told_uri: return self.told_uri
     if self.kind in senders: return f'udp://{self.host}:{self.port}' if is_group(self.host) else str(self.port)
     if self.kind=='rtsp' and self.server: return self.server.url(self.path, host)

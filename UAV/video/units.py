@@ -81,7 +81,7 @@ def parameter_sets(data:bytes, # A byte stream
 def is_key(data:bytes, # A byte stream
            codec:str='h264', # One of `codecs`
           )->bool:
-    "Can decoding begin with this access unit?"
+    "Whether decoding can begin with this access unit"
     return any(_nal_type(nal, codec) in _keys[codec] for nal in nal_units(data))
 
 # %% ../../nbs/api/video/00_units.ipynb #e9244d3e
@@ -220,7 +220,7 @@ def _is_hardware(name:str)->bool: return not name.startswith('lib')      # the o
 
 # %% ../../nbs/api/video/00_units.ipynb #5959742f
 def _options(name, format):
-    "What to tell this encoder, in its own words"
+    "Return this encoder's options"
     own = _wanted.get(name) or _wanted.get(name.split('_')[-1], {})
     return dict(own, maxrate=str(format.bitrate), bufsize=str(int(format.bitrate*max(.5, 1/format.rate))))
 
@@ -254,7 +254,7 @@ class Codec:
                time:float, # When it came, monotonic s
                key:bool=False, # As a key picture?
               )->list: # Access units
-        "What is ready after this frame: one access unit; raises `av.FFmpegError` when the encoder fails"
+        "Encode a frame to one access unit; raises `av.FFmpegError` when the encoder fails"
         types = av.video.frame.PictureType
         picture = self._planes.paint(_fitted(as_bgr(frame.image), self.format.width, self.format.height))
         picture.pts,picture.pict_type = self._count,types.I if key else types.NONE

@@ -141,7 +141,7 @@ class Chart:
     def save(self, file): "Write the picture as an `.svg`"; self.drawing.save(file)
 
     def _make_notes(self, many:int, not_drawn:dict)->list:
-        "What is not in the picture, and what a sign in it means"
+        "Notes on omitted messages and on signs"
         notes = [f'{many} earlier messages are left out.']*bool(many)
         if any('↻' in line.words for line in self.lines): notes.append('↻ retransmission')
         if not_drawn: notes.append('Not drawn: '+', '.join(f'{name} ×{n}' for name,n in sorted(not_drawn.items())))

@@ -71,7 +71,7 @@ class Ack(int):
 
     @property
     def reason(self)->str:
-        "What the dialect says about `result`, in one sentence"
+        "The dialect's description of `result`, in one sentence"
         if self.result is None: return self.lost or self.heard or 'no answer came'
         e = mavlink.enums['MAV_RESULT'].get(self.result)
         return re.split(r' \(|\.', e.description)[0].replace('Command', 'command', 1) if e else f'result {self.result}'

@@ -65,7 +65,7 @@ def _is_plain(cls)->bool: return not any(cls.array_lengths) and 'char' not in cl
 
 # %% ../../nbs/api/wire/01_frames.ipynb #0672629b
 def _arrange(cls, values:tuple)->list:
-    "What was unpacked, as arguments for `cls`"
+    "Unpacked fields, as arguments for `cls`"
     def one(first, n):
         if isinstance(values[first], bytes): return values[first].rstrip(b'\0')
         return values[first] if n==1 else list(values[first:first+n])
@@ -98,7 +98,7 @@ def _slow_builder(cls):
 
 # %% ../../nbs/api/wire/01_frames.ipynb #be999a09
 class _Kind:
-    "What all frames with the same sender, message id and MAVLink version have in common"
+    "The common part of frames with the same sender, message id and MAVLink version"
     __slots__ = 'header','head','seq_at','key','msg_id','counted','extra','build','source'
     def __init__(self, frame:bytes):
         two = frame[0]==0xfd
@@ -111,7 +111,7 @@ class _Kind:
         self.source = None      # for the reader: its `_Source`, when a frame was accepted
 
     def is_whole(self, data:bytes)->bool:
-        "Is `data`, whose header is ours, one good MAVLink 2 frame without a signature?"
+        "Whether `data`, with our header, is one valid MAVLink 2 frame without a signature"
         if data[0]!=0xfd or data[2] or data[1]+12!=len(data) or self.extra is None: return False
         return crc(data[1:-2]+self.extra)==data[-2]|data[-1]<<8
 
@@ -197,7 +197,7 @@ class Wanted:
 
 # %% ../../nbs/api/wire/01_frames.ipynb #38d440ca
 class _Source:
-    "What was heard of one component: frames by message id, and how many were lost on the way"
+    "One component's received frames by message id, and its lost frames"
     enough = 8          # frames of a component that say something about its way
     longest_gap = 32    # more numbers in a row are not there because of an outage, or since the sender was restarted
     def __init__(self):
@@ -247,7 +247,7 @@ def _behind(self:_Source, seq:int, at:int):
 # %% ../../nbs/api/wire/01_frames.ipynb #b426c07e
 @patch(as_prop=True)
 def loss(self:_Source)->float:
-    "What part was lost on the way, at most: what is missing here, or of the one most heard through the same peer"
+    "The lost fraction, at most: by its own gaps, or those of the most frequent component behind the same peer"
     def part(missing, received): return missing/max(1, missing+received)
     others = [(s.received,s.missing) for s in list(self.beside.values()) if s is not self]
     received,missing = max(others, default=(0,0))
@@ -303,7 +303,7 @@ class FrameReader:
         return min((i for i in starts if i>0), default=len(buf))
 
     def _is_torn(self, data:bytes)->bool:
-        "Does `data` begin a frame of its own, and not go on with the one of which we have a part?"
+        "Whether `data` begins a new frame, and doesn't continue the partial one"
         if not data or good_length(data, 0)<=0 or _Kind(data).extra is None: return False
         return good_length(self._rest+data, 0)<=0
 

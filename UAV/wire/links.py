@@ -173,7 +173,7 @@ _elsewhere = dict(udp='udpin:', udpin='udpin:', udpout='udpout:', tcp='tcp:', tc
 
 # %% ../../nbs/api/wire/03_links.ipynb #67fd6306
 def _in_our_words(name:str)->str:
-    "What to write in place of a MAVSDK connection string; empty when `name` is not written as MAVSDK does"
+    "Suggest a replacement for a MAVSDK connection string; empty for other names"
     found = re.fullmatch(r'(\w+)://(.*?)(?::(\d+))?/?', name)
     if not found or found[1] not in _elsewhere: return ''
     kind,host,port = found.groups()

@@ -82,7 +82,7 @@ class LossyLink(Link):
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #6394d155
 class Direction:
-    "What becomes of the frames that go one way, and when they come out"
+    "One direction's losses, duplicates and delays"
     counted = 'sent','lost','silenced','overflowed','damaged','duplicated','reordered','delivered'
 
     def __init__(self, link:LossyLink, name:str):

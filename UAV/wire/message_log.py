@@ -101,7 +101,7 @@ def _address_text(address:tuple)->str: return '/'.join(str(n) if n else 'all' fo
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #fdefc870
 def _component_name(address:tuple, heartbeat:LogEntry|None=None)->str:
-    "What it is: the type in its heartbeat, or else what MAVLink reserves its number for"
+    "The type in its heartbeat, or else the reserved use of its id"
     if heartbeat: name = enum_name('MAV_TYPE', heartbeat.message.type, 'MAV_TYPE_')
     else: name = enum_name('MAV_COMPONENT', address[1], 'MAV_COMP_ID_') if address[1] else 'all'
     return f'component {name}' if name.isdigit() else name
@@ -195,7 +195,7 @@ def _message_ids(names:tuple)->frozenset:
 def entries(self:MessageLog,
     *names:str, # Of messages, as in 'COMMAND_ACK' or 'CAMERA_*'; none: all
 )->list:
-    "What passed, each an `LogEntry`, oldest first"
+    "The messages, each a `LogEntry`, oldest first"
     with self._lock: kept = list(self._kept)
     found,ids = (LogEntry(*one) for one in kept),_message_ids(names)
     return [e for e in found if e.msg_id in ids] if names else list(found)
@@ -214,7 +214,7 @@ def text(self:MessageLog,
     *names:str, # What to list; none: the `usual` ones
     rows:int=60, # The newest
 )->str:
-    "What passed, one message a line"
+    "The messages, one a line"
     entries = self.entries(*(names or self.usual))
     left_out = max(0, len(entries)-rows)
     return '\n'.join([f'… {left_out} before']*bool(left_out)+[repr(e) for e in entries[left_out:]])
@@ -265,7 +265,7 @@ class _Exchange:
 _patience = 30. # seconds without a sign, and a question counts as given up
 
 def _is_given_up(x:_Exchange, later:list, now:float)->bool:
-    "Was `x` asked again as a new question, or long ago?"
+    "Whether `x` was sent again as a new request, or long ago"
     asked_anew = any((y.source,y.target)==(x.source,x.target) for y in later)
     return len(x.sends)>1 and asked_anew or now-(x.acks or x.sends)[-1].time>_patience
 
@@ -321,7 +321,7 @@ class _Row:
     def is_for_all(self)->bool: return not any(self.target)
 
     def takes(self, e:LogEntry)->bool:
-        "Is `e` one more of the same, for all, so that they can share a row?"
+        "Whether `e` repeats the previous broadcast, so that they can share a row"
         alike = (self.first.msg_id,self.source)==(e.msg_id,e.source)
         return alike and self.is_for_all and not any(e.target) and self.kind=='message'
 
@@ -332,7 +332,7 @@ class _Row:
         return found or [lane for address,lane in lanes.items() if address==self.target]
 
     def tip(self, times:bool=False)->str:
-        "What is in its first message, a field a line; with `times` also times and serial numbers"
+        "The first message's fields, one a line; with `times` also times and serial numbers"
         if self.missing: return f'asked {len(self.exchange.sends)} times'
         return '\n'.join([self.first.name, *self.first.fields(times)])
 
@@ -343,7 +343,7 @@ _kinds = {      # all others: 'denied or unsupported'
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #0229b948
 def _kind(e:LogEntry)->str:
-    "What became of the command that `e` asks for or answers; 'message' when it is none"
+    "The outcome of `e`'s command; 'message' when it's none"
     if not (e.is_command or e.is_ack): return 'message'
     result = e.message.result if e.is_ack else e.exchange.ack.result
     return _kinds.get(result, 'denied or unsupported')
@@ -364,7 +364,7 @@ def _rows_of(entries:list)->list:
 # %% ../../nbs/api/wire/07_message_log.ipynb #3c1f4746
 @patch
 def words(self:_Row, before:_Row|None=None)->str:
-    "What stands on the line, below the row `before`"
+    "The line's text, below the row `before`"
     e,number = self.first,len(self.entries)
     if self.missing: return 'no final answer' if self.exchange.acks else 'no answer'
     if e.is_retransmission: return f'{e.says} ↻{e.message.confirmation}'
@@ -383,7 +383,7 @@ def _told(entries:list, names:tuple=(), usual:tuple=MessageLog.usual)->list:
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #f3af438f
 class _Lane:
-    "A component, 0 is the leftmost: its name, the words below; is it one of ours? was it never heard?"
+    "A column for a component, 0 is the leftmost: name, text below, whether it's ours, whether it never sent"
     x = 0                       # pixels to its middle, when it is drawn
     def __init__(self, index:int, name:str, below:str, ours:bool, silent:bool): store_attr()
 

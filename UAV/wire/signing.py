@@ -158,7 +158,7 @@ def _key_from_file(path:Path)->bytes:
 # %% ../../nbs/api/wire/02_signing.ipynb #b871ba4a
 @lru_cache(None)
 def _flag_crc(n:int)->int:
-    "What flag 1 changes in the CRC of a frame with `n` bytes of payload"
+    "The change of the CRC by flag 1, for `n` bytes of payload"
     rest = bytes(n+8)     # 7 bytes of header, the payload, and the message's own byte
     return crc(bytes([n,0])+rest)^crc(bytes([n,1])+rest)
 
@@ -272,7 +272,7 @@ def _judge(self:Signing, frame:bytes, source:tuple)->str:
 # %% ../../nbs/api/wire/02_signing.ipynb #e47c73bf
 @patch
 def _unsigned(self:Signing, msg_id:int, source:tuple)->bool:
-    "May this message come without a signature?"
+    "Whether this message is accepted without a signature"
     accept = self.accept_unsigned
     try: return bool(accept(msg_id, source)) if callable(accept) else msg_id in accept
     except Exception:

@@ -42,7 +42,7 @@ def unsigned(frame:bytes, # MAVLink 1 or 2, signed or not; the signature itself 
 
 # %% ../../nbs/api/wire/05_tlog.ipynb #76d06575
 def without_secrets(frame:bytes)->bytes|None:
-    "What a log may hold of `frame`: not a signature (see `unsigned`), and nothing of a key"
+    "The loggable part of `frame`: no signature (see `unsigned`), no key"
     if frame[0]!=0xfd: return frame
     if _is_secret(frame): return None
     return frame[:-13] if frame[2]&_signed else frame
@@ -122,7 +122,7 @@ def _resume(buf:bytes, pos:int)->int:
 _chunk = 1<<16          # bytes that are read at once
 
 def read_tlog(file): # A `.tlog`
-    "What is in a `.tlog`, read as it is needed, without keys and signatures; raises `ValueError` when it is none"
+    "Iterate over a `.tlog`, without keys and signatures; raises `ValueError` for another file"
     with open(file,'rb') as f:
         buf,pos,bad = f.read(_chunk),0,0
         if not _length(buf, 0) and not _size(buf, _find(buf, 0)): raise ValueError(f'{file} is no .tlog')
