@@ -213,7 +213,7 @@ def add_metadata(jpeg:bytes, # A JPEG file
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #d4791528
 class _OwnTags:
-    "A camera's attribute: EXIF tags for its pictures, name to value; setting it raises `ValueError` as `_add_tags` does"
+    "A camera's attribute: EXIF tags for its pictures, name to value; setting an invalid one raises `ValueError`"
     def __get__(self, camera, kind=None): return MappingProxyType(vars(camera).get('exif_tags', {}) if camera else {})
 
     def __set__(self, camera, tags):

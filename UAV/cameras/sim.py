@@ -121,7 +121,7 @@ class SimCamera(Camera):
         seed:int=0, # Which world
         capture_time:float=0., # Seconds that a still picture takes
         clock=time.time, # Gives the time stamps, s since 1970
-        mount=None, # What it hangs on, such as a `SimGimbal`: its `look` says what `look` below does, its `origin` from where
+        mount=None, # Its mount, such as a `SimGimbal`, with `look` in place of `look` below, and an `origin`
     ):
         self.information = _sim_information(model, width, height)
         if clock in (time.monotonic,time.perf_counter): raise ValueError('a clock gives s since 1970, as time.time')

@@ -10,7 +10,8 @@ from typing import NamedTuple
 import math, re, threading, time
 
 from fastcore.basics import patch
-from .requirement import all_requirements, given, must, NotForThis, requirement, Requirement, roles, Untested, verdicts
+from .requirement import all_requirements, given, must, NotForThis, requirement, Requirement
+from .requirement import roles, Untested, verdicts
 from ..ftp.frames import ACK, FtpCode, FtpFrame, FtpOp, NAK, read_ftp
 from ..utils.general import _begin_thread, Closes
 from ..wire.dialect import address, enum_name, LinkError, mavlink

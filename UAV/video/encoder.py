@@ -108,7 +108,8 @@ class Encoder(Closes):
             self._changed.notify_all()
 
     def __repr__(self):
-        return f'{self.codec.upper()} encoder {self.name}, {len(self._sinks)} sinks{self.fault and f", {self.fault}" or ""}'
+        fault = self.fault and f', {self.fault}' or ''
+        return f'{self.codec.upper()} encoder {self.name}, {len(self._sinks)} sinks{fault}'
 
     def _tell(self, fault:Exception|None):
         "Log a new fault"
