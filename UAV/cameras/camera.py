@@ -69,7 +69,7 @@ def _check_class(kind:type):
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #ded77811
 class Camera(Closes, metaclass=CompleteLater):
-    "A camera; subclasses give `information` and `read()`, and the optional verbs they can do"
+    "A camera; subclasses provide `information`, `read()` and optional methods"
     information = CameraInformation()
     min_interval = .1          # s, the shortest time between pictures
     jpeg_quality = 95          # 0..100
@@ -90,7 +90,7 @@ class Camera(Closes, metaclass=CompleteLater):
                  quota:float|None=None, # MiB the pictures may fill; `None` is the whole disk
                  storage:Storage|None=None, # In place of `folder` and `quota`; `close` closes it
                  storages:list|None=None): # Several, in place of all three
-        "Raises `StorageInUse` when another camera has the folder or the storage"
+        "Raises `StorageInUse` when another camera uses the folder or storage"
         _check_class(type(self))
         given,used = list(storages or ([] if storage is None else [storage])),[s for c in _cameras for s in c.storages]
         for one in given:           # it counts for one camera
@@ -110,7 +110,7 @@ class Camera(Closes, metaclass=CompleteLater):
         self._lock,self._closing = threading.Lock(),threading.Event()
 
     def read(self)->Frame:
-        "The newest frame; a subclass has it"
+        "Return the newest frame; written by subclasses"
         raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
 
     fault = property(lambda self: self._fault, doc="The device's fault; `None` when it works")
@@ -122,7 +122,7 @@ class Camera(Closes, metaclass=CompleteLater):
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #8bad12d3
 def _set_checked(self:Camera, name:str, value):
-    "As usual, after a check of what a camera has of its own"
+    "Set an attribute after checking its value"
     if check := _checks.get(name): check(name, value)
     object.__setattr__(self, name, value)
 
@@ -131,7 +131,7 @@ Camera.__setattr__ = _set_checked
 # %% ../../nbs/api/cameras/09_camera.ipynb #01b8f48a
 @patch
 def close(self:Camera):
-    "Stop, wait for the picture being taken (`patience` at most), and let go of the storage; may be called twice"
+    "Stop, wait for a running picture (`patience` at most), and release the storage; may be called twice"
     done = self.captures.close(self.patience)
     for part in (self.tracking,self.filming): part.close()
     if not (self.frames.close(1.) and done): self.log.error('read() does not come back; closed without it')
@@ -143,7 +143,7 @@ def close(self:Camera):
 # %% ../../nbs/api/cameras/09_camera.ipynb #43ea7393
 @patch
 def _complete(self:Camera):
-    "All of the camera is there: put what was kept into the device; raises `ValueError` for a wrong declaration"
+    "Apply stored settings after all constructors; raises `ValueError` for an invalid declaration"
     if not self.declared: return
     try: self.parameters.restore()
     except BaseException:
@@ -154,18 +154,18 @@ def _complete(self:Camera):
 # %% ../../nbs/api/cameras/09_camera.ipynb #ae963dfb
 @patch
 def subscribe(self:Camera, callback): # Called with each event; must be quick
-    "Tell `callback` of all that happens: a Picture, CaptureStatus, CameraSettings, ParametersChanged, DeviceStatus …"
+    "Call `callback` with each event: Picture, CaptureStatus, CameraSettings, ParametersChanged, DeviceStatus …"
     with self._lock: self._callbacks = self._callbacks + [callback]
 
 @patch
 def unsubscribe(self:Camera, callback):
-    "Stop telling `callback`"
+    "Stop calling `callback`"
     with self._lock: self._callbacks = [c for c in self._callbacks if c != callback]
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5311
 @patch
 def announce(self:Camera, event):
-    "Tell every listener"
+    "Call all callbacks with an event"
     for callback in self._callbacks:
         name = getattr(callback, '__name__', callback)
         try: callback(event)
@@ -174,13 +174,13 @@ def announce(self:Camera, event):
 # %% ../../nbs/api/cameras/09_camera.ipynb #3d913554
 @patch
 def settings(self:Camera)->CameraSettings:
-    "How the camera is set"
+    "Return mode, zoom and focus"
     return CameraSettings(self.mode, self.lens.percent if self.lens else NAN, self.focus.percent if self.focus else NAN)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #acb7cd3d
 @patch
 def set_camera_mode(self:Camera, mode:str): # One of `modes`
-    "Switch between photo and video; raises `ValueError`"
+    "Set the mode, photo or video; raises `ValueError`"
     self.mode = one_of('mode', mode, self.modes)
     self.announce(self.settings())
 
@@ -194,14 +194,14 @@ def capture_status(self:Camera)->CaptureStatus:
 
 @patch
 def storage_information(self:Camera)->list:
-    "How full the storages are"
+    "Return each storage's capacity and use"
     return self.storages.information()
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5316
 @patch
 def set_fault(self:Camera, fault:str|None, # The device's fault; `None` when it works
               error:BaseException|None=None): # What was raised, when it is a surprise
-    "Note whether the device works; listeners get a `DeviceStatus` when that is news"
+    "Set or clear the fault; a change sends a `DeviceStatus`"
     with self._lock:
         if self._closing.is_set(): return
         was,self._fault = self._fault,fault or None
@@ -223,19 +223,19 @@ def image_start_capture(self:Camera, interval:float=0., # Seconds between pictur
 # %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5318
 @patch
 def image_stop_capture(self:Camera):
-    "End a sequence, and return at once; what was accepted is taken: the picture under way, and singles that wait"
+    "End a series, and return at once; a running picture and waiting singles are still taken"
     self.captures.stop()
 
 @patch
 def wait_idle(self:Camera, timeout:float|None=None, # s; `None` waits as long as it takes
              )->bool:
-    "Wait until nothing is being taken and all is announced; False on timeout. Not for callbacks"
+    "Wait until all pictures are taken and announced; False on timeout. Don't call it in callbacks"
     return self.captures.wait_idle(timeout)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #945f3116
 @patch
 def read_still(self:Camera)->Frame:
-    "The frame a picture is made of; override it when the camera has something better than a frame for stills"
+    "Return the frame for a picture; override it if the camera has better stills"
     return self.frames.still()
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5319
@@ -316,14 +316,14 @@ def _tell_picture(self:Camera, picture):
 @patch
 def picture(self:Camera, index:int, # From 0
            )->Picture:
-    "One shot; raises `IndexError` when there is none"
+    "Return a shot by its index; raises `IndexError`"
     return self.storages.picture(index)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #259b4674
 @patch
 def storage_format(self:Camera, storage_id:int=1, # As in StorageInformation
                    cancelled=lambda: False): # Says whether it is to end without having deleted anything
-    "Delete what is on a storage; raises `ValueError` when it is not there, `CameraBusy` while in use, `TakenBack`"
+    "Delete all files of a storage; raises `ValueError` for an unknown one, `CameraBusy` while in use, `TakenBack`"
     storage = self.storages.numbered(storage_id)
     photo = storage is self.storages.photo
     def ends():
@@ -366,7 +366,7 @@ def add_stream(self:Camera,
     server=None, # Your own `RTSPServer`, such as one with a password; `None`: that of this process at `port`
     **how, # `source`, for a camera with several
 ):
-    "A new stream, which runs at once; raises `ValueError` for a name that is taken, `OSError` for a port that is"
+    "Add and start a stream; raises `ValueError` for a used name, `OSError` for a used port"
     how |= dict(codec=codec, size=size, rate=rate, bitrate=bitrate)
     return self.filming.add(name, kind, host, port, uri, server, **how)
 
@@ -376,7 +376,7 @@ def make_encoder(self:Camera, codec:str, # 'h264' or 'h265'
                  size:tuple|None, # (width, height) in px; `None`: that of the frames
                  rate:float, # Pictures in a second, at most
                  bitrate:int|None): # bit/s; `None`: what suits size and rate
-    "An encoder of our frames; a camera that encodes by itself overrides this, and hands out its own pictures"
+    "Return an encoder of our frames; a camera that encodes by itself overrides this"
     from UAV.video.encoder import Encoder
     return Encoder(self.frames, codec, size, rate, bitrate, name=self.information.model)
 
@@ -384,27 +384,27 @@ def make_encoder(self:Camera, codec:str, # 'h264' or 'h265'
 @patch
 def video_start_streaming(self:Camera, stream_id:int=0, # 0: all
                           host:str|None=None): # Where 'rtp' and 'mpegts' send to; `None`: as before
-    "Start a stream; raises `ValueError` for one that is not there"
+    "Start a stream; raises `ValueError` for an unknown one"
     for stream in self.filming.chosen(stream_id): stream.start(host)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #fef083b8
 @patch
 def video_stop_streaming(self:Camera, stream_id:int=0): # 0: all
-    "Stop a stream, until `video_start_streaming` or a player's next request; raises `ValueError` for one not there"
+    "Stop a stream, until `video_start_streaming` or a player's next request; raises `ValueError` for an unknown one"
     for stream in self.filming.chosen(stream_id): stream.rest()
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #a3b44506
 @patch
 def video_start_capture(self:Camera,
                         stream_id:int=0): # Whose pictures; 0: those of the first stream, or the camera's own
-    "Begin to record; raises `CameraBusy`, `WrongMode`, `StorageError`, or `ValueError` for a stream that is not there"
+    "Start recording; raises `CameraBusy`, `WrongMode`, `StorageError`, or `ValueError` for an unknown stream"
     if self.mode!='video' and not self.video_in_image_mode: raise WrongMode(f'no recording in {self.mode} mode')
     self.filming.start_recording(stream_id)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #6e796f93
 @patch
 def video_stop_capture(self:Camera, stream_id:int=0): # There is one recording: any stream of ours will do
-    "End the recording; its file is complete then, unless the disk hangs. Raises `ValueError` for no stream of ours"
+    "Stop recording and complete the file, unless the disk hangs; raises `ValueError` for an unknown stream"
     self.filming.chosen(stream_id)
     self.filming.stop_recording()
 
@@ -415,7 +415,7 @@ _all_ = ['mode_numbers']
 def mode_parameter(
     *modes, # As in `Camera.modes`, the first one at first
 )->Parameter:
-    "`CAM_MODE`, the mode as a parameter"
+    "Return `CAM_MODE`, the mode as a parameter"
     names = dict(image='Photo', video='Video', image_survey='Survey')
     options = {names[mode]: mode_numbers[mode] for mode in modes}
     return Parameter('CAM_MODE', 'uint32', mode_numbers[modes[0]], 'Camera mode', options)
@@ -425,7 +425,7 @@ def mode_parameter(
 def apply_parameter(self:Camera, name:str, # Of the parameter
                     value, # In its type, in its range
                    )->dict|None: # What moved along with it, if the device says so
-    "Put a value into the device, within `patience`; a subclass has it. May raise `ValueError` or `CameraError`"
+    "Set a value in the device, within `patience`; written by subclasses. May raise `ValueError` or `CameraError`"
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #c9e9743c
 @patch
@@ -463,7 +463,7 @@ def _follow_mode(self:Camera, event):
 # %% ../../nbs/api/cameras/09_camera.ipynb #c3557e77
 @patch
 def reset_camera_settings(self:Camera):
-    "Mode, zoom, focus and parameters as they were at first; raises, at the end, what the device raised"
+    "Reset mode, zoom, focus and parameters; raises the device's errors at the end"
     self.mode = self.modes[0]
     for drive in filter(None, (self.lens, self.focus)): drive.reset()
     try: self.parameters.reset()
@@ -473,13 +473,13 @@ def reset_camera_settings(self:Camera):
 @patch
 def set_storage_usage(self:Camera, storage_id:int, # As in StorageInformation
                       usage): # What it is for from now on: a set of 'photo' and 'video'
-    "Say what goes to a storage; listeners get each one that changed. Raises `ValueError`, `StorageError`, `CameraBusy`"
+    "Set a storage's use, and announce changes; raises `ValueError`, `StorageError`, `CameraBusy`"
     for storage in self.storages.set_usage(storage_id, usage): self.announce(self.storages.about(storage))
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #29bcad3b
 @patch
 def reset_image_log(self:Camera, storage_id:int=1): # As in StorageInformation
-    "Take the pictures of a storage out of the count, which begins anew when it is the photo storage; files stay"
+    "Remove a storage's pictures from the count, which restarts for the photo storage; files stay"
     storage = self.storages.numbered(storage_id)
     with self.captures.paused('the log is being reset'): storage.reset_log()
     self.announce(self.storages.about(storage))
@@ -500,7 +500,7 @@ def set_trigger_distance(self:Camera, distance:float, # Between two pictures, m;
 # %% ../../nbs/api/cameras/09_camera.ipynb #d1435164
 @patch
 def set_trigger_interval(self:Camera, interval:float): # s
-    "Take a picture every `interval` s, in place of what runs; raises as `image_start_capture`. Not for callbacks"
+    "Take a picture every `interval` s, instead of a running series; raises as `image_start_capture`. Not in callbacks"
     inside('interval', interval, self.min_interval, 1e6)
     self.image_stop_capture()
     if not self.wait_idle(self.patience): raise CameraBusy('a picture is being taken')
@@ -511,7 +511,7 @@ def set_trigger_interval(self:Camera, interval:float): # s
 @patch
 def trigger_control(self:Camera, enable:bool|None=None, # Take pictures as was set last? `None`: leave it
                     reset:bool=False): # Count them from 0 again
-    "Stop what was set, or begin it again; raises `CameraError` when nothing was"
+    "Pause or resume the trigger; raises `CameraError` when none is set"
     if reset: self.trigger.count_from_0()
     if enable is None: return
     if not enable: return self.image_stop_capture()
@@ -522,19 +522,19 @@ def trigger_control(self:Camera, enable:bool|None=None, # Take pictures as was s
 # %% ../../nbs/api/cameras/09_camera.ipynb #9168ce55
 @patch
 def camera_track_rectangle(self:Camera, left:float, top:float, right:float, bottom:float): # Parts of the picture, 0…1
-    "Track what is in the rectangle from the next frame on; raises `ValueError`, and `CameraError` when closed"
+    "Track the rectangle's content from the next frame on; raises `ValueError`, and `CameraError` when closed"
     self.tracking.start(Pursuit((left, top, right, bottom)))
 
 @patch
 def camera_track_point(self:Camera, x:float, y:float, # Parts of the picture, 0…1
                        radius:float=0.): # The same; 1 is the picture's width, 0: the camera chooses
-    "Track what is at a point from the next frame on; raises `ValueError`, and `CameraError` when closed"
+    "Track the target at a point from the next frame on; raises `ValueError`, and `CameraError` when closed"
     self.tracking.start(Pursuit(point=(x,y), radius=radius))
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #ad45dde8
 @patch
 def camera_stop_tracking(self:Camera):
-    "Track no more; fine when nothing is tracked"
+    "Stop tracking, if it runs"
     self.tracking.stop()
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #708ef8e2

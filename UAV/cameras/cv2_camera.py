@@ -40,7 +40,7 @@ class _NewestFrame:
             self.fresh.notify_all()
 
     def next(self, after:int, timeout:float, untaken:bool=False, fails=lambda: None)->Frame|None:
-        "A frame later than `after`; `None` on timeout, or when `fails()` says why. Raises `CameraError` after `end`"
+        "Wait for a frame later than `after`; `None` on timeout, or when `fails()` has a reason. Raises `CameraError` after `end`"
         def is_there(): return self.frame is not None and self.frame.number>after and not (untaken and self.taken)
         with self.fresh:
             self.fresh.wait_for(lambda: is_there() or self.problem or fails(), timeout)
@@ -229,7 +229,7 @@ class _DriverControls(_Controls):
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #1fe9f181
 @patch
 def set(self:_DriverControls, name:str, value, timeout:float=0.)->dict:
-    "Set it at once: what the device has made of it, and what moved; raises `CameraError`"
+    "Set it at once; returns the resulting value and other changes; raises `CameraError`"
     updates = next(p.updates for p in self.declared if p.name==name)
     switch = next((p for p in self.declared if name in p.updates), None)
     try:
@@ -267,7 +267,7 @@ def _source_name(source)->str:
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #02ed1d99
 @contextmanager
 def _silent_cv2():
-    "OpenCV prints what it tries; we raise what went wrong"
+    "Suppress OpenCV's output; errors are raised"
     set_level = cv2.setLogLevel if hasattr(cv2, 'setLogLevel') else cv2.utils.logging.setLogLevel      # OpenCV 4 and 5
     level = set_level(0)
     try: yield
@@ -302,11 +302,11 @@ class _LiveCamera(Camera):
     "A camera that always has a newest frame; a subclass has `next_frame`"
     first_retry,last_retry = .5,10.     # s between attempts to open its source again, doubled each time
     def read(self)->Frame:
-        "The newest frame; raises `CameraError` when the source gives none, has ended, or is closed"
+        "Return the newest frame; raises `CameraError` without one, or when closed"
         return self.next_frame()
 
     def read_still(self)->Frame:
-        "The newest frame, watched or not"
+        "Return the newest frame"
         return self.read()
 
     def _read_watched(self): return self.read_still()
@@ -343,7 +343,7 @@ class CV2Camera(_LiveCamera):
         self._watch = timers.every(max(read_timeout/4, .1), self._look, delay=read_timeout)
 
     def close(self):
-        "Stop, and wait for the reader to let go of the source; may be called twice"
+        "Stop the reader, and release the source; may be called twice"
         super().close()
         if self._reader: self._stop_reader()        # a copy in a forked process has none
 
@@ -455,7 +455,7 @@ def _look(self:CV2Camera):
 @patch
 def next_frame(self:CV2Camera, after:int=-1, # The number of the last frame seen
               )->Frame:
-    "The newest frame, but later than `after`: waits for it; raises `CameraError` when none comes for `read_timeout`"
+    "Wait for a frame later than `after`; raises `CameraError` when none comes for `read_timeout`"
     frame = self._newest.next(after, self.read_timeout, untaken=self.lockstep)
     if silence := self._silence(): raise CameraError(silence)
     if frame is None: raise CameraError(f'{_source_name(self.source)} has given no frame for {self.read_timeout:g} s')
@@ -464,6 +464,6 @@ def next_frame(self:CV2Camera, after:int=-1, # The number of the last frame seen
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #37a21dba
 @patch
 def apply_parameter(self:CV2Camera, name:str, value)->dict|None:
-    "Set it in the device; raises `CameraError` when it refuses, or gives no frames"
+    "Set it in the device; raises `CameraError` when refused, or without frames"
     if name not in self.controls.defaults: return None          # a subclass's own
     return self.controls.set(name, value, self.read_timeout)

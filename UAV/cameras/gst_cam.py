@@ -226,7 +226,7 @@ class GSTCamera(_LiveCamera):
                  read_timeout:float=3., # s until the first frame, and between two of them
                  folder:str|Path|None=None, quota:float|None=None, storages:list|None=None, # As for Camera
                  pose=None): # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
-        "Raises `ValueError` when the configuration makes no sense, and `CameraError` when there is no picture"
+        "Raises `ValueError` for an invalid configuration, and `CameraError` without a picture"
         store_attr('open_timeout,read_timeout,pose')
         self.recipe = _recipe_of(_read_sections(config, camera_dict))
         line,codec = _whole_line(self.recipe)
@@ -240,7 +240,7 @@ class GSTCamera(_LiveCamera):
     line = property(lambda self: self.keeper.line, doc="The whole pipeline, as GStreamer gets it")
     position = property(lambda self: self.recipe.position, doc="On the vehicle: x, y, z (m), roll, pitch, yaw (°)")
     def close(self):
-        "Stop, and let go of the source; may be called twice"
+        "Stop, and release the source; may be called twice"
         self.controls.leave(self.keeper.pipeline)
         self.keeper.closing.set()
         super().close()
@@ -303,7 +303,7 @@ def next_frame(self:GSTCamera,
     after:int=-1, # The number of the last frame seen
     timeout:float|None=None, # s; `None`: `read_timeout`, or `open_timeout` when a key picture must come first
 )->Frame:
-    "The newest frame, but later than `after`: waits for it; raises `CameraError` when none comes"
+    "Wait for a frame later than `after`; raises `CameraError` when none comes"
     newest,keeper = self.newest,self.keeper
     if timeout is None: timeout = self.open_timeout if self._coded else self.read_timeout
     frame = newest.next(max(after, self._ask()), timeout, lambda: keeper.problem)
@@ -335,7 +335,7 @@ def _on_problem(self:GSTCamera, problem:str|None):
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #bfa520cb
 @patch
 def apply_parameter(self:GSTCamera, name:str, value)->dict|None:
-    "Set it in the pipeline; raises `CameraError` while the source does not run"
+    "Set it in the pipeline; raises `CameraError` while the source doesn't run"
     if any(p.name == name for p in self.controls.declared): return self.controls.set(self.keeper.pipeline, name, value)
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #9d7d017f
@@ -374,7 +374,7 @@ class _PipelineEncoder(PassThrough):
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #4a8b0a51
 @patch
 def make_encoder(self:GSTCamera, codec:str, size:tuple|None, rate:float, bitrate:int|None):
-    "The pipeline's own encoder, when it fits; else one for our frames"
+    "Return the pipeline's encoder if it fits, else one of our frames"
     ours,resolution = self.encoder,(self.information.resolution_h,self.information.resolution_v)
     if ours is None or codec != ours.codec or size not in (None, resolution):
         return Camera.make_encoder(self, codec, size, rate, bitrate)

@@ -135,7 +135,7 @@ class SimCamera(Camera):
 # %% ../../nbs/api/cameras/12_sim.ipynb #0c4239e5
 @patch
 def look(self:SimCamera)->tuple:
-    "North, east and altitude (m), and roll, pitch and yaw (degrees), now; all of one moment"
+    "Return north, east, altitude (m), roll, pitch, yaw (degrees) at one moment"
     if self.mount is not None: return tuple(self.mount.look())
     looks = self.attitude() if self.attitude else (self.roll, self.pitch, self.yaw)
     return (self.north, self.east, self.altitude, *looks)
@@ -154,7 +154,7 @@ def view(self:SimCamera, look:tuple|None=None, # As from `look`; `None`: now
 @patch
 def pose(self:SimCamera, look:tuple|None=None, # As from `look`; `None`: now
         )->Pose:
-    "Where the camera is and how it is held"
+    "Return the camera's position and attitude"
     north,east,altitude,*looks = self.look() if look is None else look
     origin = getattr(self.mount, 'origin', None) or self.origin
     return Pose(*origin, 0., *looks).moved(north, east, altitude)
@@ -179,7 +179,7 @@ def _check_works(self:SimCamera):
 @patch
 def read(self:SimCamera, size:tuple|None=None, # px; `None`: as `information` says
         )->Frame:
-    "The next frame; raises `CameraError` when the camera is closed or unplugged"
+    "Return the next frame; raises `CameraError` when closed or unplugged"
     self._check_works()
     with self._number_lock: number,self.number = self.number,self.number+1
     taken,look = self.clock(),self.look()
@@ -195,14 +195,14 @@ def _still_size(self:SimCamera)->tuple|None:
 
 @patch
 def read_still(self:SimCamera)->Frame:
-    "The frame of a still picture, after `capture_time`; its size is a parameter"
+    "Return a still after `capture_time`; its size is a parameter"
     return SimCamera.read(self, size) if (size := self._still_size()) else Camera.read_still(self)
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #5c0a5609
 @patch
 def set_camera_zoom(self:SimCamera, kind:str, # One of `Lens.kinds`
                     value:float): # As for `Lens.zoom`
-    "Zoom one of five ways; raises `ValueError`"
+    "Zoom by steps, speed, %, mm or degrees; raises `ValueError`"
     self.lens.zoom(kind, value)
     self.announce(self.settings())
 
@@ -210,14 +210,14 @@ def set_camera_zoom(self:SimCamera, kind:str, # One of `Lens.kinds`
 @patch
 def set_camera_focus(self:SimCamera, kind:str, # One of `Focus.kinds`
                      value:float=0.): # As for `Focus.focus`
-    "Focus one of seven ways; raises `ValueError`"
+    "Focus by steps, speed, %, metres or automatically; raises `ValueError`"
     self.focus.focus(kind, value)
     self.announce(self.settings())
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #1544ceb4
 @patch
 def apply_parameter(self:SimCamera, name:str, value)->dict|None:
-    "An automatic exposure chooses the shutter and the sensitivity"
+    "Set a parameter; automatic exposure chooses shutter and sensitivity"
     if name == 'CAM_PHOTOQUAL': self.jpeg_quality = value
     now = dict(self.parameters) | {name: value}
     exposes = name in ('CAM_EXPMODE','CAM_EV','CAM_ISO','CAM_SHUTTERSPD')
@@ -226,7 +226,7 @@ def apply_parameter(self:SimCamera, name:str, value)->dict|None:
 # %% ../../nbs/api/cameras/12_sim.ipynb #84312c2d
 @patch
 def plug(self:SimCamera, plugged_in:bool=True): # False: as if it had been pulled off its cable
-    "Pull the cable, or put it back: the camera's `fault`"
+    "Unplug or plug in the camera, which sets its `fault`"
     self.plugged_in = plugged_in
     self.set_fault(None if plugged_in else 'unplugged')
 
@@ -308,7 +308,7 @@ def _paint(celsius):
 # %% ../../nbs/api/cameras/12_sim.ipynb #5c0e8506
 @dataclass(frozen=True, repr=False, eq=False)
 class ThermalRange(Value):
-    "The hottest and the coldest place in a thermal picture"
+    "Hottest and coldest place in a thermal picture"
     stream_id:int=0 # Of which stream
     max:float=NAN # °C
     max_point:tuple=(NAN,NAN) # Where, 0..1 from the left and from the top
@@ -392,7 +392,7 @@ def _draw(self:SimDualCamera, number:int, look:tuple, size:tuple|None):
 @patch
 def set_camera_source(self:SimDualCamera, primary:str='default', # 'default', 'rgb' or 'ir'
                       secondary:str='default'): # The picture in the corner; 'default': none
-    "Choose what is shown; listeners hear of the streams that changed. Raises `ValueError`"
+    "Set the primary source, and announce changed streams; raises `ValueError`"
     for name in (primary, secondary): one_of('source', name, ('default',*self.sources))
     primary = self.sources[0] if primary=='default' else primary
     source = primary,'' if secondary in ('default',primary) else secondary
@@ -405,20 +405,20 @@ def set_camera_source(self:SimDualCamera, primary:str='default', # 'default', 'r
 # %% ../../nbs/api/cameras/12_sim.ipynb #09de9554
 @patch
 def set_camera_zoom(self:SimDualCamera, kind, value):
-    "As `SimCamera`; raises `ValueError` while the thermal camera, which does not zoom, is primary"
+    "Zoom as `SimCamera`; raises `ValueError` while the thermal camera is primary"
     if self.source[0]=='ir': raise ValueError('the thermal camera does not zoom')
     SimCamera.set_camera_zoom(self, kind, value)
 
 @patch
 def reset_camera_settings(self:SimDualCamera):
-    "As `SimCamera`, and the visible picture"
+    "Reset as `SimCamera`, and show the visible picture"
     self.set_camera_source()
     SimCamera.reset_camera_settings(self)
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #7921bcfa
 @patch
 def read_still(self:SimDualCamera)->Frame:
-    "The frame of a still picture, of the primary source alone"
+    "Return a still of the primary source"
     if not self.source[1]: return SimCamera.read_still(self)
     size,self._still.now = self._still_size(),True
     try: return self.read(size)
@@ -427,7 +427,7 @@ def read_still(self:SimDualCamera)->Frame:
 # %% ../../nbs/api/cameras/12_sim.ipynb #bc3f67ed
 @patch
 def _read_thermal(self:SimDualCamera)->_ThermalFrame:
-    "The next frame of the thermal eye; raises `CameraError` when the camera is closed or unplugged"
+    "Return the next thermal frame; raises `CameraError` when closed or unplugged"
     self._check_works()
     with self._number_lock:
         if not self.frames.watchers: self.number += 1       # else the main picture is the clock of the world
@@ -439,7 +439,7 @@ def _read_thermal(self:SimDualCamera)->_ThermalFrame:
 # %% ../../nbs/api/cameras/12_sim.ipynb #0ddbfedd
 @patch
 def make_encoder(self:SimDualCamera, codec:str, size:tuple|None, rate:float, bitrate:int|None, source:str=''):
-    "An encoder of what is shown, or of the thermal eye ('ir')"
+    "Return an encoder of the primary picture, or of the thermal camera ('ir')"
     from UAV.video.encoder import Encoder
     frames = self.thermal_frames if source=='ir' else self.frames
     encoder = Encoder(frames, codec, size, rate, bitrate, name=self.information.model)
@@ -449,7 +449,7 @@ def make_encoder(self:SimDualCamera, codec:str, size:tuple|None, rate:float, bit
 # %% ../../nbs/api/cameras/12_sim.ipynb #1d82361e
 @patch
 def add_streams(self:SimDualCamera, **how): # As for `Camera.add_stream`
-    "Both streams: what is shown, and heat"
+    "Add both streams: primary and thermal"
     return self.add_stream('shown', **how),self.add_stream('thermal', **how, source='ir')
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #a53c4046
@@ -467,7 +467,7 @@ def shows(self:SimDualCamera, stream, # One of `streams`
 @patch
 def thermal_range(self:SimDualCamera, stream_id:int=0, # 0: of the thermal eye
                  )->ThermalRange:
-    "The hottest and the coldest place of the newest thermal frame; raises `ValueError` for a stream without heat"
+    "Return the newest thermal frame's extremes; raises `ValueError` for a visible stream"
     if stream_id:
         [stream] = self.filming.chosen(stream_id)
         if not self.shows(stream)['thermal']: raise ValueError(f'stream {stream_id} is not thermal')

@@ -20,7 +20,7 @@ __all__ = ['Gimbal', 'Location', 'direction', 'RegionOfInterest']
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #27464999
 class Gimbal:
-    "A gimbal; subclasses give `information`, `drive` and `attitude`, and `retract` when they can do that"
+    "A gimbal; subclasses provide `information`, `drive`, `attitude` and optionally `retract`"
     information = GimbalInformation()
     locks = 'roll','pitch','yaw'    # axes that can hold their direction on earth
     follows = 'yaw',                # axes that can follow the vehicle
@@ -43,18 +43,18 @@ class Gimbal:
         super().__setattr__(name, value)
 
     def drive(self, setpoint:Setpoint):
-        "Tell the device; must be quick, and may raise `GimbalError`. A subclass has it"
+        "Send a setpoint to the device, without waiting; may raise `GimbalError`. Written by subclasses"
         raise NotImplementedError(f'{type(self).__name__} needs a method drive(self, setpoint)')
 
     def attitude(self)->GimbalAttitude:
-        "Where it points now; what it doesn't know is NaN. Must be quick, may raise `GimbalError`. A subclass has it"
+        "Return the attitude without waiting, unknown values NaN; may raise `GimbalError`. Written by subclasses"
         raise NotImplementedError(f'{type(self).__name__} needs a method attitude(self)')
 
     def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
     def close(self):
-        "Stop turning, and take no more setpoints; may be called twice"
+        "Stop, and accept no more setpoints; may be called twice"
         free = self._lock.acquire(timeout=self.patience)
         try:
             if free and not self.closed: self._try_to_stop()
@@ -67,7 +67,7 @@ class Gimbal:
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #87959083
 @patch
 def set_vehicle(self:Gimbal, state:VehicleState): # How the vehicle is held, and where it is, now
-    "Tell the gimbal what it hangs from; raises `ValueError` for an attitude that makes no sense"
+    "Set the vehicle's state; raises `ValueError` for an invalid attitude"
     for angle in filter(known, (state.roll, state.pitch, state.yaw)): inside("an angle of the vehicle", angle)
     self._told = state,self.clock()         # without the lock, which a driver that hangs may hold
 
@@ -86,7 +86,7 @@ def vehicle(self:Gimbal)->VehicleState|None:
 
 @patch(as_prop=True)
 def heading(self:Gimbal)->float:
-    "Where the vehicle's nose points, degrees from north; NaN when that is not known"
+    "The vehicle's heading, degrees from north; NaN when unknown"
     vehicle = self.vehicle
     return vehicle.yaw if vehicle else NAN
 
@@ -130,7 +130,7 @@ def point(self:Gimbal, roll:Axis=Axis(), pitch:Axis=Axis(),
           frame:str|None=None, # What `yaw` is measured from: 'vehicle' or 'earth'; `None`: 'earth' when locked
           lock:bool|None=None, # Does yaw hold its direction on earth? `None`: as it was
           lasts:float|None=None): # s until rates end; `None`: `rate_lasts`
-    "Take a new target for some axes, or all; raises `ValueError`, `HeadingUnknown` and `GimbalError`"
+    "Set a new target for some or all axes; raises `ValueError`, `HeadingUnknown` and `GimbalError`"
     with self._lock:
         lock,lasts = self.setpoint.lock if lock is None else lock,self.rate_lasts if lasts is None else lasts
         frame = one_of('frame', frame or ('earth' if lock else 'vehicle'), ('vehicle','earth'))
@@ -170,7 +170,7 @@ def _wake(self:Gimbal, due:float):
 def set_angles(self:Gimbal, pitch:float=NAN, yaw:float=NAN, roll:float=NAN, # Degrees; NaN keeps
                frame:str='vehicle', # What `yaw` is measured from: 'vehicle' or 'earth'
                lock:bool|None=None): # Does yaw hold its direction on earth? `None`: as it was
-    "Point there"
+    "Turn to these angles, degrees"
     self.point(Axis(roll), Axis(pitch), Axis(yaw), frame, lock)
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #e3e260fd
@@ -178,13 +178,13 @@ def set_angles(self:Gimbal, pitch:float=NAN, yaw:float=NAN, roll:float=NAN, # De
 def set_rates(self:Gimbal, pitch:float=0., yaw:float=0., roll:float=NAN, # Degrees a second; NaN keeps
               lock:bool|None=None, # Does yaw hold its direction on earth? `None`: as it was
               lasts:float|None=None): # s until they end; `None`: `rate_lasts`
-    "Turn, until the rates are given again, or end"
+    "Turn at these rates, degrees/s, until repeated or `lasts` is over"
     self.point(Axis(rate=roll), Axis(rate=pitch), Axis(rate=yaw), None, lock, lasts)
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #3ffb2cf9
 @patch
 def center(self:Gimbal):
-    "Look straight ahead"
+    "Turn all axes to 0"
     self._take(Setpoint(mode='center', lock=False))
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #5bce2e46
@@ -201,7 +201,7 @@ def follow(self:Gimbal):
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #6db512ff
 @patch
 def stop(self:Gimbal):
-    "Turn no more, and hold; what is not turning stays as it is. A device that does not hear it is told again"
+    "Stop all rates and hold; resting axes keep their targets. Repeated until the device has it"
     with self._lock:
         now = self.setpoint
         if not now.turning: return
@@ -213,7 +213,7 @@ def stop(self:Gimbal):
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #08ff2d69
 @patch
 def tick(self:Gimbal):
-    "End rates that are over"
+    "End expired rates"
     with self._lock:
         if self.clock()>=self.setpoint.until and not self.closed: self._try_to_stop()
         self._wake(self.setpoint.until)
@@ -228,7 +228,7 @@ def _try_to_stop(self:Gimbal):
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #156bd77a
 @dataclass(frozen=True, repr=False, eq=False)
 class Location(Value):
-    "A place on earth; raises `ValueError` for one that cannot be"
+    "A place on earth; raises `ValueError` for an impossible one"
     lat:float # Latitude, degrees
     lon:float # Longitude, degrees
     alt:float=0. # m
@@ -264,7 +264,7 @@ def direction(state:VehicleState, # Where the vehicle is
 @patch
 def look_at(self:Gimbal, location:Location, # Where to look
             state:VehicleState|None=None): # Where the vehicle is; `None`: as the gimbal was told
-    "Point at a place, once; raises `PositionUnknown`, `HeadingUnknown` and what `drive` raises"
+    "Point at a place once; raises `PositionUnknown`, `HeadingUnknown` and errors of `drive`"
     state = state or self.vehicle or VehicleState()
     pitch,yaw = direction(state, location)
     if known(yaw) and not (known(state.yaw) or known(self.heading)): raise HeadingUnknown('vehicle heading unknown')
@@ -287,7 +287,7 @@ class RegionOfInterest:
         return f'{type(self).__name__}: {self.target or "none"}{held}'
 
     def look(self, state:VehicleState, target=None):
-        "Look there again, or at another `target`, from where the vehicle is"
+        "Point at the place, or another `target`, from the vehicle's position"
         target = target or self.target
         self.gimbal.look_at(target(self.lead) if callable(target) else target, state.after(self.lead))
         self.target,self.ours,self.lost = target,self.gimbal.setpoint,''
@@ -297,7 +297,7 @@ class RegionOfInterest:
 def set(self:RegionOfInterest,
         target, # A `Location`, or a function that gives it in so many seconds from now, or raises `PositionUnknown`
         state:VehicleState): # Where the vehicle is
-    "Look at `target` from now on; raises what `Gimbal.look_at` raises"
+    "Keep looking at `target`; raises as `Gimbal.look_at`"
     with self._lock:
         old,setpoint = self.target,self.gimbal.setpoint
         self.look(state, target)
@@ -307,7 +307,7 @@ def set(self:RegionOfInterest,
 @patch
 def tick(self:RegionOfInterest, state:VehicleState, # Where the vehicle is
         )->str:
-    "Look there again; the news, when we cannot any more, or can again"
+    "Update the direction; returns a message when that starts or stops working"
     with self._lock:
         # the gimbal was told something else meanwhile
         if self.target is not None and self.gimbal.setpoint is not self.ours: self.cancel()
@@ -321,20 +321,20 @@ def tick(self:RegionOfInterest, state:VehicleState, # Where the vehicle is
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #0a15fc35
 @patch
 def cancel(self:RegionOfInterest):
-    "Forget it, because the gimbal is told something else; a `tick` that is under way ends before"
+    "End it for a new target, after a running `tick`"
     with self._lock: self.target,self.lost = None,''
 
 @patch
 @contextmanager
 def giving_way(self:RegionOfInterest):
-    "For a `with` that tells the gimbal something else: it is forgotten, unless that fails"
+    "For a `with` that sets a new target: ends the region of interest, unless that fails"
     with self._lock:
         yield
         self.cancel()
 
 @patch
 def end(self:RegionOfInterest):
-    "Return to what the gimbal was told before"
+    "Return to the previous target"
     with self._lock:
         if self.target is None: return
         self.cancel()

@@ -40,7 +40,7 @@ class Motor:
 @patch
 def reachable(self:Motor, angle:float, # Degrees
              )->float:
-    "The angle it will go to for this one"
+    "The reachable angle nearest to this one"
     names = [wrap(angle)+turn for turn in (-360,0,360)] if self.wraps else [angle]
     inside = [a for a in names if self.low<=a<=self.high]
     if inside: return min(inside, key=lambda a: abs(a-self.angle))
@@ -52,7 +52,7 @@ def reachable(self:Motor, angle:float, # Degrees
 def braking_speed(self:Motor, room:float, # Degrees until it must stand
                   dt:float, # s, one step
                  )->float:
-    "Degrees a second from which it can still stop there"
+    "The speed from which it can still stop there, degrees/s"
     if math.isinf(room): return self.speed
     slower = self.acceleration*dt
     steps = max(1, math.ceil((math.sqrt(1 + 8*room/slower/dt)-1)/2))
@@ -61,7 +61,7 @@ def braking_speed(self:Motor, room:float, # Degrees until it must stand
 # %% ../../nbs/api/gimbals/03_sim.ipynb #07bafa4d
 @patch
 def _wish(self:Motor, target:Axis)->tuple:
-    "The angle to go to, the speed on the way, and whether more was asked for than it can reach"
+    "Return the target angle, the speed, and whether the request was limited"
     rate = abs(target.rate) if known(target.rate) else 0.
     if target.turning: return (self.high if target.rate>0 else self.low), min(rate, self.speed), rate>0
     if not known(target.angle): return self.angle, 0., False
@@ -72,7 +72,7 @@ def _wish(self:Motor, target:Axis)->tuple:
 # %% ../../nbs/api/gimbals/03_sim.ipynb #ba52a315
 @patch
 def carry(self:Motor, turn:float): # Degrees
-    "Be turned, as far as the limits let it"
+    "Turn with the vehicle, within the limits"
     angle = self.angle if self.stuck else self.angle+turn
     self.angle = wrap(angle) if math.isinf(self.high) else min(max(angle, self.low), self.high)
 
@@ -104,7 +104,7 @@ class _Suspension:
         self.hang(VehicleState(0., 0., 0.))
 
     def hang(self, vehicle:VehicleState):
-        "Put it below `vehicle`, as it is turned"
+        "Mount it below `vehicle`, keeping its angles"
         self.vehicle = VehicleState(*(a if known(a) else 0. for a in (vehicle.roll, vehicle.pitch, vehicle.yaw)))
         self.ahead,self.ahead_rate = self.vehicle.yaw,0.        # the smoothed nose; degrees, degrees a second
         self.q = self.attitude()
@@ -197,7 +197,7 @@ class _Delayed:
 
 # %% ../../nbs/api/gimbals/03_sim.ipynb #7189ec4d
 class SimGimbal(Gimbal):
-    "A gimbal with three axes that is worked out when it is asked"
+    "A simulated gimbal with three axes, computed on demand"
     breaks = dict(motor='MOTOR_ERROR', comms='COMMS_ERROR', encoder='ENCODER_ERROR')
     def __init__(self,
         vehicle=None, # The `SimVehicle` it hangs from; `None`: it hangs still, until `set_vehicle` tells it more
@@ -232,7 +232,7 @@ def in_effect(self:SimGimbal, t:float)->Setpoint:
 # %% ../../nbs/api/gimbals/03_sim.ipynb #939fc490
 @patch
 def advance(self:SimGimbal):
-    "Work out what has happened until now"
+    "Simulate up to now"
     with self._lock:
         for t in self.steps.due():
             setpoint = self.in_effect(t)
@@ -241,7 +241,7 @@ def advance(self:SimGimbal):
 
 @patch
 def drive(self:SimGimbal, setpoint:Setpoint): # Where to point
-    "Tell the motors; raises `GimbalError` when the cable is broken"
+    "Set the motors' target; raises `GimbalError` when the cable is broken"
     if 'comms' in self.faults: raise GimbalError('the gimbal does not answer')
     self.advance()
     self.driven.set(setpoint, self.clock())
@@ -257,7 +257,7 @@ def failures(self:SimGimbal)->tuple:
 # %% ../../nbs/api/gimbals/03_sim.ipynb #65d028ef
 @patch
 def attitude(self:SimGimbal)->GimbalAttitude:
-    "Where it points, at the end of the last step"
+    "The attitude at the end of the last step"
     with self._lock:
         self.advance()
         now,vehicle,there = self.driven.value,self.vehicle or VehicleState(),self.suspension
@@ -268,12 +268,12 @@ def attitude(self:SimGimbal)->GimbalAttitude:
 # %% ../../nbs/api/gimbals/03_sim.ipynb #4bca644f
 @patch(as_prop=True)
 def origin(self:SimGimbal)->tuple:
-    "Latitude and longitude (degrees) and height above sea (m) of the place that `look` counts from"
+    "Latitude, longitude (degrees) and altitude (m) of the origin of `look`"
     return getattr(self.mount, 'origin', None) or self._origin or (-35.363262,149.165237,584.)
 
 @patch
 def place(self:SimGimbal)->tuple:
-    "North, east and height, m; when we are told where the vehicle is, from the first such place on the ground"
+    "North, east and height, m; from the vehicle's first known place on the ground, if sent"
     if self.mount: return self.mount.position(self.steps.time)
     now = self._vehicle_at(self.steps.time)
     if all(map(known, (now.lat, now.lon, now.alt, now.relative_alt))):
@@ -289,7 +289,7 @@ def vehicle(self:SimGimbal)->VehicleState|None:
 
 @patch
 def set_vehicle(self:SimGimbal, state:VehicleState): # How the vehicle is held, and where it is, now
-    "Tell the gimbal what it hangs from; one that hangs from a `SimVehicle` knows better, unless that is a stand-in"
+    "Set the vehicle's state; ignored below a `SimVehicle` of its own"
     with self._lock:
         self.advance()
         Gimbal.set_vehicle(self, state)
@@ -319,14 +319,14 @@ def _held(self:SimGimbal, axis:str, lock:bool)->Axis:
 # %% ../../nbs/api/gimbals/03_sim.ipynb #a3601276
 @patch
 def retract(self:SimGimbal):
-    "Fold away, and switch the motors off"
+    "Retract, and switch the motors off"
     self._take(Setpoint(mode='retract'))
 
 # %% ../../nbs/api/gimbals/03_sim.ipynb #d7804324
 @patch
 def break_down(self:SimGimbal, part:str, # 'motor', 'comms' or 'encoder', or the axis that gets stuck
                broken:bool=True): # False: it is mended
-    "Break a part: no motor turns, the cable is cut, the angles are not known, or one axis is stuck"
+    "Break a part: motors off, cable cut, angles unknown, or one axis stuck"
     one_of('part', part, (*self.breaks, *axes))
     with self._lock:
         self.advance()
