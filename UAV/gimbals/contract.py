@@ -277,6 +277,8 @@ def check_gimbal(gimbal, # A Gimbal; it is closed at the end
     assert hasattr(gimbal, 'setpoint'), f'{type(gimbal).__name__}.__init__ must call super().__init__(...)'
     threads = threading.enumerate()
     report = kept(gimbal, _checks_for(gimbal), _ticking(gimbal, wait))
-    left = [t.name for t in threading.enumerate() if t not in threads]
+    left = [t for t in threading.enumerate() if t not in threads]
+    for thread in left: thread.join(1)          # one that is ending may end
+    left = [t.name for t in left if t.is_alive()]
     assert not left, f'threads are left after close(): {", ".join(left)}'
     return report

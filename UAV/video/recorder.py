@@ -111,10 +111,9 @@ class _MP4File(Closes):
     def write(self, unit:AccessUnit):
         "Add a picture; raises `OSError`"
         ticks = max(self._ticks+1, round((unit.time-self.began)*clock_rate))
-        if self._ticks>=0: self._step = ticks-self._ticks
         self._container.mux(_as_packet(unit, self._stream, ticks, self._step))
         self.file.mark()
-        self._ticks,self.seconds = ticks,(ticks+self._step)/clock_rate      # shown as long as the one before
+        self._ticks,self.seconds = ticks,(ticks+self._step)/clock_rate      # the last one is shown for a step
 
     def close(self):
         "Make a plain MP4 of it; raises `OSError` when that cannot be, and then it stays as it was"
