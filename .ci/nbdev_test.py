@@ -2,7 +2,7 @@
 """`nbdev_test` with a process of its own for each notebook, so that one that hangs, crashes, or leaves threads and log levels
 behind fails alone. It takes nbdev_test's options. Without `--flags`, the cells that need GStreamer or a browser run where these
 are installed. Nothing is tried twice. The last lines are how many passed, failed and were skipped, and why."""
-import faulthandler, fcntl, gc, importlib, os, pkgutil, re, signal, sys, tempfile, threading, time
+import faulthandler, fcntl, gc, importlib, os, pkgutil, re, resource, signal, sys, tempfile, threading, time
 from multiprocessing import get_context
 from multiprocessing.connection import wait
 from pathlib import Path
@@ -25,7 +25,7 @@ LONG = ('panel_in_a_browser panel_settings panel_in_jupyterlab 03_camera panel_u
         'examples 16_check_a_camera watch_in_qgroundcontrol_vlc_ffplay 07_files run_on_a_companion_computer 05_gui 02_serve programs hostile_files '
         'devices_conformance killed_while_capturing stray_acks 11_survey_by_distance serial_and_mavproxy').split()      # they need longest
 PASSED,FAILED = 60,61           # what `child` ends with; a notebook that ends its process itself, with 0 perhaps, has not passed
-results = {}                    # notebook: whether it passed, and its seconds
+results = {}                    # notebook: whether it passed, its seconds, and those of the processor
 
 
 class Turn:
@@ -60,25 +60,31 @@ def load():
     gc.freeze()             # what is loaded now is not looked through again by each process
 
 
-def child(test, notebook, options, turn, waited):
+def processor():
+    "Seconds of the processor that this process and those that it has waited for took"
+    return sum(r.ru_utime+r.ru_stime for r in map(resource.getrusage, (resource.RUSAGE_SELF,resource.RUSAGE_CHILDREN)))
+
+
+def child(test, notebook, options, turn, waited, used):
     "Test one notebook in this process, and leave with `PASSED` or `FAILED`; threads it left are not waited for"
     os.setpgid(0, 0)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     faulthandler.dump_traceback_later(LONGEST, exit=True)
     Turn(turn, waited)
     passed,_ = test(notebook, **options)
+    used.value = processor()
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(PASSED if passed else FAILED)
 
 
 def start(test, notebook, options, turn):
-    "The process that tests `notebook`, when it was started, and the seconds that it has waited for a browser"
+    "The process that tests `notebook`, when it was started, its seconds of waiting for a browser, and of the processor"
     fork = get_context('fork')
-    waited = fork.Value('d', 0.)
-    process = fork.Process(target=child, args=(test, notebook, options, turn, waited))
+    waited,used = fork.Value('d', 0.),fork.Value('d', 0.)
+    process = fork.Process(target=child, args=(test, notebook, options, turn, waited, used))
     process.start()
-    return process,notebook,time.time(),waited
+    return process,notebook,time.time(),waited,used
 
 
 def end(process):
@@ -87,13 +93,13 @@ def end(process):
     except ProcessLookupError: process.kill()
 
 
-def finish(process, notebook, began, waited):
-    "Whether `notebook` passed, and its seconds without those that it waited for a browser; its own processes end with it"
+def finish(process, notebook, began, waited, used):
+    "Whether `notebook` passed, its seconds without those that it waited for a browser, and of the processor; its processes end with it"
     process.join()
     end(process)
     ended = process.exitcode
     if ended not in (PASSED, FAILED): print(f'{notebook.name}: its process ended with {ended}', file=sys.stderr, flush=True)
-    return ended == PASSED,time.time()-began-waited.value
+    return ended == PASSED,time.time()-began-waited.value,used.value
 
 
 def run(test, waiting, workers, options):
@@ -126,7 +132,7 @@ def order(notebook):
 def parallel(test, notebooks, n_workers, pause, **options):
     "fastcore's `parallel`, as nbdev_test calls it: what `test` gives for each notebook, in their order"
     run(test, sorted(notebooks, key=order), max(WORKERS, n_workers), options)
-    return [results[notebook] for notebook in notebooks]
+    return [results[notebook][:2] for notebook in notebooks]
 
 
 def notebooks(path=None, **options):
@@ -136,10 +142,10 @@ def notebooks(path=None, **options):
 
 def report(flags, began):
     "Print how long it took, how many passed and failed, and which cells were not run"
-    failed = sorted(notebook.stem for notebook,(passed,_) in results.items() if not passed)
+    failed = sorted(notebook.stem for notebook,(passed,*_) in results.items() if not passed)
     slow = sorted(results, key=lambda notebook: -results[notebook][1])[:10]
     seconds,used = time.time()-began,os.times()
-    print('The longest:', ', '.join(f'{notebook.stem} {results[notebook][1]:.0f} s' for notebook in slow))
+    print('The longest:', '; '.join(f'{notebook.stem} {results[notebook][1]:.0f} s, {results[notebook][2]:.0f} of processor' for notebook in slow))
     print(f'{seconds/60:.1f} minutes, {(used.children_user+used.children_system)/60:.1f} of processor; the load is {os.getloadavg()[1]:.1f}')
     for flag in ('notest', 'slow', 'hardware', *NEEDS):
         marked = [re.findall(rf'"#\| {flag}\b', notebook.read_text(encoding='utf-8')) for notebook in results]

@@ -298,6 +298,8 @@ def _opened(typed, stack:ExitStack)->tuple:
     gimbal,camera = _device(typed, stack, storage)
     what = typed.camera or 'sim'
     aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, what, typed.role))
+    if not (camera or typed.camera) and getattr(aboard.gimbal, 'camera', None):
+        raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
     if camera is None: camera = stack.enter_context(_make_camera(what, u.video['size'], aboard.mount, **storage))
     camera.mounted = u.mounted
     if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id

@@ -471,7 +471,8 @@ def _result_of(self:BaseComponent, error:BaseException, what:str)->int:
         self.log.error('%s raised', what, exc_info=error)
         return mavlink.MAV_RESULT_FAILED
     result = getattr(error, 'result', None) if self._results[kind] is None else self._results[kind]
-    level = LogLevels.DEBUG if result==mavlink.MAV_RESULT_UNSUPPORTED else LogLevels.INFO   # stations probe
+    probed = result==mavlink.MAV_RESULT_UNSUPPORTED or what=='REQUEST_MESSAGE'      # stations ask what there is
+    level = LogLevels.DEBUG if probed else LogLevels.INFO
     self.log.log(level, '%s: %s: %s', what, enum_name('MAV_RESULT', result, 'MAV_RESULT_'), error)
     return result
 

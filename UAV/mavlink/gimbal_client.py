@@ -187,6 +187,14 @@ async def _meet(self:GimbalClient, count:int|None, timeout:float)->list:
         with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT) as beat:
             if not new(): await beat.wait(left)
 
+# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #583795b6
+@patch
+def _heard_instead_of_managers(self:GimbalClient)->str:
+    "List the components that were received; a gimbal device without a manager is pointed out"
+    devices = [self.mav_com.name_of(s) for s,r in sorted(self.remotes.items()) if r.type==mavlink.MAV_TYPE_GIMBAL]
+    alone = f'; no gimbal manager answers for the gimbal device {" and ".join(devices)}' if devices else ''
+    return self.mav_com.who_was_heard()+alone
+
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #c74fa77e
 @patch
 async def find_gimbals(self:GimbalClient, count:int|None=None, # Return as soon as this many are found
@@ -196,7 +204,7 @@ async def find_gimbals(self:GimbalClient, count:int|None=None, # Return as soon 
     check_count(count)
     check_seconds('timeout', timeout)
     found = await self._meet(count, timeout)
-    why = f'no gimbal in {timeout:g} s; {self.mav_com.who_was_heard()}'
+    why = f'no gimbal in {timeout:g} s; {self._heard_instead_of_managers()}'
     return Found(await asyncio.gather(*(self.at(*gimbal)._learn() for gimbal in found)), why)
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #d1dc4360
@@ -218,7 +226,7 @@ async def find_gimbal(self:GimbalClient, name:str|None=None, # Part of its vendo
         if left<=0: break
     asked = dict(name=name, system=system, component=component)
     which = ', '.join(f'{k}={v!r}' for k,v in asked.items() if v is not None)
-    heard = ', '.join(map(str, found)) or self.mav_com.who_was_heard()
+    heard = ', '.join(map(str, found)) or self._heard_instead_of_managers()
     raise NoAnswer(f'no gimbal{which and f" with {which}"} in {timeout:g} s; {heard}')
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #c7b76c63
