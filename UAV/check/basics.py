@@ -30,7 +30,6 @@ def _beats(p):
 def _heartbeat(p):
     return p.beats.get(p.target) or given(p.wait('HEARTBEAT', len(p.record)), 'no heartbeat')
 
-# %% ../../nbs/api/check/02_basics.ipynb #c56ab89d
 @requirement('identity.type', 'Its heartbeat says that it is a camera, and no autopilot',
              'devguide camera.md; ArduPilot AP_Camera_MAVLinkCamV2')
 def _type(p):
@@ -71,7 +70,6 @@ def _informed(p)->Acks:
              'devguide camera.md; MAV_CMD_REQUEST_MESSAGE')
 def _information(p): return f'{_informed(p)}, and the message'
 
-# %% ../../nbs/api/check/02_basics.ipynb #7ae1cd19
 def _info(p): return given(p.information, 'no CAMERA_INFORMATION')
 
 # %% ../../nbs/api/check/02_basics.ipynb #3d266a62
@@ -134,7 +132,6 @@ def _clock(p):
 # %% ../../nbs/api/check/02_basics.ipynb #6df8ffd0
 _about = 'devguide ping.md; common.xml PING'
 
-# %% ../../nbs/api/check/02_basics.ipynb #be38926b
 def _ping(p, *to:int, timeout:float|None=None)->tuple:
     "`(what we sent, the first PING with its time, or None)`; it is for all, or for the address `to`"
     sent = p.mav.ping_encode(time.time_ns()//1000, 17, *(to or (0,0)))
@@ -212,7 +209,6 @@ def _int(p):
 @requirement('commands.nan', 'NaN in unused parameters does no harm', 'devguide command.md; MAVSDK', role='mavsdk')
 def _nan(p): return _informed(p)
 
-# %% ../../nbs/api/check/02_basics.ipynb #6ed3c4a1
 @requirement('commands.wild', 'A parameter that cannot be is refused, not lost', 'common.xml MAV_RESULT_DENIED')
 def _wild(p):
     answers = {value:p.command('REQUEST_MESSAGE', value) for value in (math.inf,-1.,3e38)}
@@ -224,7 +220,6 @@ def _wild(p):
              'devguide routing; ArduPilot AP_Camera_MAVLinkCamV2', role='ardupilot')
 def _broadcast(p): return _asked(p, to=(0,0)).must_be('ACCEPTED')
 
-# %% ../../nbs/api/check/02_basics.ipynb #3404eae8
 @requirement('commands.system', 'It answers what is for all of its system', 'devguide routing')
 def _system(p): return _asked(p, to=(p.target[0],0)).must_be('ACCEPTED')
 
@@ -235,7 +230,6 @@ def _silent(p, *to):
     must(not p.acks(mavlink.MAV_CMD_REQUEST_MESSAGE, since), f'it answered for {to[0]}/{to[1]}')
     return 'silence'
 
-# %% ../../nbs/api/check/02_basics.ipynb #80e347f5
 @requirement('commands.others', 'It does not answer what is for another component', 'devguide routing')
 def _others(p):
     free = next(c for c in range(199, 100, -1) if (p.target[0],c) not in p.others)
@@ -262,7 +256,6 @@ def _burst(p):
 # %% ../../nbs/api/check/02_basics.ipynb #e850654a
 def _percent(value): return math.isnan(value) or 0<=value<=100
 
-# %% ../../nbs/api/check/02_basics.ipynb #8851eb6f
 @requirement('requests.settings', 'It tells its mode, zoom and focus: CAMERA_SETTINGS',
              'devguide camera.md; common.xml CAMERA_SETTINGS')
 def _settings(p):
@@ -392,7 +385,6 @@ def _no_flood(p, period:float, seconds:float, most:float)->str:
 _holds('flood.zero', 'Interval 0, the usual rate, is no flood',
        'devguide camera.md; common.xml MAV_CMD_SET_MESSAGE_INTERVAL', _no_flood, 0, 1., 5)
 
-# %% ../../nbs/api/check/02_basics.ipynb #f9f92734
 _holds('flood.tiny', 'An interval of 1 µs is refused, or slowed down',
        'common.xml MAV_CMD_SET_MESSAGE_INTERVAL; MAVSDK camera_server floods', _no_flood, 1, .5, 200)
 
@@ -428,6 +420,14 @@ def _told_off(p):
 # %% ../../nbs/api/check/02_basics.ipynb #0a15e57d
 _radio = dict(role='lossy')
 
+@requirement('lossy.answered', 'Every command is answered in the end', 'devguide command.md, retransmission',
+             **_radio)
+def _answered_lossy(p):
+    answers = [p.command('REQUEST_MESSAGE', message_ids[name]) for name in _subjects*3]
+    silent = sum(not a.acks for a in answers)
+    must(not silent, f'{silent} of {len(answers)} are not, after 12 copies each')
+    return f'{len(answers)} commands'
+
 # %% ../../nbs/api/check/02_basics.ipynb #d934e04d
 @contextmanager
 def _clear(p):
@@ -445,15 +445,6 @@ def _in_the_end(p, field:str, seconds:float)->int:
             p.listen(.5)
         p.idle()
     return getattr(now, field)
-
-# %% ../../nbs/api/check/02_basics.ipynb #0a823628
-@requirement('lossy.answered', 'Every command is answered in the end', 'devguide command.md, retransmission',
-             **_radio)
-def _answered_lossy(p):
-    answers = [p.command('REQUEST_MESSAGE', message_ids[name]) for name in _subjects*3]
-    silent = sum(not a.acks for a in answers)
-    must(not silent, f'{silent} of {len(answers)} are not, after 12 copies each')
-    return f'{len(answers)} commands'
 
 # %% ../../nbs/api/check/02_basics.ipynb #6f1c1570
 def _shots(p, count:int)->tuple:

@@ -14,10 +14,6 @@ from ..wire.dialect import command_cancel, enum_name, mavlink
 # %% auto #0
 __all__ = []
 
-# %% ../../nbs/api/check/03_pictures.ipynb #58bd8b4c
-_one,_two,_three = (dict(needs='CAPTURE_IMAGE', pictures=n) for n in (1,2,3))
-_start,_stop = 'IMAGE_START_CAPTURE','IMAGE_STOP_CAPTURE'
-
 # %% ../../nbs/api/check/03_pictures.ipynb #9941b31d
 def _first(p)->_Shot:
     "One picture, as QGroundControl takes it; the same one for all that look at it"
@@ -32,7 +28,10 @@ def _first_taken(p)->_Shot:
     given(_first(p).answer, repr(_first(p).answer))
     return _first(p)
 
-# %% ../../nbs/api/check/03_pictures.ipynb #ccc8e61e
+# %% ../../nbs/api/check/03_pictures.ipynb #58bd8b4c
+_one,_two,_three = (dict(needs='CAPTURE_IMAGE', pictures=n) for n in (1,2,3))
+_start,_stop = 'IMAGE_START_CAPTURE','IMAGE_STOP_CAPTURE'
+
 @requirement('photo.accepted', 'It takes a picture: IMAGE_START_CAPTURE is ACCEPTED',
              'common.xml MAV_CMD_IMAGE_START_CAPTURE; QGroundControl', **_one)
 def _accepted(p): return _first(p).answer.must_be('ACCEPTED')
@@ -106,7 +105,6 @@ def _twice(p, more=0):
 _holds('photo.again', 'A copy with a higher confirmation takes no second picture',
        'devguide command.md, confirmation; PX4', _twice, 1, **_two)
 
-# %% ../../nbs/api/check/03_pictures.ipynb #9da5282b
 _holds('photo.number', 'A copy with the same sequence number takes no second picture',
        'common.xml MAV_CMD_IMAGE_START_CAPTURE, parameter 4', _twice, **_two)
 
@@ -186,7 +184,6 @@ _holds('photo.request', 'The notice of a picture can be asked for again',
        'common.xml CAMERA_IMAGE_CAPTURED; MAV_CMD_REQUEST_MESSAGE, parameter 2',
        _noticed, 'REQUEST_MESSAGE', _captured, **_one)
 
-# %% ../../nbs/api/check/03_pictures.ipynb #10c86a74
 _holds('photo.request-old', 'The older request brings it, too',
        'common.xml MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE; MAVSDK', _noticed, 'REQUEST_CAMERA_IMAGE_CAPTURE', **_one)
 
@@ -194,7 +191,6 @@ _holds('photo.request-old', 'The older request brings it, too',
 _answers('photo.request-none', 'The notice of a picture that was not taken is DENIED', 'common.xml MAV_RESULT_DENIED',
          'DENIED', 'REQUEST_MESSAGE', _captured, 900_000, **_one)
 
-# %% ../../nbs/api/check/03_pictures.ipynb #efd0ef49
 _answers('photo.request-nan', 'Without an index the request is DENIED, so that MAVSDK goes on to the older one',
          'MAVSDK mavlink_request_message.cpp', _refused, 'REQUEST_MESSAGE', _captured, role='mavsdk', **_one)
 
@@ -216,7 +212,6 @@ def _freed(p):
 _answers('photo.absent', 'A camera without stills takes none', 'common.xml CAMERA_CAP_FLAGS', _refused,
          _start, 0, 0, 1, lacks='CAPTURE_IMAGE')
 
-# %% ../../nbs/api/check/03_pictures.ipynb #1da0c6de
 @requirement('photo.wrong-mode', 'In video mode it FAILED, when its flags say that it cannot',
              'common.xml CAMERA_CAP_FLAGS; QGroundControl is stuck on DENIED', **_one)
 def _wrong_mode(p):
@@ -227,7 +222,6 @@ def _wrong_mode(p):
 # %% ../../nbs/api/check/03_pictures.ipynb #62b23186
 _source = 'common.xml MAV_CMD_IMAGE_START_CAPTURE'
 
-# %% ../../nbs/api/check/03_pictures.ipynb #43894913
 _pace = 1.      # s between two pictures, which most cameras can do
 
 @contextmanager
@@ -314,7 +308,6 @@ _photo = mavlink.STORAGE_USAGE_FLAG_PHOTO
 
 def _storages(p)->list: return p.all_of('STORAGE_INFORMATION', 'storage_count')
 
-# %% ../../nbs/api/check/03_pictures.ipynb #293ddff7
 _brings('storage.told', 'It tells of its storages: STORAGE_INFORMATION', 'devguide camera.md; '+_about,
         'STORAGE_INFORMATION', 'REQUEST_MESSAGE', _information, 0)
 
@@ -358,7 +351,6 @@ def _each(p):
 _answers('storage.missing', 'A storage that is not there is DENIED', 'common.xml MAV_RESULT_DENIED',
          'DENIED', 'REQUEST_MESSAGE', _information, 99)
 
-# %% ../../nbs/api/check/03_pictures.ipynb #8a9b0a5b
 _brings('storage.old', 'The older REQUEST_STORAGE_INFORMATION brings it, too',
         'devguide camera.md, Migration Notes; MAVSDK', 'STORAGE_INFORMATION', 'REQUEST_STORAGE_INFORMATION', 0, 1)
 
@@ -453,7 +445,6 @@ def _format_count(p):
 def _format_missing(p):
     return p.command('STORAGE_FORMAT', 99, 1).must_fail()
 
-# %% ../../nbs/api/check/03_pictures.ipynb #60fdd853
 _answers('settings.reset', 'A reset is ACCEPTED or FAILED',
          'common.xml MAV_CMD_RESET_CAMERA_SETTINGS; QGroundControl is stuck on DENIED and UNSUPPORTED',
          'ACCEPTED FAILED', 'RESET_CAMERA_SETTINGS', 1, destroys=True)
