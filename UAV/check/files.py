@@ -194,8 +194,6 @@ def _two(p):
 # %% ../../nbs/api/check/06_files.ipynb #3254abe2
 _holds('files.missing', 'A file that is not there is refused', _guide+', FileNotFound',
        _must_refuse, FtpOp.OPEN_FILE_RO, '/no/such/file.xml')
-
-# %% ../../nbs/api/check/06_files.ipynb #5a65e7fe
 _holds('files.unknown', 'An unknown operation is refused', _guide+', UnknownCommand', _must_refuse, 99)
 
 # %% ../../nbs/api/check/06_files.ipynb #c51c41d8
@@ -255,8 +253,6 @@ def _starts(p, command, mode, *params):
 # %% ../../nbs/api/check/06_files.ipynb #9ee355c3
 _holds('tracking.point', 'It tracks a point, and says so', 'common.xml MAV_CMD_CAMERA_TRACK_POINT',
        _starts, 'CAMERA_TRACK_POINT', 1, .5, .5, .05, **_point)
-
-# %% ../../nbs/api/check/06_files.ipynb #10bf257e
 _holds('tracking.rectangle', 'It tracks a rectangle, and says so',
        'common.xml MAV_CMD_CAMERA_TRACK_RECTANGLE; QGroundControl',
        _starts, 'CAMERA_TRACK_RECTANGLE', 2, .4, .4, .6, .6, **_rectangle)

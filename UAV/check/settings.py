@@ -117,7 +117,6 @@ def _identity(p):
 # %% ../../nbs/api/check/05_settings.ipynb #82067e9d
 def _parameters(p)->dict: return given(_elements(p), 'it has no parameters')
 
-# %% ../../nbs/api/check/05_settings.ipynb #0b33cdca
 def _of_each(name:str, sentence:str, source:str):
     "Make a function that says what is wrong with the element of a parameter the requirement that nothing is"
     return lambda wrong: requirement(name, sentence, source)(lambda p: _all_must(p, wrong))
@@ -134,11 +133,9 @@ def _all_must(p, wrong)->str:
           _guide+'; QGroundControl cuts the 16th off')
 def _names(e): return '' if 0<(n := len((e.get('name') or '').encode()))<=15 else f'{n} characters'
 
-# %% ../../nbs/api/check/05_settings.ipynb #d57786d7
 @_of_each('definition.types', 'Each has a type that exists', _guide)
 def _types(e): return '' if e.get('type') in _value_kinds else f'type {e.get("type")}'
 
-# %% ../../nbs/api/check/05_settings.ipynb #eccd3af2
 @_of_each('definition.descriptions', 'Each has a description',
           _guide+'; MAVSDK and QGroundControl reject a file without')
 def _descriptions(e): return '' if (e.findtext('description') or '').strip() else 'none'
@@ -149,7 +146,6 @@ def _is_value(e, text)->bool:
     try: return _text_value(e.get('type'), text) is not None
     except (AttributeError, TypeError, ValueError): return False
 
-# %% ../../nbs/api/check/05_settings.ipynb #0a934825
 @_of_each('definition.defaults', 'Each has a default of its type, unless it is of type custom',
           _guide+'; MAVSDK rejects a file without')
 def _defaults(e):
@@ -250,7 +246,6 @@ def _set_param(p:Prober, name:str, kind:int, raw:bytes)->_ParamExt|None:
     msg = p.wait('PARAM_EXT_ACK', since, fits, 2*p.patience)
     return msg and _ParamExt(msg)
 
-# %% ../../nbs/api/check/05_settings.ipynb #3e2b0c55
 def _said(ack)->str: return enum_name('PARAM_ACK', ack.result, 'PARAM_ACK_') if ack else 'no ack'
 
 # %% ../../nbs/api/check/05_settings.ipynb #c8f08829

@@ -22,7 +22,6 @@ _records = dict(needs='CAPTURE_VIDEO', recordings=1)
 # %% ../../nbs/api/check/04_video.ipynb #10e069e9
 def _recording(status): return status.video_status==1
 
-# %% ../../nbs/api/check/04_video.ipynb #35c0a26d
 @contextmanager
 def _filmed(p:Prober, rate:float=0.):
     "For `with`: the camera records; gives the `Acks`. Raises `Untested`"
@@ -138,7 +137,6 @@ _information,_status,_range = 'VIDEO_STREAM_INFORMATION','VIDEO_STREAM_STATUS','
 # %% ../../nbs/api/check/04_video.ipynb #8909c273
 def _streams(p)->list: return p.all_of(_information, 'count')
 
-# %% ../../nbs/api/check/04_video.ipynb #aa33ec05
 _brings('streams.told', 'It tells of its streams: VIDEO_STREAM_INFORMATION', 'devguide camera.md; '+_about,
         _information, 'REQUEST_MESSAGE', message_ids[_information], 0, **_video)
 
@@ -250,7 +248,6 @@ def _same(p): return p.command('SET_CAMERA_MODE', 0, _settings(p).mode_id).must_
 _answers('mode.unknown', 'A mode that does not exist is DENIED', 'common.xml MAV_RESULT_DENIED', 'DENIED',
          'SET_CAMERA_MODE', 0, 77, needs='HAS_MODES')
 
-# %% ../../nbs/api/check/04_video.ipynb #1b68dbaa
 _answers('mode.absent', 'A camera without modes says so', 'common.xml CAMERA_CAP_FLAGS', _refused,
          'SET_CAMERA_MODE', 0, 1, lacks='HAS_MODES')
 
@@ -309,7 +306,6 @@ _lens_requirements('focus', 'focuses', 'ArduPilot', 50)
 # %% ../../nbs/api/check/04_video.ipynb #a9472dea
 _about_sources = 'common.xml MAV_CMD_SET_CAMERA_SOURCE'
 
-# %% ../../nbs/api/check/04_video.ipynb #7b5e0fd8
 def _shown(p, source:int)->Acks:
     "Choose a source; raises `NotForThis` when the command is unsupported"
     answer = p.command('SET_CAMERA_SOURCE', 0, source, 0)
