@@ -102,31 +102,49 @@ class Camera(Closes, metaclass=CompleteLater):
         self._make_parts()
         _cameras.add(self)
 
-    def _make_parts(self):
-        "Set up the parts"
-        self._fault,self.captures = None,CaptureQueue(self)
-        self.frames,self.filming,self.tracking = Frames(self),Filming(self),Tracker(self)
-        self.trigger,self.streams = self.captures.trigger,self.filming.streams      # the first stream has number 1
-        self._lock,self._closing = threading.Lock(),threading.Event()
-
-    def read(self)->Frame:
-        "Return the newest frame; written by subclasses"
-        raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
-
-    fault = property(lambda self: self._fault, doc="The device's fault; `None` when it works")
-    pictures = property(lambda self: tuple(self.storages.pictures), doc="All shots of the count, by index")
-    recording = property(lambda self: self.filming.recorder is not None, doc="Is a video being recorded?")
-    recording_time = property(lambda self: self.filming.seconds, doc="Length of that video, s")
-
     def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
 
-# %% ../../nbs/api/cameras/09_camera.ipynb #8bad12d3
-def _set_checked(self:Camera, name:str, value):
-    "Set an attribute after checking its value"
-    if check := _checks.get(name): check(name, value)
-    object.__setattr__(self, name, value)
+# %% ../../nbs/api/cameras/09_camera.ipynb #e5968451
+@patch
+def _make_parts(self:Camera):
+    "Set up the parts"
+    self._fault,self.captures = None,CaptureQueue(self)
+    self.frames,self.filming,self.tracking = Frames(self),Filming(self),Tracker(self)
+    self.trigger,self.streams = self.captures.trigger,self.filming.streams      # the first stream has number 1
+    self._lock,self._closing = threading.Lock(),threading.Event()
 
-Camera.__setattr__ = _set_checked
+# %% ../../nbs/api/cameras/09_camera.ipynb #43ea7393
+@patch
+def _complete(self:Camera):
+    "Apply stored settings after all constructors; raises `ValueError` for an invalid declaration"
+    if not self.declared: return
+    try: self.parameters.restore()
+    except BaseException:
+        self.close()
+        raise
+    if 'CAM_MODE' in self.parameters: self.subscribe(self._follow_mode)
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #347a1d98
+@patch(as_prop=True)
+def fault(self:Camera)->str|None:
+    "The device's fault; `None` when it works"
+    return self._fault
+
+@patch(as_prop=True)
+def pictures(self:Camera)->tuple:
+    "All shots of the count, by index"
+    return tuple(self.storages.pictures)
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #075e38a8
+@patch(as_prop=True)
+def recording(self:Camera)->bool:
+    "True while a video is being recorded"
+    return self.filming.recorder is not None
+
+@patch(as_prop=True)
+def recording_time(self:Camera)->float:
+    "Length of that video, s"
+    return self.filming.seconds
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #01b8f48a
 @patch
@@ -140,16 +158,19 @@ def close(self:Camera):
     self.storages.close()
     _cameras.discard(self)
 
-# %% ../../nbs/api/cameras/09_camera.ipynb #43ea7393
+# %% ../../nbs/api/cameras/09_camera.ipynb #10d80dee
 @patch
-def _complete(self:Camera):
-    "Apply stored settings after all constructors; raises `ValueError` for an invalid declaration"
-    if not self.declared: return
-    try: self.parameters.restore()
-    except BaseException:
-        self.close()
-        raise
-    if 'CAM_MODE' in self.parameters: self.subscribe(self._follow_mode)
+def read(self:Camera)->Frame:
+    "Return the newest frame; written by subclasses"
+    raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #8bad12d3
+def _set_checked(self:Camera, name:str, value):
+    "Set an attribute after checking its value"
+    if check := _checks.get(name): check(name, value)
+    object.__setattr__(self, name, value)
+
+Camera.__setattr__ = _set_checked
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #ae963dfb
 @patch

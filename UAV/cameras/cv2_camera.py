@@ -33,26 +33,32 @@ class _NewestFrame:
             self.number,self.arrived,self.taken = self.number+1,time.monotonic(),False
             self.fresh.notify_all()
 
-    def end(self, problem:str):
-        "No frame will come any more"
-        with self.fresh:
-            self.problem = problem
-            self.fresh.notify_all()
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #9bec75bc
+@patch
+def next(self:_NewestFrame, after:int, timeout:float, untaken:bool=False, fails=lambda: None)->Frame|None:
+    "Wait for a frame later than `after`; `None` on timeout or a reason of `fails()`; raises `CameraError` after `end`"
+    def is_there(): return self.frame is not None and self.frame.number>after and not (untaken and self.taken)
+    with self.fresh:
+        self.fresh.wait_for(lambda: is_there() or self.problem or fails(), timeout)
+        if self.problem: raise CameraError(self.problem)
+        if not is_there(): return None
+        self.taken = True
+        self.fresh.notify_all()
+        return self.frame
 
-    def next(self, after:int, timeout:float, untaken:bool=False, fails=lambda: None)->Frame|None:
-        "Wait for a frame later than `after`; `None` on timeout, or when `fails()` has a reason. Raises `CameraError` after `end`"
-        def is_there(): return self.frame is not None and self.frame.number>after and not (untaken and self.taken)
-        with self.fresh:
-            self.fresh.wait_for(lambda: is_there() or self.problem or fails(), timeout)
-            if self.problem: raise CameraError(self.problem)
-            if not is_there(): return None
-            self.taken = True
-            self.fresh.notify_all()
-            return self.frame
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #67f02e75
+@patch
+def end(self:_NewestFrame, problem:str):
+    "No frame will come any more"
+    with self.fresh:
+        self.problem = problem
+        self.fresh.notify_all()
 
-    def wait_taken(self):
-        "Wait until the newest frame was read, or there is a problem"
-        with self.fresh: self.fresh.wait_for(lambda: self.taken or self.problem)
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6df137ec
+@patch
+def wait_taken(self:_NewestFrame):
+    "Wait until the newest frame was read, or there is a problem"
+    with self.fresh: self.fresh.wait_for(lambda: self.taken or self.problem)
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6a0f5061
 def _takes(capture, number:int, value:float)->bool:

@@ -45,22 +45,18 @@ class _Body:
         self.jobs,self.tried = queue.SimpleQueue(),threading.Event()
         self.thread = _begin_thread(self._run, 'gphoto2')
 
-    def do(self, f, timeout:float):
-        "Return what `f(camera)` gives on our thread; raises `CameraError`, also after `timeout` s"
-        if self.closed: raise CameraError('the camera body is closed')
-        if self.camera is None: raise CameraError(self.fault)
-        done = Future()
-        self.jobs.put((f, done))
-        try: return done.result(timeout)
-        except TimeoutError:
-            done.cancel()           # it is not begun, if it waits
-            raise CameraError(f'the camera body has not answered for {timeout:g} s') from None
-
-    def close(self):
-        "Let go of the body; may be called twice"
-        self.closed = True
-        self.jobs.put(None)
-        if not _has_ended(self.thread, 2.): get_logger('gphoto2').error('the camera body hangs; closed without it')
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #200118d0
+@patch
+def do(self:_Body, f, timeout:float):
+    "Return what `f(camera)` gives on our thread; raises `CameraError`, also after `timeout` s"
+    if self.closed: raise CameraError('the camera body is closed')
+    if self.camera is None: raise CameraError(self.fault)
+    done = Future()
+    self.jobs.put((f, done))
+    try: return done.result(timeout)
+    except TimeoutError:
+        done.cancel()           # it is not begun, if it waits
+        raise CameraError(f'the camera body has not answered for {timeout:g} s') from None
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #a950666d
 @patch
@@ -112,6 +108,14 @@ def _run(self:_Body):
     if self.camera:
         with suppress(self.gp.GPhoto2Error): self.camera.exit()
 
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #89a56822
+@patch
+def close(self:_Body):
+    "Let go of the body; may be called twice"
+    self.closed = True
+    self.jobs.put(None)
+    if not _has_ended(self.thread, 2.): get_logger('gphoto2').error('the camera body hangs; closed without it')
+
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #06e55426
 _left_out = 'actions','status','other'          # sections of the tree
 
@@ -136,6 +140,7 @@ def _declared(gp, widget, name:str)->Parameter|None:
         return None if check_parameters([p]) else p
     except ValueError: return None          # such as a list in which the present value is not
 
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #8e4c9945
 def _find_settings(gp, camera)->dict:
     "Return all parameters by name, each with its widget's name"
     found,tree = {},camera.get_config()         # the widgets live as long as their tree
@@ -159,6 +164,7 @@ def _jpeg_at(data:bytes, at:int)->bytes:
             end = found.start()
     return b''
 
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #9edd5bcf
 def _jpeg_in(raw:bytes)->bytes:
     "Return the largest JPEG in a RAW picture; empty when there is none"
     return max((_jpeg_at(raw, m.start()) for m in re.finditer(rb'\xff\xd8\xff', raw)), key=len, default=b'')
@@ -193,14 +199,17 @@ class GPhotoCamera(Camera):
         "Open the body of a URL"
         return cls(url.path.strip('/') or None, **storage)
 
-    def close(self):
-        "Stop, and let go of the body; may be called twice"
-        super().close()
-        self._body.close()
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #b5ab1ae4
+@patch
+def close(self:GPhotoCamera):
+    "Stop, and let go of the body; may be called twice"
+    super(GPhotoCamera, self).close()
+    self._body.close()
 
-    def _after_fork(self):
-        super()._after_fork()
-        self._body.closed = True
+@patch
+def _after_fork(self:GPhotoCamera):
+    super(GPhotoCamera, self)._after_fork()
+    self._body.closed = True
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #d8a8f065
 @patch
@@ -211,6 +220,7 @@ def _value_of(self:GPhotoCamera, camera, widget:str)->str:
         if _is_gone(e.code): raise
         return ''
 
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #d6eacf31
 @patch
 def _expose(self:GPhotoCamera, camera)->list:
     "Take a picture; return (folder, name) of its files in the body"
@@ -245,6 +255,7 @@ def _decoded(jpeg:bytes):
     if image is None: raise CameraError('the camera body gave a JPEG that cannot be read')
     return image
 
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #a50f6265
 @patch
 def read_still(self:GPhotoCamera)->Still:
     "Take a picture with the body; raises `CameraError`, also for a RAW picture with no JPEG in it"
@@ -284,6 +295,7 @@ def _put(self:GPhotoCamera, camera, name:str, value)->dict:
     camera.set_single_config(widget_name, widget)
     return {name: p.check(camera.get_single_config(widget_name).get_value())}
 
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #f80d6eee
 @patch
 def apply_parameter(self:GPhotoCamera, name:str, value)->dict|None:
     "Set it in the body, and read it back; raises `CameraError` when the body refuses"

@@ -64,19 +64,20 @@ class _Appearance(_Learned):
         found = (self.above*_spectra(square)).sum(0)/(self.below+side*side/1000)
         return np.fft.fftshift(np.fft.irfft2(found, s=(side,side)))
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #20fbd23b
-def _top_of(response)->tuple:
-    "Height of the hill, and how far its top is from the middle: `(x, y)` in parts of the square"
-    i,j = np.unravel_index(response.argmax(), response.shape)
-    x,y = j+_between(response[i,j-1:j+2]),i+_between(response[i-1:i+2,j])
-    return float(response[i,j]), np.array([x,y])/side-.5
-
+# %% ../../nbs/api/cameras/06_tracker.ipynb #306f9961
 def _between(three)->float:
     "Where a parabola through three points has its top, from the one in the middle"
     if len(three)<3: return 0.          # at the edge
     before,here,after = map(float, three)
     bend = before-2*here+after
     return (before-after)/2/bend if bend<0 else 0.
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #20fbd23b
+def _top_of(response)->tuple:
+    "Height of the hill, and how far its top is from the middle: `(x, y)` in parts of the square"
+    i,j = np.unravel_index(response.argmax(), response.shape)
+    x,y = j+_between(response[i,j-1:j+2]),i+_between(response[i-1:i+2,j])
+    return float(response[i,j]), np.array([x,y])/side-.5
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #03206966
 bins = 16       # steps of each of blue, green and red
@@ -102,9 +103,11 @@ class _Colours(_Learned):
         inner,outer = self.inner[numbers],self.outer[numbers]
         return ((inner+1e-4)/(inner+outer+2e-4)).astype(np.float32)
 
-    def contrast(self, likelihood)->float:
-        "How much more the core of a square is the target's than its ring is: 1 clearly, 0 not at all"
-        return float(likelihood[_grid().core].mean()-likelihood[_grid().ring].mean())
+# %% ../../nbs/api/cameras/06_tracker.ipynb #0e438149
+@patch
+def contrast(self:_Colours, likelihood)->float:
+    "How much more the core of a square is the target's than its ring is: 1 clearly, 0 not at all"
+    return float(likelihood[_grid().core].mean()-likelihood[_grid().ring].mean())
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #d3c9f849
 class _Portrait(_Learned):
@@ -141,15 +144,20 @@ class Follower:
         size,middle = self.size.round(),self.middle.round()
         return f'{type(self).__name__}: {size} px at {middle}, {"lost, " if self.lost else ""}{self.confidence:.2f}'
 
-    @property
-    def box(self)->tuple:
-        "left, top, right, bottom, px"
-        return *(self.middle-self.size/2).tolist(), *(self.middle+self.size/2).tolist()
+# %% ../../nbs/api/cameras/06_tracker.ipynb #30649ca5
+@patch
+def _square(self:Follower, image, scale=1.): return _cut_out(image, self.middle, self.size*scale)
 
-    def _square(self, image, scale=1.): return _cut_out(image, self.middle, self.size*scale)
-    def keep(self, image):
-        "Remember what it looks like, for when it is lost"
-        self.face = cv2.getRectSubPix(image, tuple(map(round, self.size.tolist())), tuple(self.middle.tolist()))
+@patch
+def keep(self:Follower, image):
+    "Remember what it looks like, for when it is lost"
+    self.face = cv2.getRectSubPix(image, tuple(map(round, self.size.tolist())), tuple(self.middle.tolist()))
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #30f5772a
+@patch(as_prop=True)
+def box(self:Follower)->tuple:
+    "left, top, right, bottom, px"
+    return *(self.middle-self.size/2).tolist(), *(self.middle+self.size/2).tolist()
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #ca01fd87
 @patch
@@ -311,11 +319,13 @@ class Pursuit:
         self.number = -1                            # of the last frame
         self.seen = self.heard = None               # when the target was seen, and when a frame came: s on a clock
 
-    def _box(self, width:int, height:int)->tuple:
-        "Where it is in the first frame: left, top, right, bottom, px"
-        if self.mode=='rectangle': return tuple(n*size for n,size in zip(self.asked, (width,height)*2))
-        x,y,half = self.asked[0]*width,self.asked[1]*height,self.asked[2]*width
-        return x-half,y-half,x+half,y+half
+# %% ../../nbs/api/cameras/06_tracker.ipynb #c3fbe963
+@patch
+def _box(self:Pursuit, width:int, height:int)->tuple:
+    "Where it is in the first frame: left, top, right, bottom, px"
+    if self.mode=='rectangle': return tuple(n*size for n,size in zip(self.asked, (width,height)*2))
+    x,y,half = self.asked[0]*width,self.asked[1]*height,self.asked[2]*width
+    return x-half,y-half,x+half,y+half
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #383c200d
 @patch

@@ -82,19 +82,23 @@ class URLCamera(_LiveCamera):
             self.close()
             raise
 
-    def _make_source(self):
-        model,self._newest = self.information.model,_AskedFrame()
-        self._encoder,self._frames = _CodedSource('h264', model),_FrameSink(self._newest, model)
-        self._thread,self._receiver,self._sets,self._problem = None,None,None,None
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #e1e2d6ae
+@patch
+def _make_source(self:URLCamera):
+    model,self._newest = self.information.model,_AskedFrame()
+    self._encoder,self._frames = _CodedSource('h264', model),_FrameSink(self._newest, model)
+    self._thread,self._receiver,self._sets,self._problem = None,None,None,None
 
-    def close(self):
-        "Stop, and hang up; may be called twice"
-        super().close()
-        self._newest.end(f'{self!r} is closed')
-        if receiver := self._receiver: receiver.stop()
-        self._encoder.close()
-        ended = _has_ended(self._thread, self.open_timeout)
-        if not (self._frames.close() and ended): self.log.error('%r does not hang up', self)
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #411369ab
+@patch
+def close(self:URLCamera):
+    "Stop, and hang up; may be called twice"
+    super(URLCamera, self).close()
+    self._newest.end(f'{self!r} is closed')
+    if receiver := self._receiver: receiver.stop()
+    self._encoder.close()
+    ended = _has_ended(self._thread, self.open_timeout)
+    if not (self._frames.close() and ended): self.log.error('%r does not hang up', self)
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #c2bad6ef
 @patch
@@ -103,17 +107,17 @@ def _after_fork(self:URLCamera):
     self._make_source()
     self._newest.end(f'{self!r} is closed')
 
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #b9430cb4
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #948c9ad5
 @patch
-def _receive(self:URLCamera):
-    "Pass on all that comes in one connection; raises `OSError`"
-    with receivers[_scheme(self.url)](self.url, self.open_timeout) as self._receiver:
-        if self._closing.is_set(): return
-        with closing(self._receiver.units()) as units:
-            for unit in units:
-                self._receiver.timeout = self.read_timeout
-                self._on_unit(unit)
+def _look_at(self:URLCamera, unit):
+    "Measure a key frame with new parameter sets"
+    sets = parameter_sets(unit.data, unit.format.codec)
+    if sets==self._sets or not (measured := _measure(unit)): return
+    width,height,rate = measured
+    self._sets,self.frame_rate = sets,rate or self.frame_rate
+    self.information = replace(self.information, resolution_h=width, resolution_v=height)
 
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #72f9642e
 @patch
 def _on_unit(self:URLCamera, unit):
     "Pass on an access unit; decode it, too, while a program looks at frames"
@@ -127,14 +131,16 @@ def _on_unit(self:URLCamera, unit):
             newest.open = False
             self._encoder.remove(self._frames, wait=False)
 
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #b9430cb4
 @patch
-def _look_at(self:URLCamera, unit):
-    "Measure a key frame with new parameter sets"
-    sets = parameter_sets(unit.data, unit.format.codec)
-    if sets==self._sets or not (measured := _measure(unit)): return
-    width,height,rate = measured
-    self._sets,self.frame_rate = sets,rate or self.frame_rate
-    self.information = replace(self.information, resolution_h=width, resolution_v=height)
+def _receive(self:URLCamera):
+    "Pass on all that comes in one connection; raises `OSError`"
+    with receivers[_scheme(self.url)](self.url, self.open_timeout) as self._receiver:
+        if self._closing.is_set(): return
+        with closing(self._receiver.units()) as units:
+            for unit in units:
+                self._receiver.timeout = self.read_timeout
+                self._on_unit(unit)
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #74e05aa3
 @patch
@@ -145,6 +151,7 @@ def _tell(self:URLCamera, problem:str|None):
     with self._newest.fresh: self._newest.fresh.notify_all()
     self.set_fault(self._problem)
 
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #683768c9
 @patch
 def _run(self:URLCamera):
     "Receive, and connect again, until `close`"
@@ -172,6 +179,7 @@ def _ask(self:URLCamera)->int:
         self._encoder.add(self._frames)
         return newest.number-1
 
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #043d80e9
 @patch
 def next_frame(self:URLCamera,
     after:int=-1, # The number of the last frame seen

@@ -41,6 +41,7 @@ def _no_device(text:str, why)->ValueError:
         why = 'write SCHEME://USER:PASSWORD@HOST:PORT, and %2F, %3F, %23 for a /, ? or # of the password'
     return ValueError(f'{shown!r} is no device: {why}')
 
+# %% ../../nbs/api/utils/07_devices.ipynb #a22ada3c
 def device_url(text:str, # Such as 'siyi://192.168.144.25' or 'siyi:///dev/ttyUSB0'
               )->DeviceURL:
     "Split a URL into its parts; raises `ValueError`"
@@ -65,6 +66,7 @@ def register_device(scheme:str, # As in 'siyi'
     if not good: raise ValueError(f'{scheme!r} is no scheme: write small letters and digits')
     _openers[scheme] = opener
 
+# %% ../../nbs/api/utils/07_devices.ipynb #81ab793f
 def device_schemes()->list:
     "Return all schemes that have a driver, sorted"
     return sorted({*_openers, *(e.name for e in entry_points(group='uav.devices'))})
