@@ -62,6 +62,7 @@ def _text(element, path:str)->str:
     found = None if element is None else element.find('.//'+'/'.join(f'{{*}}{name}' for name in path.split('/')))
     return '' if found is None else (found.text or '').strip()
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #e3985745
 def _answer(data:bytes)->ElementTree.Element:
     "Return the answer in an envelope; raises `GimbalError` for a Fault, or anything else"
     try: body = ElementTree.fromstring(data).find('{*}Body')
@@ -85,6 +86,7 @@ class _Space:
     @property
     def in_degrees(self)->bool: return self.uri.endswith(_degrees)
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #907a2776
 def _ends(element, name:str)->tuple:
     "Return the least and the greatest value of a range"
     try: low,high = (float(_text(element, f'{name}/{end}')) for end in ('Min','Max'))
@@ -97,6 +99,7 @@ def _spaces(answer, kind:str)->list:
     spaces = [_Space(_text(s, 'URI'), _ends(s, 'XRange'), _ends(s, 'YRange')) for s in found]
     return sorted(spaces, key=lambda s: not s.in_degrees)
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #6e3cc141
 def _between(value:float, ends:tuple, others:tuple)->float:
     "Map `value` linearly, from between `ends` to between `others`"
     (low,high),(first,last) = ends,others
@@ -122,14 +125,21 @@ class _OnvifLine:
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #0ddec017
 @patch
-def load(self:_OnvifLine, url:str, data:bytes|None=None, # What to POST; `None`: GET
-        )->bytes:
-    "Return the answer, a SOAP Fault's as well; raises `GimbalError`"
+def _opener(self:_OnvifLine, url:str)->web.OpenerDirector:
+    "Return what opens a URL with our password, by HTTP only"
     passwords,opener = web.HTTPPasswordMgrWithDefaultRealm(),web.OpenerDirector()
     passwords.add_password(None, url, self.user, self.password)
     ways = [web.HTTPHandler(), web.HTTPErrorProcessor(), web.HTTPDefaultErrorHandler()]
     for way in ways+[kind(passwords) for kind in (web.HTTPDigestAuthHandler, web.HTTPBasicAuthHandler) if self.user]:
         opener.add_handler(way)
+    return opener
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #7f0fd132
+@patch
+def load(self:_OnvifLine, url:str, data:bytes|None=None, # What to POST; `None`: GET
+        )->bytes:
+    "Return the answer, a SOAP Fault's as well; raises `GimbalError`"
+    opener = self._opener(url)
     head = {'Content-Type':'application/soap+xml; charset=utf-8'} if data else {}
     try:
         try: answer = opener.open(web.Request(url, data, head), timeout=self.timeout)
@@ -165,6 +175,7 @@ def ask(self:_OnvifLine, request:str, # Such as '<tds:GetServices/>'
         raise _Unauthorized(text) from None
     except GimbalError as e: raise GimbalError(str(e) if repr(self) in str(e) else f'{self!r}: {e}') from None
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #d28f7357
 @patch
 def _find_skew(self:_OnvifLine)->float:
     "Return how many s its clock is ahead of ours; 0 when it refuses"
@@ -186,33 +197,14 @@ def here(self:_OnvifLine, url:str)->str:
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #3194f626
 @patch
-def connect(self:_OnvifLine):
-    "Read what it is, where its services are, and how it can be moved; raises `GimbalError`"
+def _read_names(self:_OnvifLine):
+    "Read maker, model and firmware"
     about = self.ask('<tds:GetDeviceInformation/>')
     names = _text(about, 'Manufacturer') or 'ONVIF',_text(about, 'Model') or 'camera'
     self.maker,self.model = (name.encode()[:31].decode(errors='ignore') for name in names)
     self.firmware = tuple(([min(int(n), 255) for n in re.findall(r'\d+', _text(about, 'FirmwareVersion'))]+[0]*4)[:4])
-    for prefix,url in self._find_services().items():
-        if url: self.services[prefix] = self.here(url)
-    profiles = self.ask('<trt:GetProfiles/>').findall('{*}Profiles') if 'trt' in self.services else []
-    if not profiles: raise GimbalError(f'{self!r} has no media profile')
-    def turns(profile): return profile.find('{*}PTZConfiguration') is not None
-    profile = next(filter(turns, profiles), profiles[0])
-    self.profile,self.moves = profile.get('token', ''),turns(profile) and 'tptz' in self.services
-    self._find_spaces(profile.find('{*}PTZConfiguration'))
-    self.turns = bool(self.spaces['position'] or self.spaces['velocity'])
-    token = f'<trt:ProfileToken>{escape(self.profile)}</trt:ProfileToken>'
-    self.still = self._find_uri(f'<trt:GetSnapshotUri>{token}</trt:GetSnapshotUri>')
-    self.stream = self._find_uri('<trt:GetStreamUri><trt:StreamSetup><tt:Stream>RTP-Unicast</tt:Stream><tt:Transport>'
-        f'<tt:Protocol>RTSP</tt:Protocol></tt:Transport></trt:StreamSetup>{token}</trt:GetStreamUri>')
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #31380fb3
-@patch
-def _find_uri(self:_OnvifLine, request:str)->str:
-    "Return the address of a picture or a video; empty: it has none"
-    try: return self.here(_text(self.ask(request), 'MediaUri/Uri'))
-    except _Refused: return ''
-
 @patch
 def _find_services(self:_OnvifLine)->dict:
     "Return the addresses of its services; newer cameras may only have the second request"
@@ -223,6 +215,18 @@ def _find_services(self:_OnvifLine)->dict:
         return {prefix: found.get(_schemas[prefix]) for prefix in ('trt','tptz')}
     return dict(trt=_text(told, 'Media/XAddr'), tptz=_text(told, 'PTZ/XAddr'))
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #2c4b026a
+@patch
+def _choose_profile(self:_OnvifLine):
+    "Choose a media profile, and return its configuration for turning, or `None`; raises `GimbalError`"
+    profiles = self.ask('<trt:GetProfiles/>').findall('{*}Profiles') if 'trt' in self.services else []
+    if not profiles: raise GimbalError(f'{self!r} has no media profile')
+    def turns(profile): return profile.find('{*}PTZConfiguration') is not None
+    profile = next(filter(turns, profiles), profiles[0])
+    self.profile,self.moves = profile.get('token', ''),turns(profile) and 'tptz' in self.services
+    return profile.find('{*}PTZConfiguration')
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #9d7ef505
 @patch
 def _find_spaces(self:_OnvifLine, configuration):
     "Ask for its spaces by kind; empty when it doesn't move"
@@ -235,11 +239,28 @@ def _find_spaces(self:_OnvifLine, configuration):
     except _Refused: told = self.ask('<tptz:GetNodes/>')
     self.spaces = {kind: _spaces(told, f'{name}Space') for kind,name in kinds.items()}
 
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #35229a81
-def _number(element, name:str)->float:
-    try: return float(element.get(name))
-    except (AttributeError, TypeError, ValueError): return NAN
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #139c2725
+@patch
+def _find_uri(self:_OnvifLine, request:str)->str:
+    "Return the address of a picture or a video; empty: it has none"
+    try: return self.here(_text(self.ask(request), 'MediaUri/Uri'))
+    except _Refused: return ''
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #51425274
+@patch
+def connect(self:_OnvifLine):
+    "Read what it is, where its services are, and how it can be moved; raises `GimbalError`"
+    self._read_names()
+    for prefix,url in self._find_services().items():
+        if url: self.services[prefix] = self.here(url)
+    self._find_spaces(self._choose_profile())
+    self.turns = bool(self.spaces['position'] or self.spaces['velocity'])
+    token = f'<trt:ProfileToken>{escape(self.profile)}</trt:ProfileToken>'
+    self.still = self._find_uri(f'<trt:GetSnapshotUri>{token}</trt:GetSnapshotUri>')
+    self.stream = self._find_uri('<trt:GetStreamUri><trt:StreamSetup><tt:Stream>RTP-Unicast</tt:Stream><tt:Transport>'
+        f'<tt:Protocol>RTSP</tt:Protocol></tt:Transport></trt:StreamSetup>{token}</trt:GetStreamUri>')
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #35229a81
 @patch
 def ptz(self:_OnvifLine, operation:str, # Such as 'Stop'
         *inner:str)->str:
@@ -247,6 +268,7 @@ def ptz(self:_OnvifLine, operation:str, # Such as 'Stop'
     profile = f'<tptz:ProfileToken>{escape(self.profile)}</tptz:ProfileToken>'
     return f'<tptz:{operation}>{profile}{"".join(inner)}</tptz:{operation}>'
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #c38dc224
 @patch
 def post(self:_OnvifLine, kind:str, request:str):
     "Have the thread send a request, in place of one of this kind that waits"
@@ -256,6 +278,7 @@ def post(self:_OnvifLine, kind:str, request:str):
         self._due = min(self._due, self.clock()+self.fast)
         self._wake.notify_all()
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #8a183dc9
 @patch
 def _try(self:_OnvifLine, request:str):
     "Return the answer, or `None`; notes whether there is one at all"
@@ -271,6 +294,10 @@ def _try(self:_OnvifLine, request:str):
     return answer
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #99e51330
+def _number(element, name:str)->float:
+    try: return float(element.get(name))
+    except (AttributeError, TypeError, ValueError): return NAN
+
 @patch
 def step(self:_OnvifLine):
     "Send what was ordered, and poll when it's due"
@@ -297,6 +324,7 @@ def _run(self:_OnvifLine):
             self._wake.wait_for(told, max(self._due-self.clock(), 0.))
     for request in self._orders.values(): self._try(request)
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #5509bb38
 @patch
 def start(self:_OnvifLine):
     "Start the thread"
@@ -317,25 +345,30 @@ class _Zoom:
     focal_length = NAN
     def __init__(self, line, space): self.line,self.space,self.goal = line,space,None       # `goal`: % that was ordered
 
-    @property
-    def percent(self)->float:
-        "Return 0..100 % of the range"
-        return _between(self.line.status[2], self.space.x, (0.,100.)) if self.goal is None else self.goal
+@patch(as_prop=True)
+def percent(self:_Zoom)->float:
+    "Return 0..100 % of the range"
+    return _between(self.line.status[2], self.space.x, (0.,100.)) if self.goal is None else self.goal
 
-    def go(self, percent:float):
-        "Zoom to there"
-        self.goal = min(max(percent, 0.), 100.)
-        zoom = f'<tt:Zoom x="{_between(self.goal, (0.,100.), self.space.x):.4f}"/>'
-        self.line.post('zoom', self.line.ptz('AbsoluteMove', f'<tptz:Position>{zoom}</tptz:Position>'))
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #737de123
+@patch
+def go(self:_Zoom, percent:float):
+    "Zoom to there"
+    self.goal = min(max(percent, 0.), 100.)
+    zoom = f'<tt:Zoom x="{_between(self.goal, (0.,100.), self.space.x):.4f}"/>'
+    self.line.post('zoom', self.line.ptz('AbsoluteMove', f'<tptz:Position>{zoom}</tptz:Position>'))
 
-    def move(self, rate:float):
-        "Zoom on, at -1 to 1 of full speed"
-        self.goal = None
-        on = self.line.ptz('ContinuousMove', f'<tptz:Velocity><tt:Zoom x="{rate:.3f}"/></tptz:Velocity>')
-        off = self.line.ptz('Stop', '<tptz:PanTilt>false</tptz:PanTilt>', '<tptz:Zoom>true</tptz:Zoom>')
-        self.line.post('zoom', on if rate else off)
+@patch
+def reset(self:_Zoom): self.go(0.)
 
-    def reset(self): self.go(0.)
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #69fbc399
+@patch
+def move(self:_Zoom, rate:float):
+    "Zoom on, at -1 to 1 of full speed"
+    self.goal = None
+    on = self.line.ptz('ContinuousMove', f'<tptz:Velocity><tt:Zoom x="{rate:.3f}"/></tptz:Velocity>')
+    off = self.line.ptz('Stop', '<tptz:PanTilt>false</tptz:PanTilt>', '<tptz:Zoom>true</tptz:Zoom>')
+    self.line.post('zoom', on if rate else off)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #f8c5ea90
 class OnvifCamera(URLCamera):
@@ -355,17 +388,15 @@ class OnvifCamera(URLCamera):
             line.step()         # so it has a zoom
             line.start()
 
-    def close(self):
-        super().close()
-        if self.alone: self.line.close()
-
-    def read_still(self)->Frame:
-        "Return the camera's own JPEG, or a frame of its video when it has none"
-        taken,jpeg = time.time(),b''
-        try: jpeg = self.line.load(self.line.still) if self.line.still else b''
-        except GimbalError as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
-        image = cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR) if jpeg else None
-        return super().read_still() if image is None else Still(image, next(self._numbers), taken, jpeg=jpeg)
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #2de9ef23
+@patch
+def read_still(self:OnvifCamera)->Frame:
+    "Return the camera's own JPEG, or a frame of its video when it has none"
+    taken,jpeg = time.time(),b''
+    try: jpeg = self.line.load(self.line.still) if self.line.still else b''
+    except GimbalError as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
+    image = cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR) if jpeg else None
+    return URLCamera.read_still(self) if image is None else Still(image, next(self._numbers), taken, jpeg=jpeg)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #517993fb
 @patch
@@ -378,12 +409,11 @@ def set_camera_zoom(self:OnvifCamera, kind:str, # 'range', 'step' or 'continuous
     (self.lens.move if kind=='continuous' else self.lens.go)(value)
     self.announce(self.settings())
 
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #579b13f3
-def _pair(text:str)->tuple:
-    "Read two numbers; raises `ValueError`"
-    try: first,second = map(float, text.split(','))
-    except ValueError: raise ValueError(f'{text!r} must be two numbers, such as ?pan=-170,170') from None
-    return first,second
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #26b07a62
+@patch
+def close(self:OnvifCamera):
+    URLCamera.close(self)
+    if self.alone: self.line.close()
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #94d18996
 class Onvif(Gimbal):
@@ -403,13 +433,7 @@ class Onvif(Gimbal):
         if line is None: device.connect()
         self.line,self.camera,self.speeds = device,None,speeds
         if not device.turns: raise GimbalError(f'{device!r} cannot turn: Onvif.open makes a camera of it')
-        self._position = next(iter(device.spaces['position']), None)
-        self._velocity = next(iter(device.spaces['velocity']), None)
-        in_degrees = self._position and self._position.in_degrees
-        self.pan = pan or (self._position.x if in_degrees else (-180.,180.))
-        self.tilt = tilt or (self._position.y if in_degrees else (-90.,0.))
-        if self.pan[0]==self.pan[1] or self.tilt[0]==self.tilt[1] or not min(speeds)>0:
-            raise ValueError(f'pan and tilt need two different ends and speeds above 0, not {pan}, {tilt} and {speeds}')
+        self._choose_spaces(pan, tilt)
         self.information = GimbalInformation(device.maker, device.model, firmware_version=device.firmware,
             roll=None, pitch=tuple(sorted(self.tilt)), yaw=tuple(sorted(self.pan)))
         super().__init__(clock)
@@ -421,49 +445,30 @@ class Onvif(Gimbal):
         device.step()           # so it has a position
         device.start()
 
-    @classmethod
-    def open(cls, url:DeviceURL, # onvif://USER:PASSWORD@HOST[:PORT], with `pan`, `tilt` and `speeds` as options
-             **storage): # `folder`, `quota` and `storages` of its camera
-        "Open an `Onvif`, or an `OnvifCamera` that can't turn; raises `ValueError`, `GimbalError`, `CameraError`"
-        device,options = _connected(url)
-        return cls(line=device, **options, **storage) if device.turns else OnvifCamera(device, alone=True, **storage)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #02a615d4
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #d08ff17b
 @patch
-def close(self:Onvif):
-    "Stop turning, and let go of the camera; may be called twice"
-    first = not self.closed
-    Gimbal.close(self)
-    if first: self.line.post('move', self._stop())
-    if self.camera is not None: self.camera.close()
-    self.line.close()
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #d63b4479
-def _connected(url:DeviceURL)->tuple:
-    "Return the line of a URL and the options for `Onvif`; raises `ValueError` and `GimbalError`"
-    if not url.host: raise ValueError(f'{url!r} has no host: write onvif://USER:PASSWORD@HOST')
-    options = {one_of('option', name, ('pan','tilt','speeds')): _pair(text) for name,text in url.options}
-    device = _OnvifLine(url.host, url.port, url.user, url.password)
-    device.connect()
-    return device,options
+def _choose_spaces(self:Onvif, pan:tuple|None, tilt:tuple|None):
+    "Choose units and ranges; raises `ValueError`"
+    device,speeds = self.line,self.speeds
+    self._position = next(iter(device.spaces['position']), None)
+    self._velocity = next(iter(device.spaces['velocity']), None)
+    in_degrees = self._position and self._position.in_degrees
+    self.pan = pan or (self._position.x if in_degrees else (-180.,180.))
+    self.tilt = tilt or (self._position.y if in_degrees else (-90.,0.))
+    if self.pan[0]==self.pan[1] or self.tilt[0]==self.tilt[1] or not min(speeds)>0:
+        raise ValueError(f'pan and tilt need two different ends and speeds above 0, not {pan}, {tilt} and {speeds}')
 
 @patch
 def _forget(self:Onvif): self.setpoint = Setpoint(Axis(), Axis(), Axis())       # every axis stays where it is
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #0dabe146
-@patch
-def _hear(self:Onvif):
-    "Take over the newest position"
-    (x,y,zoom,uri),spaces = self.line.status,self.line.spaces['position'] or [_Space()]
-    space = next((s for s in spaces if s.uri==uri), spaces[-1])         # the generic one, if it doesn't say
-    now = dict(pitch=_between(y, space.y, self.tilt), yaw=_between(x, space.x, self.pan))
-    with self._lock:
-        (before,then),t = self._seen,self.clock()
-        past = max(t-then, .01)
-        rates = {axis: wrap(angle-before[axis][0])/past for axis,angle in now.items()}
-        self._seen = {axis: (now[axis], rate if known(rate) else 0.) for axis,rate in rates.items()},t
-        if not self.closed: self._steer(self.setpoint)
+@patch(as_prop=True)
+def fault(self:Onvif)->str|None:
+    "Return a sentence when the device doesn't answer; `None`: it works"
+    silent = self.line.clock()-self.line.heard
+    return self.line.error or (f'{self.line!r}: no answer for {silent:.0f} s' if silent>3 else None)
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #b8bf41dc
 @patch
 def _angle(self:Onvif, axis:str)->float:
     "Return the angle of an axis now, degrees"
@@ -472,6 +477,7 @@ def _angle(self:Onvif, axis:str)->float:
     on = rate*min(self.clock()-then, .3) if getattr(self.setpoint, axis).turning else 0.
     return self.information.limited(axis, angle+on)
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #16e33852
 @patch
 def attitude(self:Onvif)->GimbalAttitude:
     "Return where it points, by its last answer"
@@ -481,12 +487,6 @@ def attitude(self:Onvif)->GimbalAttitude:
         return GimbalAttitude(quaternion(0., pitch, yaw), (NAN,)*3, self.heading, turns, mode=self.setpoint.mode,
                               failures=('COMMS_ERROR',) if self.fault else (), time=self.clock())
 
-@patch(as_prop=True)
-def fault(self:Onvif)->str|None:
-    "Return a sentence when the device doesn't answer; `None`: it works"
-    silent = self.line.clock()-self.line.heard
-    return self.line.error or (f'{self.line!r}: no answer for {silent:.0f} s' if silent>3 else None)
-
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #fb9290e2
 @patch
 def _stop(self:Onvif)->str:
@@ -495,6 +495,7 @@ def _stop(self:Onvif)->str:
     self._seen = {axis: (angle, 0.) for axis,(angle,rate) in self._seen[0].items()},self._seen[1]
     return self.line.ptz('Stop', '<tptz:PanTilt>true</tptz:PanTilt><tptz:Zoom>false</tptz:Zoom>')
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #afde749d
 def _vector(x:float, y:float, uri:str)->str: return f'<tt:PanTilt x="{x:.5f}" y="{y:.5f}" space="{escape(uri)}"/>'
 
 @patch
@@ -515,6 +516,7 @@ def _rate(self:Onvif, axis:str, target:Axis)->float:
     most = abs(target.rate) or math.inf
     return math.copysign(min(abs(way)*self.gain, most if known(most) else math.inf), way)
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #b077ad1f
 @patch
 def _turn(self:Onvif, rates:tuple)->str:
     "Return the request that turns pan and tilt, degrees a second"
@@ -525,6 +527,7 @@ def _turn(self:Onvif, rates:tuple)->str:
     lasts = f'<tptz:Timeout>PT{2*self.repeat:g}S</tptz:Timeout>'
     return self.line.ptz('ContinuousMove', f'<tptz:Velocity>{_vector(*units, space.uri)}</tptz:Velocity>', lasts)
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #2f490814
 @patch
 def _moves_at_once(self:Onvif, setpoint:Setpoint)->bool:
     "True if one AbsoluteMove is enough for `setpoint`"
@@ -532,6 +535,7 @@ def _moves_at_once(self:Onvif, setpoint:Setpoint)->bool:
     led = self._velocity and any(target.rate>0 or target.rate<0 for target in targets)      # an angle at a rate
     return self._position is not None and not led and all(known(target.angle) for target in targets)
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #1936bbbe
 @patch
 def _steer(self:Onvif, setpoint:Setpoint):
     "Turn at the rates that `setpoint` asks for at this moment"
@@ -542,6 +546,20 @@ def _steer(self:Onvif, setpoint:Setpoint):
     elif not self._sent or rates!=self._sent[0] or now-self._sent[1]>=self.repeat:
         self.line.post('move', self._turn(rates))
         self._sent = rates,now
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #6688d174
+@patch
+def _hear(self:Onvif):
+    "Take over the newest position"
+    (x,y,zoom,uri),spaces = self.line.status,self.line.spaces['position'] or [_Space()]
+    space = next((s for s in spaces if s.uri==uri), spaces[-1])         # the generic one, if it doesn't say
+    now = dict(pitch=_between(y, space.y, self.tilt), yaw=_between(x, space.x, self.pan))
+    with self._lock:
+        (before,then),t = self._seen,self.clock()
+        past = max(t-then, .01)
+        rates = {axis: wrap(angle-before[axis][0])/past for axis,angle in now.items()}
+        self._seen = {axis: (now[axis], rate if known(rate) else 0.) for axis,rate in rates.items()},t
+        if not self.closed: self._steer(self.setpoint)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #64f5d8c5
 @patch
@@ -560,10 +578,38 @@ def drive(self:Onvif, setpoint:Setpoint):
         self.line.post('move', self._go(setpoint))
     else: self._steer(setpoint)
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #cb4b998c
 @patch
 def _held(self:Onvif, axis:str, lock:bool)->Axis:
     "Return the target that keeps an axis; none for one that turns, since its last angle is old"
     return Axis() if getattr(self.setpoint, axis).turning else Gimbal._held(self, axis, lock)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #153bac7f
+@patch
+def presets(self:Onvif)->dict:
+    "Return the camera's presets, `{name: token}`; raises `GimbalError`"
+    found = self.line.ask(self.line.ptz('GetPresets')).findall('{*}Preset')
+    return {_text(preset, 'Name') or preset.get('token'): preset.get('token') for preset in found}
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #c3f07356
+@patch
+def set_preset(self:Onvif, name:str): # A new one, or one of `presets()`
+    "Have the camera keep where it points now; raises `GimbalError`"
+    token = self.presets().get(name)
+    again = f'<tptz:PresetToken>{escape(token)}</tptz:PresetToken>' if token else ''
+    self.line.ask(self.line.ptz('SetPreset', f'<tptz:PresetName>{escape(name)}</tptz:PresetName>', again))
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #d3f0e76a
+@patch
+def go_to_preset(self:Onvif, name:str): # One of `presets()`
+    "Point where a preset says; raises `ValueError` and `GimbalError`"
+    presets = self.presets()
+    token = presets[one_of('preset', name, presets)]
+    with self._lock:
+        if self.closed: raise GimbalError(f'{self!r} is closed')
+        self._forget()
+        self._sent = None
+        self.line.post('move', self.line.ptz('GotoPreset', f'<tptz:PresetToken>{escape(token)}</tptz:PresetToken>'))
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #f27a4c9c
 @patch
@@ -578,27 +624,36 @@ def _on_line(self:Onvif):
         self._sent = None
         if self._moves_at_once(self.setpoint): self.line.post('move', self._go(self.setpoint))
 
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #747826a1
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #02a615d4
 @patch
-def presets(self:Onvif)->dict:
-    "Return the camera's presets, `{name: token}`; raises `GimbalError`"
-    found = self.line.ask(self.line.ptz('GetPresets')).findall('{*}Preset')
-    return {_text(preset, 'Name') or preset.get('token'): preset.get('token') for preset in found}
+def close(self:Onvif):
+    "Stop turning, and let go of the camera; may be called twice"
+    first = not self.closed
+    Gimbal.close(self)
+    if first: self.line.post('move', self._stop())
+    if self.camera is not None: self.camera.close()
+    self.line.close()
 
-@patch
-def go_to_preset(self:Onvif, name:str): # One of `presets()`
-    "Point where a preset says; raises `ValueError` and `GimbalError`"
-    presets = self.presets()
-    token = presets[one_of('preset', name, presets)]
-    with self._lock:
-        if self.closed: raise GimbalError(f'{self!r} is closed')
-        self._forget()
-        self._sent = None
-        self.line.post('move', self.line.ptz('GotoPreset', f'<tptz:PresetToken>{escape(token)}</tptz:PresetToken>'))
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #579b13f3
+def _pair(text:str)->tuple:
+    "Read two numbers; raises `ValueError`"
+    try: first,second = map(float, text.split(','))
+    except ValueError: raise ValueError(f'{text!r} must be two numbers, such as ?pan=-170,170') from None
+    return first,second
 
-@patch
-def set_preset(self:Onvif, name:str): # A new one, or one of `presets()`
-    "Have the camera keep where it points now; raises `GimbalError`"
-    token = self.presets().get(name)
-    again = f'<tptz:PresetToken>{escape(token)}</tptz:PresetToken>' if token else ''
-    self.line.ask(self.line.ptz('SetPreset', f'<tptz:PresetName>{escape(name)}</tptz:PresetName>', again))
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #c3a348ee
+def _connected(url:DeviceURL)->tuple:
+    "Return the line of a URL and the options for `Onvif`; raises `ValueError` and `GimbalError`"
+    if not url.host: raise ValueError(f'{url!r} has no host: write onvif://USER:PASSWORD@HOST')
+    options = {one_of('option', name, ('pan','tilt','speeds')): _pair(text) for name,text in url.options}
+    device = _OnvifLine(url.host, url.port, url.user, url.password)
+    device.connect()
+    return device,options
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #aec1ccdd
+@patch(cls_method=True)
+def open(cls:Onvif, url:DeviceURL, # onvif://USER:PASSWORD@HOST[:PORT], with `pan`, `tilt` and `speeds` as options
+         **storage): # `folder`, `quota` and `storages` of its camera
+    "Open an `Onvif`, or an `OnvifCamera` that can't turn; raises `ValueError`, `GimbalError`, `CameraError`"
+    device,options = _connected(url)
+    return cls(line=device, **options, **storage) if device.turns else OnvifCamera(device, alone=True, **storage)

@@ -16,20 +16,21 @@ from ..utils.devices import DeviceURL
 from ..utils.geo import quaternion
 
 # %% auto #0
-__all__ = ['rate_number', 'number_rate', 'Siyi']
+__all__ = ['number_rate', 'rate_number', 'Siyi']
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #d16dfb1e
 _slope,_dead = 1.48,4       # degrees a second for each number; the largest number that doesn't move it
 
+def number_rate(n:int)->float: # -100..100
+    "Return the rate in degrees a second for a number"
+    return math.copysign(max(abs(n)-_dead, 0)*_slope, n)
+
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #4f7ed6e9
 def rate_number(rate:float, # Degrees a second
                )->int:
     "Return the number, -100..100, that turns nearest to this rate"
     n = round(_dead+abs(rate)/_slope)
     return int(math.copysign(min(n, 100), rate)) if n>_dead else 0
-
-def number_rate(n:int)->float: # -100..100
-    "Return the rate in degrees a second for a number"
-    return math.copysign(max(abs(n)-_dead, 0)*_slope, n)
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #ab901043
 class Siyi(Gimbal):
@@ -53,32 +54,15 @@ class Siyi(Gimbal):
 
     def _forget(self): self.setpoint = Setpoint(Axis(), Axis(), Axis(), self.setpoint.lock)
 
-    @classmethod
-    def open(cls, url:DeviceURL, # siyi://HOST or siyi:///dev/ttyUSB0; options `transport`, `angles`, `video`, `http`
-             **storage)->Siyi: # `folder`, `quota` and `storages` of its camera
-        "Open the device at a URL, and give it 2 s to answer; raises `ValueError`"
-        for name,_ in url.options: one_of('an option', name, ('transport','angles','video','http'))
-        angles = one_of('angles', url.option('angles', 'loop'), ('loop','device'))
-        http = url.option('http', '82')
-        if not http.isdecimal() or not 0<int(http)<65536: raise ValueError(f'http is a port, 1 to 65535, not {http!r}')
-        gimbal = cls(SiyiLink.open(url), angles=angles)
-        try:
-            gimbal.link.wait(lambda link: link.hardware and link.firmware and Cmd.attitude in link.newest, 2.)
-            how = dict(http_port=int(http), timeout=0., pose=gimbal._pose)
-            gimbal.camera = SiyiCamera(gimbal.link, url.option('video'), **how, **storage)
-        except BaseException:
-            gimbal.close()
-            raise
-        return gimbal
-
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #c7f4e22a
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #0ca94f8e
 @patch
-def close(self:Siyi):
-    "Stop turning, and let go of the device; may be called twice"
-    Gimbal.close(self)
-    self.link.send(Cmd.rate, rate_data(0, 0), times=3)
-    if self.camera: self.camera.close()
-    self.link.close()
+def _age(self:Siyi)->float: return self.clock()-self.link.newest.get(Cmd.attitude, (-math.inf,))[0]
+
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #0c8c14b2
+@patch(as_prop=True)
+def fault(self:Siyi)->str|None:
+    "Return a sentence while the device is silent; `None`: it works"
+    return self.link.fault or (None if self._age()<=1 else 'no attitude for 1 s')
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #a4d606da
 @patch(as_prop=True)
@@ -89,21 +73,14 @@ def information(self:Siyi)->GimbalInformation:
     uid = int(link.hardware[2:]) if link.hardware[2:].isdecimal() else 0
     return GimbalInformation('SIYI', model.name, firmware_version=firmware, uid=uid, pitch=model.pitch, yaw=model.yaw)
 
-@patch(as_prop=True)
-def fault(self:Siyi)->str|None:
-    "Return a sentence while the device is silent; `None`: it works"
-    return self.link.fault or (None if self._age()<=1 else 'no attitude for 1 s')
-
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #f14cef67
-@patch
-def _age(self:Siyi)->float: return self.clock()-self.link.newest.get(Cmd.attitude, (-math.inf,))[0]
-
 @patch
 def _config(self:Siyi):
     "Return when its last configuration came, and that"
     when,data = self.link.newest.get(Cmd.config, (-math.inf, bytes(5)))
     return when,read_config(data if len(data)>=5 else bytes(5))
 
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #5813ed2a
 @patch
 def _there(self:Siyi)->SiyiAttitude:
     "Return the last attitude, carried on to now"
@@ -113,6 +90,30 @@ def _there(self:Siyi)->SiyiAttitude:
     dt = min(self._age(), .2)
     angles = wrap(said.yaw+said.yaw_rate*dt), said.pitch+said.pitch_rate*dt, said.roll
     return SiyiAttitude(*angles, said.yaw_rate, said.pitch_rate, said.roll_rate)
+
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #8bce7501
+@patch
+def _goal(self:Siyi, axis:str)->float:
+    "Return the target of an axis in degrees as the device measures them; NaN: none, or north isn't known"
+    target = getattr(self.setpoint, axis).angle
+    return wrap(target-self.heading) if axis=='yaw' and self.setpoint.lock else target
+
+@patch
+def _is_beyond(self:Siyi, axis:str, goal:float)->bool:
+    "True if an axis cannot reach this angle"
+    return known(goal) and abs(wrap(goal-self.information.limited(axis, goal)))>.1
+
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #6fbe93af
+@patch
+def _failures(self:Siyi, there:SiyiAttitude):
+    "Yield the names of GIMBAL_DEVICE_ERROR_FLAGS that are set"
+    if self.fault: yield 'COMMS_ERROR'
+    for axis in ('pitch','yaw'):
+        limits,target,angle = getattr(self.information, axis),getattr(self.setpoint, axis),getattr(there, axis)
+        if not limits: continue
+        (low,high),goal = limits,self._goal(axis)
+        pressing = target.turning and (target.rate<0 and angle<=low+.5 or target.rate>0 and angle>=high-.5)
+        if pressing or self._is_beyond(axis, goal): yield f'AT_{axis.upper()}_LIMIT'
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #8bce7501
 @patch
@@ -130,29 +131,6 @@ def _pose(self:Siyi)->Pose:
     v,there = self.vehicle or VehicleState(),self.attitude()
     return Pose(v.lat, v.lon, v.alt, v.relative_alt, there.roll, there.pitch, there.earth_yaw)
 
-@patch
-def _failures(self:Siyi, there:SiyiAttitude):
-    "Yield the names of GIMBAL_DEVICE_ERROR_FLAGS that are set"
-    if self.fault: yield 'COMMS_ERROR'
-    for axis in ('pitch','yaw'):
-        limits,target,angle = getattr(self.information, axis),getattr(self.setpoint, axis),getattr(there, axis)
-        if not limits: continue
-        (low,high),goal = limits,self._goal(axis)
-        pressing = target.turning and (target.rate<0 and angle<=low+.5 or target.rate>0 and angle>=high-.5)
-        if pressing or self._is_beyond(axis, goal): yield f'AT_{axis.upper()}_LIMIT'
-
-@patch
-def _goal(self:Siyi, axis:str)->float:
-    "Return the target of an axis in degrees as the device measures them; NaN: none, or north isn't known"
-    target = getattr(self.setpoint, axis).angle
-    return wrap(target-self.heading) if axis=='yaw' and self.setpoint.lock else target
-
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #47c32985
-@patch
-def _is_beyond(self:Siyi, axis:str, goal:float)->bool:
-    "True if an axis cannot reach this angle"
-    return known(goal) and abs(wrap(goal-self.information.limited(axis, goal)))>.1
-
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #2926bb3a
 @patch
 def _rate(self:Siyi, axis:str, there:SiyiAttitude)->float:
@@ -164,6 +142,7 @@ def _rate(self:Siyi, axis:str, there:SiyiAttitude)->float:
     most = abs(target.rate) if known(target.rate) and target.rate else math.inf
     return min(max(self.gain*off, -most), most)
 
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #8b6c370a
 @patch
 def _number(self:Siyi, axis:str, rate:float)->int:
     "Return the number to send, for about 50 ms"
@@ -183,6 +162,7 @@ def _stand(self:Siyi):
     self.link.send(Cmd.rate, rate_data(0, 0))
     self._zeros += 1
 
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #2e8b5cfc
 @patch
 def _steer(self:Siyi, fresh:bool):
     "Send the rates of this moment; zeros until it stands, when they may have been lost"
@@ -203,6 +183,7 @@ def _leaves_angles(self:Siyi)->bool:
     return self.angles=='device' and self._config()[1].mount!=2 and not self.setpoint.turning \
         and not any(known(t.rate) and t.rate for t in targets) and any(known(t.angle) for t in targets)
 
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #674cc603
 @patch
 def _send_angles(self:Siyi):
     now,info = self.clock(),self.information
@@ -260,6 +241,7 @@ def drive(self:Siyi, setpoint:Setpoint):
     if setpoint.lock and known(setpoint.yaw.angle): yaw_in('vehicle', setpoint.yaw.angle, self.heading)
     self._told_mode = -math.inf if setpoint.lock!=self.setpoint.lock else self._told_mode
 
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #36245773
 @patch
 def _held(self:Siyi, axis:str, lock:bool)->Axis:
     "Return the target that keeps an axis where it is; one that turns is stopped, and stands a little further on"
@@ -282,6 +264,7 @@ def _step(self:Siyi):
     if fresh and self._leaves_angles(): self._send_angles()
     else: self._steer(fresh)
 
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #e6510bd6
 @patch
 def tick(self:Siyi):
     "Steer, and end rates that are over"
@@ -294,3 +277,31 @@ def tick(self:Siyi):
             pace = self.pace if not self.link.fault else 5*self.pace
             self._next = max(self._next+pace, now+pace/2)
         self._wake(self._next)
+
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #c7f4e22a
+@patch
+def close(self:Siyi):
+    "Stop turning, and let go of the device; may be called twice"
+    Gimbal.close(self)
+    self.link.send(Cmd.rate, rate_data(0, 0), times=3)
+    if self.camera: self.camera.close()
+    self.link.close()
+
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #84ce1857
+@patch(cls_method=True)
+def open(cls:Siyi, url:DeviceURL, # siyi://HOST or siyi:///dev/ttyUSB0; options `transport`, `angles`, `video`, `http`
+         **storage)->Siyi: # `folder`, `quota` and `storages` of its camera
+    "Open the device at a URL, and give it 2 s to answer; raises `ValueError`"
+    for name,_ in url.options: one_of('an option', name, ('transport','angles','video','http'))
+    angles = one_of('angles', url.option('angles', 'loop'), ('loop','device'))
+    http = url.option('http', '82')
+    if not http.isdecimal() or not 0<int(http)<65536: raise ValueError(f'http is a port, 1 to 65535, not {http!r}')
+    gimbal = cls(SiyiLink.open(url), angles=angles)
+    try:
+        gimbal.link.wait(lambda link: link.hardware and link.firmware and Cmd.attitude in link.newest, 2.)
+        how = dict(http_port=int(http), timeout=0., pose=gimbal._pose)
+        gimbal.camera = SiyiCamera(gimbal.link, url.option('video'), **how, **storage)
+    except BaseException:
+        gimbal.close()
+        raise
+    return gimbal

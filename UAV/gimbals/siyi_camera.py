@@ -44,6 +44,7 @@ _settings = dict(       # question, order, description, options
     THERMAL_PALETTE=(Cmd.palette, Cmd.set_palette, 'Colours of the thermal picture', _palettes),
     THERMAL_GAIN=(Cmd.gain, Cmd.set_gain, 'Thermal range', {'To 550 °C':0, '-20 to 150 °C':1}))
 
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #8fa2c73a
 def _find_settings(link)->list:
     "Return the settings as `Parameter`s; their defaults are the present values"
     found = []
@@ -64,36 +65,42 @@ class _ZoomDrive:
 
     times = property(lambda self: round(self.lens.focal_length/self.lens.travel.low, 1), doc="Magnification")
 
-    def order(self, kind:str, value:float):
-        "Zoom as `Lens.zoom`, a step being one magnification; raises `ValueError`"
-        travel = self.lens.travel
-        with self._lock:
-            if kind=='step': travel.go(travel.position+inside('step', value, -99, 99)*travel.low)
-            else: self.lens.zoom(kind, value)
-            was,self.way = self.way,(value>0)-(value<0) if kind=='continuous' else 0
-            self.aim,self.left,self.at = None if kind=='continuous' else self.times,self.most,-math.inf
-            self.halting = not self.way and (self.halting or bool(was))
-        if was and not self.way: self.send(Cmd.zoom, b'\0', 3)
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #1cf60c4a
+@patch
+def order(self:_ZoomDrive, kind:str, value:float):
+    "Zoom as `Lens.zoom`, a step being one magnification; raises `ValueError`"
+    travel = self.lens.travel
+    with self._lock:
+        if kind=='step': travel.go(travel.position+inside('step', value, -99, 99)*travel.low)
+        else: self.lens.zoom(kind, value)
+        was,self.way = self.way,(value>0)-(value<0) if kind=='continuous' else 0
+        self.aim,self.left,self.at = None if kind=='continuous' else self.times,self.most,-math.inf
+        self.halting = not self.way and (self.halting or bool(was))
+    if was and not self.way: self.send(Cmd.zoom, b'\0', 3)
 
-    def tick(self, now:float):
-        "Send the orders that are due"
-        if self.way: self.send(Cmd.zoom, bytes([self.way&255]), 1)
-        elif self.aim and now-self.at>=self.pause:
-            if self.left: self.send(Cmd.zoom_to, zoom_data(self.aim), 1)
-            else: self.log.warning('the zoom does not go to %g', self.aim)
-            self.left,self.at,self.aim = self.left-1,now,self.aim if self.left else None
-        if self.halting: self.send(Cmd.zoom, b'\0', 1)
-        self.send(Cmd.present_zoom, b'', 1)
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #88011266
+@patch
+def tick(self:_ZoomDrive, now:float):
+    "Send the orders that are due"
+    if self.way: self.send(Cmd.zoom, bytes([self.way&255]), 1)
+    elif self.aim and now-self.at>=self.pause:
+        if self.left: self.send(Cmd.zoom_to, zoom_data(self.aim), 1)
+        else: self.log.warning('the zoom does not go to %g', self.aim)
+        self.left,self.at,self.aim = self.left-1,now,self.aim if self.left else None
+    if self.halting: self.send(Cmd.zoom, b'\0', 1)
+    self.send(Cmd.present_zoom, b'', 1)
 
-    def hear(self, times:float)->bool:
-        "Take a report of the magnification; returns true if it has changed"
-        with self._lock:
-            self.halting = False
-            if self.aim and abs(times-self.aim)>=.06: return False
-            before,self.aim = self.times,None
-            self.lens.travel.go(times*self.lens.travel.low)
-            if self.way: self.lens.travel.move(self.way)
-            return abs(times-before)>=.1
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #93d01c3c
+@patch
+def hear(self:_ZoomDrive, times:float)->bool:
+    "Take a report of the magnification; returns true if it has changed"
+    with self._lock:
+        self.halting = False
+        if self.aim and abs(times-self.aim)>=.06: return False
+        before,self.aim = self.times,None
+        self.lens.travel.go(times*self.lens.travel.low)
+        if self.way: self.lens.travel.move(self.way)
+        return abs(times-before)>=.1
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #ea3badf0
 class _CardRecorder:
@@ -104,51 +111,61 @@ class _CardRecorder:
         self.on,self.missing,self.ours,self.wanted,self.left,self.at = False,False,False,None,0,-math.inf
         self._lock = threading.Lock()
 
-    def want(self, on:bool):
-        "Record from now on, or no longer"
-        with self._lock: self.ours,self.wanted,self.left,self.at = on,on,self.most,-math.inf
+@patch
+def want(self:_CardRecorder, on:bool):
+    "Record from now on, or no longer"
+    with self._lock: self.ours,self.wanted,self.left,self.at = on,on,self.most,-math.inf
 
-    def hear(self, record:int, now:float):
-        "Take a report: 0 (off), 1 (on), 2 (no card) or 3 (data was lost)"
-        with self._lock: self._follow(record, now)
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #956a281e
+@patch
+def hear(self:_CardRecorder, record:int, now:float):
+    "Take a report: 0 (off), 1 (on), 2 (no card) or 3 (data was lost)"
+    with self._lock: self._follow(record, now)
 
-    def _follow(self, record, now):
-        was,self.on,self.missing = self.on,record==1,record==2
-        why = {2:'there is no card', 3:'data was lost'}.get(record, '')
-        if self.wanted is None:
-            if was and self.ours and not self.on: self._end(f'it has stopped by itself{why and ", "}{why}')
-        elif self.on==self.wanted: self.wanted = None
-        elif why or not self.left and now-self.at>=self.pause:
-            self._end(why or f'the device does not {"start" if self.wanted else "stop"}')
-        elif now-self.at>=self.pause:
-            self.left,self.at = self.left-1,now
-            self.toggle()
+@patch
+def _follow(self:_CardRecorder, record, now):
+    was,self.on,self.missing = self.on,record==1,record==2
+    why = {2:'there is no card', 3:'data was lost'}.get(record, '')
+    if self.wanted is None:
+        if was and self.ours and not self.on: self._end(f'it has stopped by itself{why and ", "}{why}')
+    elif self.on==self.wanted: self.wanted = None
+    elif why or not self.left and now-self.at>=self.pause:
+        self._end(why or f'the device does not {"start" if self.wanted else "stop"}')
+    elif now-self.at>=self.pause:
+        self.left,self.at = self.left-1,now
+        self.toggle()
 
-    def _end(self, why:str):
-        self.ours,self.wanted = False,None
-        self.log.warning('recording on the card: %s; our own is not affected', why)
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #4943b48d
+@patch
+def _end(self:_CardRecorder, why:str):
+    self.ours,self.wanted = False,None
+    self.log.warning('recording on the card: %s; our own is not affected', why)
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #1dbcf306
 class _CardFiles:
     "The photos on a card, over HTTP"
     def __init__(self, host:str, port:int): store_attr()
 
-    def get(self, path:str, most:int=1<<26)->bytes:
-        "Return a file; raises `OSError` and `ValueError`"
-        return get_web(f'http://{self.host}:{self.port}{path}', {self.host}, most, 5.)
+@patch
+def get(self:_CardFiles, path:str, most:int=1<<26)->bytes:
+    "Return a file; raises `OSError` and `ValueError`"
+    return get_web(f'http://{self.host}:{self.port}{path}', {self.host}, most, 5.)
 
-    def _ask(self, verb:str, **query)->dict:
-        path = f'/cgi-bin/media.cgi/api/v1/{verb}?{urlencode(dict(media_type=0)|query)}'
-        return json.loads(self.get(path, 1<<22))['data']
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #4fe381de
+@patch
+def _ask(self:_CardFiles, verb:str, **query)->dict:
+    path = f'/cgi-bin/media.cgi/api/v1/{verb}?{urlencode(dict(media_type=0)|query)}'
+    return json.loads(self.get(path, 1<<22))['data']
 
-    def newest(self)->str:
-        "Return the path of the newest photo, '' if there is none; raises `OSError`"
-        try:
-            folders = [folder['path'] for folder in self._ask('getdirectories')['directories']]
-            files = folders and self._ask('getmedialist', path=max(folders), start=0, count=9999)['list']
-            return max((urlsplit(file['url']).path for file in files), default='')
-        except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as e:
-            raise OSError(f'no list of files: {e!r}') from None
+@patch
+def newest(self:_CardFiles)->str:
+    "Return the path of the newest photo, '' if there is none; raises `OSError`"
+    try:
+        folders = [folder['path'] for folder in self._ask('getdirectories')['directories']]
+        files = folders and self._ask('getmedialist', path=max(folders), start=0, count=9999)['list']
+        return max((urlsplit(file['url']).path for file in files), default='')
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as e:
+        raise OSError(f'no list of files: {e!r}') from None
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #b0e6b079
 class SiyiCamera(URLCamera):
@@ -176,39 +193,17 @@ class SiyiCamera(URLCamera):
         for cmd in (Cmd.notice, Cmd.config, Cmd.stream, Cmd.zoom, Cmd.present_zoom): self._listen(cmd)
         self._job = timers.every(.5, self._tick)
 
-    def set_fault(self, fault:str|None, error:BaseException|None=None):
-        "Note a fault of the video; a silent link is one, too"
-        super().set_fault(fault or self.link.fault, error)
-
-    def _receive(self):
-        self.url = self._given or self._usual_url()
-        self.link.send(Cmd.stream, b'\1')
-        super()._receive()
-
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #b6f0c6fe
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #7a14203d
 @patch
-def close(self:SiyiCamera):
-    "Close the camera, and stop its recording on the card; may be called twice"
-    if job := getattr(self, '_job', None): timers.cancel(job)
-    if not self._closing.is_set() and job:
-        if self._zoom.way: self.link.send(Cmd.zoom, b'\0', 3)
-        self._end_card()
-        if self.thermal_range: self.link.send(Cmd.thermal, b'\0')
-    URLCamera.close(self)
+def set_fault(self:SiyiCamera, fault:str|None, error:BaseException|None=None):
+    "Note a fault of the video; a silent link is one, too"
+    URLCamera.set_fault(self, fault or self.link.fault, error)
 
 @patch
-def _end_card(self:SiyiCamera):
-    "Stop what records on the card because of us; orders get lost, and one may be on its way"
-    end = time.monotonic()+5
-    def settle():
-        while self._card.wanted is not None and time.monotonic()<end:
-            self._card.hear(read_config(self.link.ask(Cmd.config)).record, self.link.clock())
-            self._closing.wait(.05)
-    if self.link.fault: return
-    with suppress(GimbalError, ValueError):
-        settle()
-        if self._card.ours: self._card.want(False)
-        settle()
+def _receive(self:SiyiCamera):
+    self.url = self._given or self._usual_url()
+    self.link.send(Cmd.stream, b'\1')
+    URLCamera._receive(self)
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #acebbb45
 @patch
@@ -245,6 +240,7 @@ def _on_notice(self:SiyiCamera, data:bytes): self._notices.put(data[0])
 @patch
 def _on_config(self:SiyiCamera, data:bytes): self._card.hear(read_config(data).record, self.link.clock())
 
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #c92ea2a1
 @patch
 def _on_zoom(self:SiyiCamera, data:bytes): self._on_present_zoom(bytes(divmod(int.from_bytes(data[:2], 'little'), 10)))
 
@@ -259,6 +255,12 @@ def _on_stream(self:SiyiCamera, data:bytes):
     self.frame_rate,self.bitrate = float(said.fps) or self.frame_rate,1000*said.bitrate     # 0: older firmware
     self._encoder.expected = VideoFormat(said.codec.lower(), said.width, said.height, self.frame_rate, self.bitrate)
 
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #1e523f7c
+@patch
+def _age(self:SiyiCamera, cmd:int)->float:
+    "Return the age of the newest answer, s"
+    return self.link.clock()-self.link.newest.get(cmd, (-math.inf,))[0]
+
 @patch
 def _tick(self:SiyiCamera):
     "Ask what may have changed, and note whether the link works"
@@ -270,11 +272,6 @@ def _tick(self:SiyiCamera):
     if self.thermal_range and self._age(Cmd.thermal)>3: self.link.send(Cmd.thermal, b'\2')     # from then on 5 Hz
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #a1efbb90
-@patch
-def _age(self:SiyiCamera, cmd:int)->float:
-    "Return the age of the newest answer, s"
-    return self.link.clock()-self.link.newest.get(cmd, (-math.inf,))[0]
-
 @patch
 def _need_link(self:SiyiCamera):
     "Raise `CameraError` when no order can be given"
@@ -299,6 +296,7 @@ def _newest_file(self:SiyiCamera)->str|None:
         self._no_files = self.link.clock()
         self._log_once(f'photos stay on the card, frames of the stream are kept instead: {e}')
 
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #879672a6
 @patch
 def _shoot(self:SiyiCamera):
     "Have a photo taken; raises `CameraError`"
@@ -313,6 +311,7 @@ def _shoot(self:SiyiCamera):
         return
     self._log_once('the camera does not confirm its photos')
 
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #74fed8bb
 @patch
 def _fetch(self:SiyiCamera, before:str|None)->bytes|None:
     "Return the file of the photo just taken, not the one `before`; `None` when there is none"
@@ -351,6 +350,7 @@ def video_stop_capture(self:SiyiCamera, stream_id:int=0): # As for `Camera`
     self._card.want(False)
     self.link.send(Cmd.config)
 
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #a45d35fe
 @patch
 def set_camera_zoom(self:SiyiCamera, kind:str, # One of `Lens.kinds`
                     value:float): # As for `Lens.zoom`; a step is one magnification
@@ -360,6 +360,7 @@ def set_camera_zoom(self:SiyiCamera, kind:str, # One of `Lens.kinds`
     self._zoom.tick(self.link.clock())
     self.announce(self.settings())
 
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #4bee4a64
 @patch
 def set_camera_focus(self:SiyiCamera, kind:str, # 'continuous' or 'auto…'
                      value:float=0.): # Direction: above 0 is far
@@ -371,6 +372,7 @@ def set_camera_focus(self:SiyiCamera, kind:str, # 'continuous' or 'auto…'
     else: self.link.send(Cmd.autofocus, b'\1')
     self.announce(self.settings())
 
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #14cf21e1
 @patch
 def reset_camera_settings(self:SiyiCamera):
     "Zoom out, and set mode and parameters as they were at first; raises what the device raises"
@@ -390,6 +392,7 @@ def apply_parameter(self:SiyiCamera, name:str, value)->dict|None:
             if self.link.ask(question, tries=1)[:1]==bytes([value]): return
     raise CameraError(f'the device does not take {name} {value}')
 
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #5f5771e3
 @patch
 def shows(self:SiyiCamera, stream, # One of `streams`
          )->dict:
@@ -397,6 +400,7 @@ def shows(self:SiyiCamera, stream, # One of `streams`
     thermal = dict(self.parameters).get('VIDEO_SOURCE') in (7,8)
     return dict(thermal=thermal, hfov=(24. if self._laser else 32.) if thermal else self.lens.horizontal_fov)
 
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #29f7f405
 @patch
 def thermal_range(self:SiyiCamera, stream_id:int=0, # 0: of the thermal camera
                  )->ThermalRange:
@@ -408,3 +412,29 @@ def thermal_range(self:SiyiCamera, stream_id:int=0, # 0: of the thermal camera
     now = read_thermal(self.link.newest[Cmd.thermal][1])
     def part(place): return (place[0]+.5)/640,(place[1]+.5)/512
     return ThermalRange(stream_id, now.most, part(now.hottest), now.least, part(now.coldest))
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #80033a52
+@patch
+def _end_card(self:SiyiCamera):
+    "Stop what records on the card because of us; orders get lost, and one may be on its way"
+    end = time.monotonic()+5
+    def settle():
+        while self._card.wanted is not None and time.monotonic()<end:
+            self._card.hear(read_config(self.link.ask(Cmd.config)).record, self.link.clock())
+            self._closing.wait(.05)
+    if self.link.fault: return
+    with suppress(GimbalError, ValueError):
+        settle()
+        if self._card.ours: self._card.want(False)
+        settle()
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #bf7196df
+@patch
+def close(self:SiyiCamera):
+    "Close the camera, and stop its recording on the card; may be called twice"
+    if job := getattr(self, '_job', None): timers.cancel(job)
+    if not self._closing.is_set() and job:
+        if self._zoom.way: self.link.send(Cmd.zoom, b'\0', 3)
+        self._end_card()
+        if self.thermal_range: self.link.send(Cmd.thermal, b'\0')
+    URLCamera.close(self)

@@ -45,6 +45,7 @@ def rate_data(yaw:int, pitch:int)->bytes: # -100..100, right and up
     "Return the data of `Cmd.rate`"
     return struct.pack('bb', *(round(min(max(inside('rate', n), -100), 100)) for n in (yaw, pitch)))
 
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #0765617e
 def angle_data(yaw:float, pitch:float)->bytes: # Degrees, right and up
     "Return the data of `Cmd.angles`"
     return struct.pack('<hh', round(-inside('yaw', yaw)*10), round(inside('pitch', pitch)*10))
@@ -66,28 +67,32 @@ class SiyiReader:
     most = 300              # bytes of data; more is no frame
     def __init__(self): self._data,self.skipped = bytearray(),0     # `skipped`: bytes that belonged to no frame
 
-    def _take(self)->SiyiFrame|int|None:
-        "Return the frame at the beginning, or how many bytes to skip; `None`: more bytes are needed"
-        d = self._data
-        start = d.find(b'\x55\x66')
-        if start: return start if start>0 else len(d)-d.endswith(b'\x55') or None
-        if len(d)<8: return
-        _,ctrl,size,seq,cmd = struct.unpack_from('<2sBHHB', d)
-        if size>self.most: return 2
-        if len(d)<size+10: return
-        if crc_hqx(d[:size+8], 0)!=int.from_bytes(d[size+8:size+10], 'little'): return 2
-        return SiyiFrame(cmd, bytes(d[8:size+8]), seq, ctrl)
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #d71b0421
+@patch
+def _take(self:SiyiReader)->SiyiFrame|int|None:
+    "Return the frame at the beginning, or how many bytes to skip; `None`: more bytes are needed"
+    d = self._data
+    start = d.find(b'\x55\x66')
+    if start: return start if start>0 else len(d)-d.endswith(b'\x55') or None
+    if len(d)<8: return
+    _,ctrl,size,seq,cmd = struct.unpack_from('<2sBHHB', d)
+    if size>self.most: return 2
+    if len(d)<size+10: return
+    if crc_hqx(d[:size+8], 0)!=int.from_bytes(d[size+8:size+10], 'little'): return 2
+    return SiyiFrame(cmd, bytes(d[8:size+8]), seq, ctrl)
 
-    def feed(self, data:bytes, # What came
-            )->list: # Of `SiyiFrame`
-        "Return all frames that are complete now"
-        self._data += data
-        found = []
-        while self._data and (one := self._take()) is not None:
-            if isinstance(one, int): self.skipped += one
-            else: found.append(one)
-            del self._data[:one if isinstance(one, int) else len(one.data)+10]
-        return found
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #78742fe0
+@patch
+def feed(self:SiyiReader, data:bytes, # What came
+        )->list: # Of `SiyiFrame`
+    "Return all frames that are complete now"
+    self._data += data
+    found = []
+    while self._data and (one := self._take()) is not None:
+        if isinstance(one, int): self.skipped += one
+        else: found.append(one)
+        del self._data[:one if isinstance(one, int) else len(one.data)+10]
+    return found
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #bd485a29
 def _unpack(layout:str, data:bytes)->tuple:
@@ -105,6 +110,7 @@ class SiyiAttitude(Value):
     pitch_rate:float=NAN
     roll_rate:float=NAN
 
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #2d43a55a
 def read_attitude(data:bytes, # Of `Cmd.attitude`, or of an answer to `Cmd.angles`
                   upside_down:bool=False, # Does it stand on its vehicle?
                  )->SiyiAttitude:
@@ -126,6 +132,7 @@ class SiyiConfig(Value):
     video:int|None=None # 0 HDMI, 1 CVBS
     linkage:int|None=None # Do both cameras zoom together?
 
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #832c34bd
 def read_config(data:bytes)->SiyiConfig:
     "Decode `Cmd.config`: 5 bytes (ZR10), 7 (A8) or 8 (ZT30)"
     _unpack('5B', data)
@@ -156,6 +163,7 @@ class SiyiModel(Value):
     thermal:bool=False
     streams:tuple=('main.264',) # RTSP paths
 
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #ae307171
 _two = 'video1','video2'
 MODELS = {'75': SiyiModel('A2 mini', yaw=None, zoom=6.), '73': SiyiModel('A8 mini', zoom=6., hfov=81.),
           '6B': SiyiModel('ZR10', hfov=62.), '78': SiyiModel('ZR30', hfov=58.),
@@ -210,41 +218,49 @@ class _Line(Closes):
         self.error,self.up,self._lock,self._closed = 'not open yet',False,threading.Lock(),threading.Event()
         self.hear,self.changed,self._thread,self._write = None,lambda: None,None,None
 
-    def start(self):
-        "Begin to read"
-        self._thread = _begin_thread(self._run, self.name)
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #c086dce4
+@patch
+def _read(self:_Line, read):
+    while not self._closed.is_set():
+        try: data = read()
+        except (TimeoutError, ConnectionRefusedError): continue         # silence; nobody listens there now
+        if data: self.hear(data)
 
-    def _run(self):
-        while not self._closed.is_set():
-            try: read,self._write,close = self.open()
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #16d01f19
+@patch
+def _run(self:_Line):
+    while not self._closed.is_set():
+        try: read,self._write,close = self.open()
+        except OSError as e: self.error = str(e)
+        else:
+            self.error,self.up = None,True
+            try:
+                self.changed()
+                self._read(read)
             except OSError as e: self.error = str(e)
-            else:
-                self.error,self.up = None,True
-                try:
-                    self.changed()
-                    self._read(read)
-                except OSError as e: self.error = str(e)
-                with self._lock: self.up = False
-                close()
-            self._closed.wait(1.)
+            with self._lock: self.up = False
+            close()
+        self._closed.wait(1.)
 
-    def _read(self, read):
-        while not self._closed.is_set():
-            try: data = read()
-            except (TimeoutError, ConnectionRefusedError): continue         # silence; nobody listens there now
-            if data: self.hear(data)
+@patch
+def start(self:_Line):
+    "Begin to read"
+    self._thread = _begin_thread(self._run, self.name)
 
-    def send(self, data:bytes)->bool:
-        "Send it now, or not at all; false when it could not be sent"
-        with self._lock:
-            try: return self.up and bool(self._write(data))
-            except OSError: return False
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #878b07b1
+@patch
+def send(self:_Line, data:bytes)->bool:
+    "Send it now, or not at all; false when it could not be sent"
+    with self._lock:
+        try: return self.up and bool(self._write(data))
+        except OSError: return False
 
-    def close(self):
-        "Close it for good; may be called twice"
-        self._closed.set()
-        if self._thread not in (None, threading.current_thread()): self._thread.join()
-        self.error = 'closed'
+@patch
+def close(self:_Line):
+    "Close it for good; may be called twice"
+    self._closed.set()
+    if self._thread not in (None, threading.current_thread()): self._thread.join()
+    self.error = 'closed'
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #e2ad5239
 def _udp_line(host:str, port:int)->_Line:
@@ -256,6 +272,7 @@ def _udp_line(host:str, port:int)->_Line:
         return lambda: sock.recv(4096), sock.send, sock.close
     return _Line(f'siyi {host}:{port}', open)
 
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #b840e4a7
 def _serial_line(path:str)->_Line:
     def open():
         import serial
@@ -281,24 +298,12 @@ class SiyiLink(Closes):
         self._came,self._sending = threading.Condition(),threading.RLock()
         self.line = line or (_serial_line(host) if transport=='serial' else
                              TCPClient(host, port) if transport=='tcp' else _udp_line(host, port))
-        self.line.hear,self.line.changed = self._hear,self._on_line
+        self.line.hear,self.line.changed = lambda data: self._hear(data),lambda: self._on_line()
         self.name = host if transport=='serial' else f'{host}:{port}'
         self.line.start()
         self._job = timers.every(self.pace, self.tick) if clock is time.monotonic else None
 
-    @classmethod
-    def open(cls, url:DeviceURL)->'SiyiLink':
-        "Link to `siyi://HOST[:PORT][?transport=tcp]` or `siyi:///dev/ttyUSB0`; raises `ValueError`"
-        if not url.host and len(url.path)>1: return cls(url.path, transport='serial')
-        if not url.host: raise ValueError('where is the SIYI? Write siyi://HOST or siyi:///dev/ttyUSB0')
-        return cls(url.host, url.port or 37260, url.option('transport', 'udp'))
-
     def __repr__(self): return f'{type(self).__name__}({self.model.name} at {self.name}, {self.fault or "works"})'
-    def close(self):
-        "Close the socket or the port; may be called twice"
-        self._closed = True
-        if self._job: timers.cancel(self._job)
-        self.line.close()
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #8efd6f46
 @patch(as_prop=True)
@@ -323,11 +328,12 @@ def send(self:SiyiLink, cmd:int, # One of `Cmd`
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #9bc6f984
 @patch
-def subscribe(self:SiyiLink, cmd:int, # One of `Cmd`
-              callback, # Called with the data of each such frame; must be quick, and must not `ask`
-             ):
-    "Call `callback(data)` for each frame of this command"
-    self._listeners.setdefault(cmd, []).append(callback)
+def _learn(self:SiyiLink, cmd:int, data:bytes):
+    "Note model and firmware"
+    if cmd==Cmd.hardware and len(data)>=2:
+        self.hardware = data.rstrip(b'\0').decode('ascii', 'replace')
+        self.model = MODELS.get(self.hardware[:2].upper(), SiyiModel())
+    elif cmd==Cmd.firmware and len(data)>=8 and any(data[:3]): self.firmware = read_versions(data)
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #12c6254e
 @patch
@@ -343,13 +349,13 @@ def _hear(self:SiyiLink, data:bytes):
             try: listener(frame.data)
             except Exception: self.log.exception('command %02x', frame.cmd)
 
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #9bc6f984
 @patch
-def _learn(self:SiyiLink, cmd:int, data:bytes):
-    "Note model and firmware"
-    if cmd==Cmd.hardware and len(data)>=2:
-        self.hardware = data.rstrip(b'\0').decode('ascii', 'replace')
-        self.model = MODELS.get(self.hardware[:2].upper(), SiyiModel())
-    elif cmd==Cmd.firmware and len(data)>=8 and any(data[:3]): self.firmware = read_versions(data)
+def subscribe(self:SiyiLink, cmd:int, # One of `Cmd`
+              callback, # Called with the data of each such frame; must be quick, and must not `ask`
+             ):
+    "Call `callback(data)` for each frame of this command"
+    self._listeners.setdefault(cmd, []).append(callback)
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #b234dd17
 @patch
@@ -371,6 +377,14 @@ def tick(self:SiyiLink):
     if not self.firmware: self.send(Cmd.firmware)
     self.send(Cmd.config)
 
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #606cba74
+@patch
+def close(self:SiyiLink):
+    "Close the socket or the port; may be called twice"
+    self._closed = True
+    if self._job: timers.cancel(self._job)
+    self.line.close()
+
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #2a6f85de
 @patch
 def ask(self:SiyiLink, cmd:int, # One of `Cmd`
@@ -386,9 +400,18 @@ def ask(self:SiyiLink, cmd:int, # One of `Cmd`
             if came and not self._closed: return self.newest[cmd][1]
     raise GimbalError(self.fault or f'{self.name} does not answer command {cmd:02X}')
 
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #dcf3351a
 @patch
 def wait(self:SiyiLink, true, # A function of the link
          timeout:float=5., # s
         )->bool:
     "Wait until something is so, for example until the model is known"
     with self._came: return self._came.wait_for(lambda: true(self), timeout)
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #8c76cd65
+@patch(cls_method=True)
+def open(cls:SiyiLink, url:DeviceURL)->'SiyiLink':
+    "Link to `siyi://HOST[:PORT][?transport=tcp]` or `siyi:///dev/ttyUSB0`; raises `ValueError`"
+    if not url.host and len(url.path)>1: return cls(url.path, transport='serial')
+    if not url.host: raise ValueError('where is the SIYI? Write siyi://HOST or siyi:///dev/ttyUSB0')
+    return cls(url.host, url.port or 37260, url.option('transport', 'udp'))

@@ -41,19 +41,21 @@ class TopotekReader:
     _head = re.compile(rb'#[Tt][Pp]([A-Z])[A-Z]([0-9A-F])[rw]([A-Z0-9]{3})')
     def __init__(self): self._data = b''
 
-    def feed(self, data:bytes)->list:
-        "Return the frames that are complete now: sender, three letters and data of each"
-        self._data,found = self._data+data,[]
-        while (start := self._data.find(b'#'))>=0 and len(self._data)>=start+10:
-            self._data = self._data[start:]
-            head = self._head.match(self._data)
-            end = 10+int(head[2], 16) if head else 0
-            if head and len(self._data)<end+2: return found
-            right = head and self._data[end:end+2]==b'%02X'%(sum(self._data[:end])&255)
-            if right: found.append((head[1].decode(), head[3].decode(), self._data[10:end]))
-            self._data = self._data[end+2 if right else 1:]
-        self._data = self._data[start:] if start>=0 else b''
-        return found
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #fb470fab
+@patch
+def feed(self:TopotekReader, data:bytes)->list:
+    "Return the frames that are complete now: sender, three letters and data of each"
+    self._data,found = self._data+data,[]
+    while (start := self._data.find(b'#'))>=0 and len(self._data)>=start+10:
+        self._data = self._data[start:]
+        head = self._head.match(self._data)
+        end = 10+int(head[2], 16) if head else 0
+        if head and len(self._data)<end+2: return found
+        right = head and self._data[end:end+2]==b'%02X'%(sum(self._data[:end])&255)
+        if right: found.append((head[1].decode(), head[3].decode(), self._data[10:end]))
+        self._data = self._data[end+2 if right else 1:]
+    self._data = self._data[start:] if start>=0 else b''
+    return found
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #86a41a13
 def _attitude_in(sender:str, what:str, data:bytes)->tuple|None:
@@ -88,6 +90,7 @@ class _UDP:
         data,peer = self.sock.recvfrom(most)
         return data if peer[0]==self.peer[0] else b''
 
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #f697e137
 def _serial(device:str, baudrate:int):
     from serial import Serial
     return Serial(device, baudrate, timeout=0, write_timeout=.1)
@@ -100,21 +103,27 @@ class _TopotekLine:
         self.error,self._port,self._lock,self._loop = 'not open yet',None,threading.Lock(),None
 
     def __repr__(self): return self.name
-    def start(self):
-        self._loop = Loop(self.name, self._open)
-        self._loop.call(self._open)
 
-    def _open(self):
-        if self._port is not None or self.error=='closed': return
-        try: self._port,self.error = self.make(),None
-        except OSError as e: self.error = str(e)
-        else: self._loop.watch(self._port, lambda events: self._read(self._port))
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #126dca1e
+@patch
+def start(self:_TopotekLine):
+    self._loop = Loop(self.name, self._open)
+    self._loop.call(self._open)
 
-    def _read(self, port):
-        try: data = port.read(4096)
-        except BlockingIOError: return
-        except OSError as e: return self._drop(str(e))
-        if data: self.hear(data)
+@patch
+def _open(self:_TopotekLine):
+    if self._port is not None or self.error=='closed': return
+    try: self._port,self.error = self.make(),None
+    except OSError as e: self.error = str(e)
+    else: self._loop.watch(self._port, lambda events: self._read(self._port))
+
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #f6203bae
+@patch
+def _read(self:_TopotekLine, port):
+    try: data = port.read(4096)
+    except BlockingIOError: return
+    except OSError as e: return self._drop(str(e))
+    if data: self.hear(data)
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #1623ff21
 @patch
@@ -124,6 +133,7 @@ def send(self:_TopotekLine, data:bytes)->bool:
         try: return self._port is not None and self._port.write(data)==len(data)
         except OSError: return False            # it takes nothing now, or there is no network
 
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #6906c92e
 @patch
 def _drop(self:_TopotekLine, why:str):
     port,self.error = self._port,why
@@ -169,28 +179,12 @@ class Topotek(Gimbal):
         self.line.start()
         self._job = self._timers.every(self.pace, self.tick) if clock is time.monotonic else None
 
-    @classmethod
-    def open(cls, url:DeviceURL, **storage):
-        "Open the gimbal at a URL, such as topotek://192.168.144.108 or topotek:///dev/ttyUSB0; raises `ValueError`"
-        kinds = dict(sender=str, local=int, baudrate=int)
-        options = {name: kinds[one_of('an option', name, kinds)](text) for name,text in url.options}
-        where = dict(host=url.host or url.path.rstrip('/'), port=url.port)
-        return cls(**{name: value for name,value in where.items() if value}, **options)
-
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #af0b5e1a
 @patch
 def _forget(self:Topotek): self.setpoint = Setpoint(Axis(), Axis(), Axis())       # every axis stays where it is
 
 @patch
 def _send(self:Topotek, receiver, what, data): self.line.send(topotek_frame(receiver, what, data, self.sender))
-
-@patch
-def close(self:Topotek):
-    "Stop turning, and close the line; may be called twice"
-    Gimbal.close(self)
-    if self._job: self._timers.cancel(self._job, timeout=self.patience)
-    for _ in range(3): self._send('G', 'PTZ', '00')
-    self.line.close()
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #e1d4d005
 @patch
@@ -209,13 +203,14 @@ def fault(self:Topotek)->str|None:
     if self.clock()-self._heard>self.silence:
         return f'no attitude from {self.line} for {self.silence:g} s (asked as sender {self.sender!r})'
 
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #4ed7d48b
 @patch
-def attitude(self:Topotek)->GimbalAttitude:
-    "Return where it points, by its last report, and the vehicle's yaw then"
-    (yaw,pitch,roll),wanted,vehicle = self._angles,self.setpoint,self._below
-    return GimbalAttitude(quaternion(roll, pitch, yaw), vehicle_yaw=vehicle.yaw, vehicle_yaw_rate=vehicle.yaw_rate,
-        lock=wanted.lock, mode=wanted.mode, failures=tuple(self._failures()), time=self.clock())
+def _wanted(self:Topotek, axis:str, setpoint:Setpoint)->float:
+    "Return the angle asked for, yaw from the nose; NaN: none, or north is unknown"
+    angle,vehicle = getattr(setpoint, axis).angle,(self.vehicle or VehicleState()).after(self.pace/2)
+    return wrap(angle-vehicle.yaw) if axis=='yaw' and setpoint.lock else angle
 
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #257f111f
 @patch
 def _failures(self:Topotek):
     if self.fault: yield 'COMMS_ERROR'
@@ -223,11 +218,13 @@ def _failures(self:Topotek):
         angle = self._wanted(axis, self.setpoint)
         if known(angle) and abs(self.information.limited(axis, angle)-angle)>.05: yield f'AT_{axis.upper()}_LIMIT'
 
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #3b9e4f2f
 @patch
-def _wanted(self:Topotek, axis:str, setpoint:Setpoint)->float:
-    "Return the angle asked for, yaw from the nose; NaN: none, or north is unknown"
-    angle,vehicle = getattr(setpoint, axis).angle,(self.vehicle or VehicleState()).after(self.pace/2)
-    return wrap(angle-vehicle.yaw) if axis=='yaw' and setpoint.lock else angle
+def attitude(self:Topotek)->GimbalAttitude:
+    "Return where it points, by its last report, and the vehicle's yaw then"
+    (yaw,pitch,roll),wanted,vehicle = self._angles,self.setpoint,self._below
+    return GimbalAttitude(quaternion(roll, pitch, yaw), vehicle_yaw=vehicle.yaw, vehicle_yaw_rate=vehicle.yaw_rate,
+        lock=wanted.lock, mode=wanted.mode, failures=tuple(self._failures()), time=self.clock())
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #79da9fb3
 @patch
@@ -238,6 +235,7 @@ def _goal(self:Topotek, axis:str, setpoint:Setpoint)->float:
     if not (rate>0 and known(start)): return angle
     return start+math.copysign(min(abs(angle-start), rate*(self.clock()-self._began)), angle-start)
 
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #5254a05d
 @patch
 def _rate(self:Topotek, axis:str, setpoint:Setpoint, goal:float)->float:
     if getattr(setpoint, axis).turning: return getattr(setpoint, axis).rate
@@ -278,6 +276,7 @@ def _held(self:Topotek, axis:str, lock:bool)->Axis:
     "Return the target that keeps an axis; none for one that turns: it stays where it stops"
     return Axis() if getattr(self.setpoint, axis).turning else Gimbal._held(self, axis, lock)
 
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #e63ec8d2
 @patch
 def _settle(self:Topotek):
     "Read the angle of an axis that has stopped, when it's needed"
@@ -327,6 +326,7 @@ def _lens(self:Topotek, what:str, data:str):
         self._order('M', what, data)
         self._said[what] = ('M',what,data),self.clock()
 
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #d5032596
 @patch
 def set_camera_zoom(self:Topotek, kind:str, # 'continuous'
                     value:float): # -1 to 1: its sign, in is positive; 0 stops
@@ -367,14 +367,33 @@ def image_start_capture(self:Topotek,
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #5ece34b1
 @patch
-def image_stop_capture(self:Topotek):
-    "Stop a series of pictures"
-    with self._lock: self.series = None
-
-@patch
 def _take_series(self:Topotek):
     left,due,interval = self.series or (0,math.inf,0)
     if self.clock()<due-.001: return
     self.series = (left-1, due+interval, interval) if left>1 else None
     if self.fault: self.log.warning('a picture is lost: %s', self.fault)
     else: self._send('D', 'CAP', '01')
+
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #f7053ff9
+@patch
+def image_stop_capture(self:Topotek):
+    "Stop a series of pictures"
+    with self._lock: self.series = None
+
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #4d024ff2
+@patch
+def close(self:Topotek):
+    "Stop turning, and close the line; may be called twice"
+    Gimbal.close(self)
+    if self._job: self._timers.cancel(self._job, timeout=self.patience)
+    for _ in range(3): self._send('G', 'PTZ', '00')
+    self.line.close()
+
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #c04a42f5
+@patch(cls_method=True)
+def open(cls:Topotek, url:DeviceURL, **storage):
+    "Open the gimbal at a URL, such as topotek://192.168.144.108 or topotek:///dev/ttyUSB0; raises `ValueError`"
+    kinds = dict(sender=str, local=int, baudrate=int)
+    options = {name: kinds[one_of('an option', name, kinds)](text) for name,text in url.options}
+    where = dict(host=url.host or url.path.rstrip('/'), port=url.port)
+    return cls(**{name: value for name,value in where.items() if value}, **options)

@@ -147,27 +147,31 @@ class ViewsheenReader:
     most = 32                       # bytes of a body, at most: more is no frame
     def __init__(self): self._data,self.skipped = bytearray(),0         # `skipped`: bytes that belonged to no frame
 
-    def _size(self)->int|None:
-        "How many bytes the frame at the beginning has; 0: there is none; `None`: too early to say"
-        d = self._data
-        if not MARK.startswith(d[:2]) or d[2:3]>bytes([self.most]) or any(d[3:12]): return 0
-        if len(d)<14: return
-        whole = [14+d[2], 15+d[2]]
-        if d[12]==IDENTITY[0]: whole.reverse()      # a report says one byte less than it has
-        there = [n for n in whole if n<=len(d)]
-        right = (n for n in there if _crc16(d[:n-2])==int.from_bytes(d[n-2:n], 'little'))
-        return next(right, 0 if there==whole else None)
+# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #4c51c185
+@patch
+def _size(self:ViewsheenReader)->int|None:
+    "How many bytes the frame at the beginning has; 0: there is none; `None`: too early to say"
+    d = self._data
+    if not MARK.startswith(d[:2]) or d[2:3]>bytes([self.most]) or any(d[3:12]): return 0
+    if len(d)<14: return
+    whole = [14+d[2], 15+d[2]]
+    if d[12]==IDENTITY[0]: whole.reverse()      # a report says one byte less than it has
+    there = [n for n in whole if n<=len(d)]
+    right = (n for n in there if _crc16(d[:n-2])==int.from_bytes(d[n-2:n], 'little'))
+    return next(right, 0 if there==whole else None)
 
-    def feed(self, data:bytes, # What came
-            )->list: # Of `bytes`
-        "The bodies of all frames that are complete now"
-        self._data += data
-        found = []
-        while self._data and (size := self._size()) is not None:
-            if size: found.append(bytes(self._data[12:size-2]))
-            else: self.skipped += 1
-            del self._data[:size or 1]
-        return found
+# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #b53a9776
+@patch
+def feed(self:ViewsheenReader, data:bytes, # What came
+        )->list: # Of `bytes`
+    "The bodies of all frames that are complete now"
+    self._data += data
+    found = []
+    while self._data and (size := self._size()) is not None:
+        if size: found.append(bytes(self._data[12:size-2]))
+        else: self.skipped += 1
+        del self._data[:size or 1]
+    return found
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #323e59c2
 class _Reckoned:
@@ -179,27 +183,33 @@ class _Reckoned:
         self._now = self._until = -math.inf             # when `angle` was right; when `rate` ends
         self.sure = self.told = False                   # is `angle` more than a guess? was it told anything?
 
-    def near(self, angle:float)->float:
-        "The same angle, as the axis names it"
-        return wrap(angle) if math.isinf(self.high) else min(max(angle, self.low), self.high)
+# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #513a341a
+@patch
+def near(self:_Reckoned, angle:float)->float:
+    "The same angle, as the axis names it"
+    return wrap(angle) if math.isinf(self.high) else min(max(angle, self.low), self.high)
 
-    def toward(self, start:float, goal:float, most:float)->float:
-        "The angle `most` degrees on the way from `start` to `goal`"
-        way = wrap(goal-start) if math.isinf(self.high) else goal-start
-        return self.near(start+math.copysign(min(abs(way), most), way))
+@patch
+def toward(self:_Reckoned, start:float, goal:float, most:float)->float:
+    "The angle `most` degrees on the way from `start` to `goal`"
+    way = wrap(goal-start) if math.isinf(self.high) else goal-start
+    return self.near(start+math.copysign(min(abs(way), most), way))
 
-    def at(self, now:float)->float:
-        "Its angle"
-        if self.goal is not None: self.angle = self.toward(self.angle, self.goal, self.speed*max(now-self._now, 0.))
-        elif self.rate: self.angle = self.near(self.angle+self.rate*max(min(now, self._until)-self._now, 0.))
-        self._now = max(now, self._now)
-        return self.angle
+# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #a4460beb
+@patch
+def at(self:_Reckoned, now:float)->float:
+    "Its angle"
+    if self.goal is not None: self.angle = self.toward(self.angle, self.goal, self.speed*max(now-self._now, 0.))
+    elif self.rate: self.angle = self.near(self.angle+self.rate*max(min(now, self._until)-self._now, 0.))
+    self._now = max(now, self._now)
+    return self.angle
 
-    def told_to(self, now:float, goal:float|None=None, rate:float=0.):
-        "It was told to go to an angle, or to turn"
-        self.at(now)
-        self.goal,self.rate,self._until,self.told = goal,rate,now+self.lasts,True
-        self.sure = self.sure or goal is not None
+@patch
+def told_to(self:_Reckoned, now:float, goal:float|None=None, rate:float=0.):
+    "It was told to go to an angle, or to turn"
+    self.at(now)
+    self.goal,self.rate,self._until,self.told = goal,rate,now+self.lasts,True
+    self.sure = self.sure or goal is not None
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #acf63ad2
 @patch
@@ -265,26 +275,7 @@ class Viewsheen(Gimbal):
         self.line.hear,self.line.changed = lambda data: self._hear(data),lambda: self._on_line()
         self.line.start()
 
-    @classmethod
-    def open(cls, url:DeviceURL, # Such as viewsheen://192.168.144.200?video=rtsp://192.168.144.200/live
-             **storage)->Viewsheen:
-        "Open the gimbal at a URL, and its camera if the URL has a `video`; raises `ValueError`"
-        if not url.host: raise ValueError(f'{url!r}: a Viewsheen is at a host, such as viewsheen://192.168.144.200')
-        gimbal,video = cls(url.host, url.port or 2000),url.option('video')
-        try: gimbal.camera = ViewsheenCamera(gimbal, video, **storage) if video else None
-        except BaseException:
-            gimbal.close()
-            raise
-        return gimbal
-
     def _forget(self): self.setpoint = Setpoint(Axis(), Axis(), Axis())       # every axis stays where it is
-
-    def close(self):
-        "Stop turning, and hang up; may be called twice"
-        if self.camera: self.camera.close()
-        super().close()
-        self._send_rates(pitch=0., yaw=0.)
-        self.line.close()
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #0a881818
 @patch(as_prop=True)
@@ -469,6 +460,15 @@ def _hear(self:Viewsheen, data:bytes):
             self.axes['pitch'].be(report.pitch, now)
             self.axes['yaw'].be(from_north if self.setup.yaw_reference=='earth' else report.yaw, now)
 
+# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #853781b9
+@patch
+def close(self:Viewsheen):
+    "Stop turning, and hang up; may be called twice"
+    if self.camera: self.camera.close()
+    Gimbal.close(self)
+    self._send_rates(pitch=0., yaw=0.)
+    self.line.close()
+
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #74c4901c
 @patch
 def _order(self:Viewsheen, *frames):
@@ -593,20 +593,24 @@ class ViewsheenCamera(URLCamera):
         try: getattr(self.gimbal, verb)(*args)
         except GimbalError as e: raise CameraError(f'{self.information.model}: {e}') from None
 
-    def set_camera_zoom(self, kind:str, value:float):
-        "Zoom, as `Viewsheen.set_camera_zoom`; raises `ValueError` and `CameraError`"
-        self._do('set_camera_zoom', kind, value)
-        self.announce(self.settings())
+# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #483774ac
+@patch
+def set_camera_zoom(self:ViewsheenCamera, kind:str, value:float):
+    "Zoom, as `Viewsheen.set_camera_zoom`; raises `ValueError` and `CameraError`"
+    self._do('set_camera_zoom', kind, value)
+    self.announce(self.settings())
 
-    def set_camera_focus(self, kind:str, value:float=0.):
-        "Focus, as `Viewsheen.set_camera_focus`; raises `ValueError` and `CameraError`"
-        self._do('set_camera_focus', kind, value)
-        self.announce(self.settings())
+@patch
+def set_camera_focus(self:ViewsheenCamera, kind:str, value:float=0.):
+    "Focus, as `Viewsheen.set_camera_focus`; raises `ValueError` and `CameraError`"
+    self._do('set_camera_focus', kind, value)
+    self.announce(self.settings())
 
-    def read_still(self)->Frame:
-        "Have the camera take a picture on its card, and return the next frame of its video; raises `CameraError`"
-        self._do('image_start_capture')
-        return self.next_frame()
+@patch
+def read_still(self:ViewsheenCamera)->Frame:
+    "Have the camera take a picture on its card, and return the next frame of its video; raises `CameraError`"
+    self._do('image_start_capture')
+    return self.next_frame()
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #9efbb014
 @patch
@@ -620,3 +624,16 @@ def video_stop_capture(self:ViewsheenCamera, stream_id:int=0):
     "Record no more; raises `CameraError`"
     URLCamera.video_stop_capture(self, stream_id)
     self._do('video_stop_capture')
+
+# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #322a055d
+@patch(cls_method=True)
+def open(cls:Viewsheen, url:DeviceURL, # Such as viewsheen://192.168.144.200?video=rtsp://192.168.144.200/live
+         **storage)->Viewsheen:
+    "Open the gimbal at a URL, and its camera if the URL has a `video`; raises `ValueError`"
+    if not url.host: raise ValueError(f'{url!r}: a Viewsheen is at a host, such as viewsheen://192.168.144.200')
+    gimbal,video = cls(url.host, url.port or 2000),url.option('video')
+    try: gimbal.camera = ViewsheenCamera(gimbal, video, **storage) if video else None
+    except BaseException:
+        gimbal.close()
+        raise
+    return gimbal
