@@ -543,8 +543,13 @@ def axe_source(
 # %% browser.ipynb #afeea135
 _run_axe = '''const [rules, done] = arguments
     const texts = ({id, help, nodes}) => nodes.map(node => `${id}: ${help}: ${node.target.join(' ')}`)
+    const panel = document.querySelector('.uav-panel') ?? document.body
+    const move = () => panel.dispatchEvent(new PointerEvent('pointermove', {bubbles: true}))    // or the controls fade
+    move()
+    for (const one of document.getAnimations()) try { one.finish() } catch { /* it has no end */ }
+    const moving = setInterval(move, 500), end = found => { clearInterval(moving); done(found) }
     axe.run(document, {resultTypes: ['violations'], ...(rules && {runOnly: rules})})
-      .then(found => done(found.violations.flatMap(texts)), error => done(String(error)))'''
+      .then(found => end(found.violations.flatMap(texts)), error => end(String(error)))'''
 
 @patch
 def axe(self:Page,
