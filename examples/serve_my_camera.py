@@ -1,7 +1,7 @@
 """Make a MAVLink camera of anything that gives pictures: here a clock, which ground stations see and photograph.
 
 In one terminal:  python serve_my_camera.py
-In another one:   python take_pictures.py, or watch_video.py       (or open QGroundControl)
+In another one:   python take_pictures.py, or watch_video.py       (QGroundControl needs an autopilot of this system, too)
 Ctrl-C ends it. A vehicle's autopilot is at the other end of a serial port: python serve_my_camera.py /dev/serial0
 """
 import threading, time

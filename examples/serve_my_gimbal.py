@@ -1,7 +1,7 @@
 """Make a MAVLink gimbal of your own motors: here two hobby servos for pitch and yaw, on a Pololu Maestro.
 
 In one terminal:  python serve_my_gimbal.py udpout:127.0.0.1:14550 /dev/ttyACM0
-In another one:   uav-gimbal angle -45 30       (or QGroundControl)
+In another one:   uav-gimbal angle -45 30       (QGroundControl needs an autopilot, too)
 Without a port, the servos are simulated. Ctrl-C ends it.
 """
 import threading, time

@@ -1,7 +1,7 @@
 """Serve a camera with settings of its own, over TCP and over a serial line at the same time.
 
 In one terminal:  python serve_settings.py tcpin:127.0.0.1:5760 /dev/ttyUSB0
-In another one:   uav-camera --connection tcp:127.0.0.1:5760 set PALETTE Ice         (or QGroundControl, with a TCP link)
+In another one:   uav-camera --connection tcp:127.0.0.1:5760 set PALETTE Ice         (QGroundControl needs an autopilot, too)
 Without a serial port, leave the second word out. Ctrl-C ends it.
 """
 import threading, time

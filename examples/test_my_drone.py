@@ -1,6 +1,6 @@
 """Test code of your own with a simulated drone, over a radio that loses every fifth message.
 
-Copy it, and start it:   pytest test_my_drone.py      (pip install "UAV[test]")
+Copy it, and start it:   pytest test_my_drone.py      (pip install '.[test]' in a clone)
 The fixtures `uav_…` come with the package. When a test fails, its report shows what passed over the radio.
 """
 from typing import Any

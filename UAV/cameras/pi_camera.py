@@ -64,8 +64,11 @@ def _settings(controls:dict, metadata:dict)->list:
 
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #b4b6100a
 def _picamera2():
-    "Import picamera2; raises `CameraError` when it is missing"
+    "Import picamera2; raises `CameraError` when it is missing, or was built for another NumPy"
     try: import libcamera, picamera2, picamera2.encoders, picamera2.outputs
+    except ValueError as e:         # numpy.dtype size changed
+        raise CameraError(f"picamera2 doesn't load ({e}): on Debian 12 it needs "
+                          "`pip install 'numpy<2' 'opencv-python-headless<4.12'`") from None
     except ImportError as e:
         raise CameraError(f'picamera2 is missing ({e}): `sudo apt install python3-picamera2`, and make the environment '
                           'with `python3 -m venv --system-site-packages`') from None

@@ -194,7 +194,8 @@ def next_frame(self:URLCamera,
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #b7fa6e2e
 @patch
 def make_encoder(self:URLCamera, codec:str, size:tuple|None, rate:float, bitrate:int|None):
-    "Return the camera's own video, if codec and size fit or aren't known yet; else an encoder of our frames"
+    "Return the camera's own video, unless codec, size or bitrate ask for another: then an encoder of our frames"
     ours,i = self._encoder,self.information
-    fits = size in (None, (i.resolution_h,i.resolution_v)) and (codec==ours.codec or not ours.format)
+    same_size,same_codec = size in (None, (i.resolution_h,i.resolution_v)),codec==ours.codec or not ours.format
+    fits = bitrate is None and same_size and same_codec
     return ours if fits else Camera.make_encoder(self, codec, size, rate, bitrate)

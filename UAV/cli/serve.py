@@ -363,12 +363,12 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
     role:str='both', # Gimbal role: both, or device if an autopilot manages it (ArduPilot: MNT1_TYPE 6)
     mounted:str=None, # Fixed camera: down, forward, or ROLL,PITCH,YAW in degrees
     path:str=None, # Simulate a vehicle that flies this path: hover or circle
-    autopilot:bool=False): # Also simulate the autopilot: QGroundControl shows no gimbal without one
+    autopilot:bool=False): # Also simulate the autopilot: QGroundControl shows no camera without one
     """Serve a camera to ground stations until Ctrl-C, with stills, video and storage
 
     examples:
       uav-camera-server
-        a simulated camera for QGroundControl on this machine
+        a simulated camera behind a real autopilot, or for Python on this machine
       uav-camera-server --camera 0 --connection /dev/serial0,921600
         a USB camera behind an autopilot
       uav-camera-server --device siyi://192.168.144.25
