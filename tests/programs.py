@@ -334,11 +334,12 @@ def outputs(self:LabPage, n:int)->list:
 
 # %% programs.ipynb #670a1c05
 def commands_in(page:str)->list:
-    "Words of each `uav-…` command in the shell blocks and tables of a notebook"
+    "Words of each `uav-…` command in the shell blocks, tables and systemd lines of a notebook"
     cells = json.loads(Path(page).read_text())['cells']
     text = '\n'.join(''.join(cell['source']) for cell in cells if cell['cell_type']=='markdown')
     lines = [line for block in re.findall(r'```sh\n(.*?)```', text, re.S) for line in block.splitlines()]
     lines += [code for row in re.findall(r'^\|.*\|$', text, re.M) for code in re.findall(r'`([^`]+)`', row)]
+    lines += re.findall(r'^ExecStart=(.*)$', text, re.M)
     found = (re.match(r'(?:\S*/)?(uav-[a-z-]+)(?= |$)(.*)', line) for line in lines)
     return [[m[1],*shlex.split(m[2], comments=True)] for m in found if m]
 

@@ -10,7 +10,7 @@ import math, threading
 
 from .parameters import check_parameters, ParametersChanged
 from .values import *
-from ..utils.general import cv2, Report, kept
+from ..utils.general import _has_ended, cv2, Report, kept
 
 # %% ../../nbs/api/cameras/10_contract.ipynb #781f4f27
 def _check_information(camera, seen):
@@ -190,8 +190,7 @@ def _check_close(camera, seen):
     camera.close()
     ours = f' {camera.information.model}'
     left = [t for t in threading.enumerate() if t not in seen.threads or t.name.endswith(ours)]
-    for thread in left: thread.join(1)          # one that is ending, such as a test server's, may end
-    left = [t.name for t in left if t.is_alive()]
+    left = [t.name for t in left if not _has_ended(t, 1.)]          # a test server's may be ending
     assert not left, f'threads are left after close(): {", ".join(left)}'
     try: camera.image_start_capture()
     except CameraError: return

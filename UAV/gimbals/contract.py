@@ -9,7 +9,7 @@ __all__ = ['check_gimbal']
 import math, threading, time
 
 from .values import *
-from ..utils.general import Report, kept
+from ..utils.general import _has_ended, Report, kept
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #72dcf213
 def _ticking(gimbal, wait):
@@ -277,8 +277,6 @@ def check_gimbal(gimbal, # A Gimbal; it is closed at the end
     assert hasattr(gimbal, 'setpoint'), f'{type(gimbal).__name__}.__init__ must call super().__init__(...)'
     threads = threading.enumerate()
     report = kept(gimbal, _checks_for(gimbal), _ticking(gimbal, wait))
-    left = [t for t in threading.enumerate() if t not in threads]
-    for thread in left: thread.join(1)          # one that is ending may end
-    left = [t.name for t in left if t.is_alive()]
+    left = [t.name for t in threading.enumerate() if t not in threads and not _has_ended(t, 1.)]
     assert not left, f'threads are left after close(): {", ".join(left)}'
     return report

@@ -191,7 +191,8 @@ async def _meet(self:GimbalClient, count:int|None, timeout:float)->list:
 @patch
 def _heard_instead_of_managers(self:GimbalClient)->str:
     "List the components that were received; a gimbal device without a manager is pointed out"
-    devices = [self.mav_com.name_of(s) for s,r in sorted(self.remotes.items()) if r.type==mavlink.MAV_TYPE_GIMBAL]
+    devices = [self.mav_com.name_of(s) for s,r in list(self.remotes.items())
+               if r.type==mavlink.MAV_TYPE_GIMBAL and not r.lost]
     alone = f'; no gimbal manager answers for the gimbal device {" and ".join(devices)}' if devices else ''
     return self.mav_com.who_was_heard()+alone
 
