@@ -18,7 +18,7 @@ try: from selenium.webdriver.chromium.webdriver import ChromiumDriver
 except ImportError: pass                # there is no Chromium either
 else: drivers.append(ChromiumDriver)
 
-LONGEST = 600                           # s for one notebook; then it says where it hangs, and ends
+LONGEST = 1200                          # s for one notebook; then it says where it hangs, and ends
 BROWSING = 2                            # notebooks with browsers: while one has its browser open, the next one does the rest, or waits
 WORKERS = 2*(os.cpu_count() or 1)+1             # for half of its time a notebook waits; more of them make each one late
 LONG = ('panel_in_a_browser panel_settings panel_in_jupyterlab 03_camera panel_under_siege camera_conformance hostile_bytes 04_gimbal 06_check '

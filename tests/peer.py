@@ -266,5 +266,5 @@ def close(self:Cable):
 
 # %% peer.ipynb #ee05da29
 class Quick(MAVCom):
-    "A `MAVCom` in which hearts beat fifty times faster, and silence is noticed as much sooner"
-    beat_period,lost_after = .02,.1 # Seconds
+    "A `MAVCom` in which hearts beat fifty times faster, and silence is noticed sooner"
+    beat_period,lost_after = .02,1. # s
