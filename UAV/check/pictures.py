@@ -253,7 +253,7 @@ def _endless(p):
         answer = p.command(_stop, 0)
         p.listen(1.)
         now,later = p.status(),len(p.record)
-        p.listen(2*_pace)
+        p.listen(max(2*_pace, p.quiet))
     def is_new(m): return not m.time_boot_ms or m.time_boot_ms>now.time_boot_ms        # and no notice that is late
     must(going>=3, f'{going} notices')
     must(answer, f'{_stop}: {answer}')

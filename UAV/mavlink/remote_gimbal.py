@@ -286,9 +286,11 @@ async def _check_free(self:RemoteGimbal, take_over:bool=False):
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #57a1bf3d
 @patch
 async def _take(self:RemoteGimbal):
-    "Take control; raises as `Ack.check`, and `Denied` if the manager accepts but shows another client"
-    (await self._configure(*self.client._us)).check()
-    if await self._wait_status(lambda status: status is not None and status.primary==self.client._us): return
+    "Take control; raises as `Ack.check`, and `Denied` if the manager accepts but shows another client, or twice none"
+    for _ in range(2):
+        (await self._configure(*self.client._us)).check()
+        if await self._wait_status(lambda status: status is not None and status.primary==self.client._us): return
+        if self.status is None or self.held_by_other: break
     if self.status is not None: raise Denied(self._holder())
     self.client.log.warning('gimbal %s of %s/%s does not say who is in control', self.gimbal[2], *self._manager)
 
