@@ -148,7 +148,7 @@ def _broadcast(p):
 @requirement('photo.pair', 'The two commands of one trigger of PX4 take one picture',
              'PX4 camera_trigger sends DO_DIGICAM_CONTROL with IMAGE_START_CAPTURE', **_two)
 def _pair(p):
-    for _ in range(3):          # a busy computer may handle the two too far apart
+    for _ in range(2):          # a busy computer may handle the two too far apart
         old,new = p.long('DO_DIGICAM_CONTROL', 0, 0, 0, 0, 1),p.long(_start, 0, 0, 1, p.next_number())
         with p.ready('image'): found = p.shot(send=lambda: (p.send(old), p.do(new))[1])
         given(found.answer.acks, 'no ack')

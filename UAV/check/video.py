@@ -280,12 +280,13 @@ def _by_speed(p, command, field):
         p.listen(.5)
         stopped = p.command(command, _continuous, 0)
         at = []
-        while len(at)<2 or at[-2]!=at[-1] and len(at)<5:        # a slow one reports its end late
+        while len(at)<2 or at[-2]!=at[-1] and len(at)<4:        # a slow one reports its end late
             p.listen(.3)
             at.append(getattr(p.get('CAMERA_SETTINGS')[1], field))
     for answer in (began,stopped): must(answer, repr(answer))
     if all(map(math.isnan, (before,*at))): raise NotForThis('it does not say where it is')
-    must(at[-2]==at[-1], f'after the stop it goes on, from {at[-2]:.0f} to {at[-1]:.0f} %')
+    stands = at[-2]==at[-1] and (at[0]==at[-1] or 0<at[-1]<100)          # at the end of its range, all stand
+    must(stands, f'after the stop it goes on, from {at[0]:.0f} to {at[-1]:.0f} %')
     must(math.isnan(before) or at[-1]!=before, f'it stays at {before:.0f} %')
     return f'from {before:.0f} to {at[-1]:.0f} %'
 
