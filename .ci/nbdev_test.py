@@ -20,7 +20,7 @@ else: drivers.append(ChromiumDriver)
 
 LONGEST = 1200                          # s for one notebook; then it says where it hangs, and ends
 BROWSING = 2                            # notebooks with browsers: while one has its browser open, the next one does the rest, or waits
-WORKERS = 2*(os.cpu_count() or 1)                 # for half of its time a notebook waits; more of them make each one late, and all no faster
+WORKERS = 2*(os.cpu_count() or 1)       # for half of its time a notebook waits; more make each one late, and all no faster
 LONG = ('panel_in_a_browser panel_settings panel_in_jupyterlab 03_camera panel_under_siege camera_conformance hostile_bytes 04_gimbal 06_check '
         'examples 16_check_a_camera watch_in_qgroundcontrol_vlc_ffplay 07_files run_on_a_companion_computer 05_gui 02_serve programs hostile_files '
         'devices_conformance killed_while_capturing stray_acks 11_survey_by_distance serial_and_mavproxy').split()      # they need longest
