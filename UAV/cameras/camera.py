@@ -9,7 +9,7 @@ from dataclasses import replace
 from inspect import getattr_static, signature
 from numbers import Real
 from pathlib import Path
-import atexit, math, os, threading, time
+import atexit, math, os
 
 from fastcore.basics import patch
 from .exif import _OwnTags
@@ -22,6 +22,7 @@ from .tracker import _focal, Pursuit, Tracker
 from .trigger import CaptureQueue, _check_sequence
 from .values import *
 from ..logging import get_logger, LogLevels
+from ..utils import clock
 from ..utils.general import Closes, CompleteLater, cv2, inside, Opened, timers
 from ..utils.pictures import as_bgr
 
@@ -111,7 +112,7 @@ def _make_parts(self:Camera):
     self._fault,self.captures = None,CaptureQueue(self)
     self.frames,self.filming,self.tracking = Frames(self),Filming(self),Tracker(self)
     self.trigger,self.streams = self.captures.trigger,self.filming.streams      # the first stream has number 1
-    self._lock,self._closing = threading.Lock(),threading.Event()
+    self._lock,self._closing = clock.Lock(),clock.Event()
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #43ea7393
 @patch
@@ -302,11 +303,11 @@ def _encode(self:Camera, frame)->bytes:
 @patch
 def _take_picture(self:Camera)->Picture|None:
     "Take one picture and keep it; a failure is kept, too. `None`: closed meanwhile, and recorded already"
-    started = time.time()
+    started = clock.time()
     try:
         frame,information = self._posed(self._read_watched()),self.information
         if not self.captures.running: return
-        self.captures.progress = time.monotonic()       # the device came back, however late
+        self.captures.progress = clock.monotonic()       # the device came back, however late
         if self.lens: information = replace(information, focal_length=self.lens.focal_length)
         beside = getattr(frame, 'beside', ())
         return self.storages.save(self._encode(frame), frame.time_utc, frame.pose, information, self.exif_tags, beside)

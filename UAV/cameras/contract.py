@@ -6,10 +6,11 @@
 __all__ = ['check_camera']
 
 # %% ../../nbs/api/cameras/10_contract.ipynb #7e5bc99f
-import math, threading
+import math
 
 from .parameters import check_parameters, ParametersChanged
 from .values import *
+from ..utils import clock
 from ..utils.general import _has_ended, cv2, Report, kept
 
 # %% ../../nbs/api/cameras/10_contract.ipynb #781f4f27
@@ -97,7 +98,7 @@ def _check_bad_values(camera, seen):
 # %% ../../nbs/api/cameras/10_contract.ipynb #5c0a5418
 def _check_stop(camera, seen):
     "stops an endless sequence, and may be stopped when idle"
-    first = threading.Event()
+    first = clock.Event()
     def on_picture(event): isinstance(event, Picture) and first.set()
     camera.subscribe(on_picture)
     camera.image_start_capture(interval=camera.min_interval, count=0)
@@ -189,7 +190,7 @@ def _check_close(camera, seen):
     camera.close()
     camera.close()
     ours = f' {camera.information.model}'
-    left = [t for t in threading.enumerate() if t not in seen.threads or t.name.endswith(ours)]
+    left = [t for t in clock.enumerate() if t not in seen.threads or t.name.endswith(ours)]
     left = [t.name for t in left if not _has_ended(t, 1.)]          # a test server's may be ending
     assert not left, f'threads are left after close(): {", ".join(left)}'
     try: camera.image_start_capture()
@@ -199,7 +200,7 @@ def _check_close(camera, seen):
 # %% ../../nbs/api/cameras/10_contract.ipynb #5c0a541b
 class _SeenEvents(list):
     "The events of a camera, and the threads that ran before"
-    def __init__(self): self.threads = threading.enumerate()
+    def __init__(self): self.threads = clock.enumerate()
 
 # %% ../../nbs/api/cameras/10_contract.ipynb #32e3e8ef
 def _checks_for(camera)->list:

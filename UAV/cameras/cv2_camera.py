@@ -8,12 +8,13 @@ from concurrent.futures import Future, TimeoutError
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
-import os, queue, re, threading, time
+import os, re
 
 from fastcore.basics import patch, store_attr
 from .camera import Camera
 from .parameters import Option, Parameter
 from .values import *
+from ..utils import clock
 from ..utils.general import _begin_thread, cv2, _has_ended, timers
 
 # %% auto #0
@@ -24,13 +25,13 @@ class _NewestFrame:
     "The newest frame of a source, for all who wait for a later one"
     def __init__(self):
         self.frame,self.number,self.problem = None,0,None           # `problem`: why no frame will come any more
-        self.arrived,self.taken,self.fresh = time.monotonic(),False,threading.Condition()
+        self.arrived,self.taken,self.fresh = clock.monotonic(),False,clock.Condition()
 
     def put(self, image, time_utc:float|None=None):
         "Replace the newest frame; `time_utc` (s since 1970) says when it was taken, `None`: now"
         with self.fresh:
-            self.frame = Frame(image, self.number, time_utc or time.time())
-            self.number,self.arrived,self.taken = self.number+1,time.monotonic(),False
+            self.frame = Frame(image, self.number, time_utc or clock.time())
+            self.number,self.arrived,self.taken = self.number+1,clock.monotonic(),False
             self.fresh.notify_all()
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #9bec75bc
@@ -138,7 +139,7 @@ class _Controls:
     def __init__(self, capture=None):
         self.declared = [] if capture is None else _find_controls(capture)
         self.defaults = {p.name: p.default for p in self.declared}
-        self.wishes,self.made = queue.SimpleQueue(),{}
+        self.wishes,self.made = clock.SimpleQueue(),{}
 
     def set(self, name:str, value:float, timeout:float)->dict:
         "Have the reader set it within `timeout` s: what the device has made of it; raises `CameraError`"
@@ -403,13 +404,13 @@ def _publish(self:CV2Camera, image):
 @patch
 def _read_on(self:CV2Camera):
     "The reader thread: read until closed, or until a file that does not loop has ended"
-    due = time.monotonic()
+    due = clock.monotonic()
     try:
         while not self._closing.is_set():
             if self.lockstep: self._newest.wait_taken()
             if self.paced:
-                due = max(due+1/self.frame_rate, time.monotonic()-.5)
-                if self._closing.wait(max(0, due-time.monotonic())): return
+                due = max(due+1/self.frame_rate, clock.monotonic()-.5)
+                if self._closing.wait(max(0, due-clock.monotonic())): return
             try:
                 self.controls.serve(self._capture)
                 ok,image = self._capture.read()
@@ -447,7 +448,7 @@ def _again(self:CV2Camera):
 @patch
 def _silence(self:CV2Camera)->str|None:
     "Return the error of a silent device: no frame for `read_timeout`; a film that waits for us isn't silent"
-    silent = time.monotonic()-self._newest.arrived
+    silent = clock.monotonic()-self._newest.arrived
     if silent <= self.read_timeout or self.lockstep: return None
     return f'{_source_name(self.source)} has given no frame for {silent:.0f} s'
 

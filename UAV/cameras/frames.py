@@ -7,10 +7,10 @@ from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import replace
 from numbers import Integral
-import threading, time
 
 from fastcore.basics import patch
 from .values import CameraBusy, CameraError, Frame, RecordingEnded, VideoStatus
+from ..utils import clock
 from ..utils.general import _begin_thread, _has_ended, timers
 
 # %% auto #0
@@ -24,8 +24,8 @@ class Frames:
     ):
         self.camera,self.newest = camera,None
         self.watchers,self.closed = 0,False             # how many look
-        self._changed,self._thread,self._reads = threading.Condition(),None,False
-        self._device = threading.Lock()                 # held by the one thread that reads
+        self._changed,self._thread,self._reads = clock.Condition(),None,False
+        self._device = clock.Lock()                 # held by the one thread that reads
         self._seen,self._since = None,None              # what was read last; when the read began that is under way
         self._failed = None                             # the error of the last read that failed
 
@@ -100,7 +100,7 @@ def _turn(self:Frames, seconds:float):
 @patch
 def _read_one(self:Frames)->float:
     "Read a frame and publish it; when that fails, the seconds to wait until the next attempt"
-    self._since = time.monotonic()
+    self._since = clock.monotonic()
     try:
         with self._turn(self.camera.patience): frame = self._read()
     except BaseException as e:              # no error of a device may end the thread
@@ -119,7 +119,7 @@ def _read_one(self:Frames)->float:
 @patch
 def _run(self:Frames):
     "The thread: read while there is a reader"
-    watch,due = timers.every(max(self.camera.patience/4, .01), self._look),time.monotonic()
+    watch,due = timers.every(max(self.camera.patience/4, .01), self._look),clock.monotonic()
     def is_over(): return self.closed or not self.watchers
     try:
         while True:
@@ -127,8 +127,8 @@ def _run(self:Frames):
                 self._reads = not is_over()
                 if not self._reads: return
             wait = self._read_one()
-            due = max(due+1/self.camera.frame_rate, time.monotonic())
-            with self._changed: self._changed.wait_for(is_over, max(0, wait or due-time.monotonic()))
+            due = max(due+1/self.camera.frame_rate, clock.monotonic())
+            with self._changed: self._changed.wait_for(is_over, max(0, wait or due-clock.monotonic()))
     finally: timers.cancel(watch)
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #3b5e2c31
@@ -136,13 +136,13 @@ def _run(self:Frames):
 def _look(self:Frames):
     "Check for a hanging read; called by the timer"
     since,patience = self._since,self.camera.patience
-    if since is not None and time.monotonic()-since>=patience: self.camera.set_fault(f'no picture for {patience:g} s')
+    if since is not None and clock.monotonic()-since>=patience: self.camera.set_fault(f'no picture for {patience:g} s')
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #2ccd4e00
 @patch
 def still(self:Frames)->Frame:
     "A frame that comes after the call; raises `CameraError` when none comes for `patience`, and what `read` raises"
-    end = time.monotonic()+self.camera.patience
+    end = clock.monotonic()+self.camera.patience
     with self._changed:
         newest,failed = self.newest,self._failed
         def is_over():
@@ -150,7 +150,7 @@ def still(self:Frames)->Frame:
         self._changed.wait_for(is_over, self.camera.patience)
         if self.newest is not newest: return self.newest
         if self.watchers: raise self._none_came()
-    with self._turn(end-time.monotonic()): return self.camera.read()
+    with self._turn(end-clock.monotonic()): return self.camera.read()
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #e2364dad
 @patch
@@ -170,8 +170,8 @@ class Filming:
     def __init__(self, camera): # Its `frames`, `storages`, `announce` and `make_encoder` are used
         self.camera,self.streams,self.encoders = camera,[],{}       # encoders by what was asked of them
         self.recorder,self.storage = None,None                      # while there is a recording
-        self.begun = threading.Event()                              # has its first picture come?
-        self.closed,self._lock = False,threading.RLock()
+        self.begun = clock.Event()                              # has its first picture come?
+        self.closed,self._lock = False,clock.RLock()
 
     def __repr__(self): return '\n'.join(map(repr, self.streams)) or 'no streams'
 
@@ -252,7 +252,7 @@ def _new_recorder(self:Filming, storage):
     "A recorder that writes into the storage, and stops before that is full"
     from UAV.video.recorder import Recorder
     most = None if storage.quota is None else storage.information().available
-    self.begun = begun = threading.Event()
+    self.begun = begun = clock.Event()
     def name(number):
         begun.set()
         return storage.new_recording()

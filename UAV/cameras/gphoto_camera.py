@@ -7,13 +7,14 @@ from __future__ import annotations
 from concurrent.futures import Future, TimeoutError
 from contextlib import suppress
 from pathlib import Path
-import itertools, queue, re, threading, time
+import itertools, re
 
 from fastcore.basics import patch
 from .camera import Camera
 from .parameters import check_parameters, Parameter
 from .values import *
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import _begin_thread, cv2, _has_ended, np
 
 # %% auto #0
@@ -42,7 +43,7 @@ class _Body:
         self.gp,self.port,self.retries = _gphoto2(),port,retries
         self.camera,self.model,self.fault,self.closed = None,'','the camera body does not answer',False
         self.tell = lambda fault: None          # called with a fault, and with `None` when it's over
-        self.jobs,self.tried = queue.SimpleQueue(),threading.Event()
+        self.jobs,self.tried = clock.SimpleQueue(),clock.Event()
         self.thread = _begin_thread(self._run, 'gphoto2')
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #200118d0
@@ -102,7 +103,7 @@ def _run(self:_Body):
         if self.camera is None: wait = self.retries[0] if self._open() else min(2*wait, longest)
         self.tried.set()
         try: job = self.jobs.get(timeout=self.look if self.camera else wait)
-        except queue.Empty: job = (lambda camera: camera.wait_for_event(0), Future()) if self.camera else ()
+        except clock.Empty: job = (lambda camera: camera.wait_for_event(0), Future()) if self.camera else ()
         if job is None: break
         if job: self._serve(*job)
     if self.camera:
@@ -225,9 +226,9 @@ def _value_of(self:GPhotoCamera, camera, widget:str)->str:
 def _expose(self:GPhotoCamera, camera)->list:
     "Take a picture; return (folder, name) of its files in the body"
     gp,first = self._body.gp,camera.capture(self._body.gp.GP_CAPTURE_IMAGE)
-    paths,begun = [(first.folder,first.name)],time.monotonic()
+    paths,begun = [(first.folder,first.name)],clock.monotonic()
     two = any('+' in self._value_of(camera, widget) for widget in ('imageformat','imagequality'))
-    while len(paths)<2 and (left := self.second_file*two - (time.monotonic()-begun)) > 0:
+    while len(paths)<2 and (left := self.second_file*two - (clock.monotonic()-begun)) > 0:
         kind,path = camera.wait_for_event(int(left*1000))
         if kind==gp.GP_EVENT_FILE_ADDED and Path(path.name).suffix!=Path(first.name).suffix:
             paths.append((path.folder,path.name))
@@ -259,7 +260,7 @@ def _decoded(jpeg:bytes):
 @patch
 def read_still(self:GPhotoCamera)->Still:
     "Take a picture with the body; raises `CameraError`, also for a RAW picture with no JPEG in it"
-    when = time.time()
+    when = clock.time()
     files = self._body.do(self._fetch, self.patience)
     jpeg = next((files.pop(suffix) for suffix in ('.jpg','.jpeg') if suffix in files), None)
     if jpeg is None: jpeg = max(map(_jpeg_in, files.values()), key=len)
@@ -281,7 +282,7 @@ def _look_through(self:GPhotoCamera, camera)->bytes|None:
 def read(self:GPhotoCamera)->Frame:
     "Return a frame of live view, or else the latest picture; raises `CameraError` when there is neither"
     jpeg = self._body.do(self._look_through, self.patience) if self._live else None
-    if jpeg is not None: return Frame(_decoded(jpeg), next(self._numbers), time.time())
+    if jpeg is not None: return Frame(_decoded(jpeg), next(self._numbers), clock.time())
     if self._latest is None: raise CameraError(f'{self._body.model} has no live view, and has taken no picture yet')
     return self._latest
 

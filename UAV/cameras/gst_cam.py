@@ -7,7 +7,7 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-import re, threading, time
+import re
 
 from fastcore.basics import patch, store_attr
 from .camera import Camera
@@ -16,6 +16,7 @@ from .gst_pipeline import _as_image, config_file, gst, GSTPipeline, _read_sectio
 from .parameters import Parameter
 from .values import *
 from ..logging import LogLevels
+from ..utils import clock
 from ..utils.general import _begin_thread, _has_ended
 from ..video.encoder import PassThrough
 from ..video.units import VideoFormat
@@ -125,7 +126,7 @@ class _Keeper:
     def __init__(self, line:str, owner, name:str):
         store_attr()
         self.pipeline,self.problem = None,None          # `problem`: why nothing comes now
-        self.closing,self.thread = threading.Event(),None
+        self.closing,self.thread = clock.Event(),None
 
     def __repr__(self): return f'{type(self).__name__} of {self.name}: {self.problem or "all is well"}'
 
@@ -146,11 +147,11 @@ class _Keeper:
 @patch
 def _watch(self:_Keeper, pipeline)->str|None:
     "Wait until the pipeline has ended, or should: why; `None` when we are closed"
-    began,owner = time.monotonic(),self.owner
+    began,owner = clock.monotonic(),self.owner
     while not self.closing.is_set():
         if problem := pipeline.problem(owner.read_timeout/4): return f'it has stopped: {problem}'
         limit = owner.read_timeout if pipeline.arrived else owner.open_timeout
-        silent = time.monotonic()-(pipeline.arrived or began)
+        silent = clock.monotonic()-(pipeline.arrived or began)
         if silent > 3*limit: return f'nothing has come for {3*limit:g} s'
         if silent > limit: self._tell(f'nothing has come for {limit:g} s')
         elif pipeline.arrived: self._tell(None)
@@ -211,7 +212,7 @@ class _AskedFrame(_NewestFrame):
         with self.fresh: self.waiting += 1
         try: return super().next(after, timeout, fails=fails)
         finally:
-            with self.fresh: self.waiting,self.asked = self.waiting-1,time.monotonic()
+            with self.fresh: self.waiting,self.asked = self.waiting-1,clock.monotonic()
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #0c8ef6fd
 class GSTCamera(_LiveCamera):
@@ -272,7 +273,7 @@ def _on_frame(self:GSTCamera, data, width, height, rate, taken):
     said = self.information.resolution_h,self.information.resolution_v
     if said != (width,height): self.information = replace(self.information, resolution_h=width, resolution_v=height)
     if rate: self.frame_rate = rate
-    self.newest.put(_as_image(data, width, height), time.time()-time.monotonic()+taken)
+    self.newest.put(_as_image(data, width, height), clock.time()-clock.monotonic()+taken)
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #c2b2daad
 @patch
@@ -280,7 +281,7 @@ def _ask(self:GSTCamera)->int:
     "Have frames made, for a while; the number of the last frame that is too old"
     newest,pipeline = self.newest,self.keeper.pipeline
     with newest.fresh:
-        newest.asked = time.monotonic()
+        newest.asked = clock.monotonic()
         if newest.open: return -1
         newest.open,old = True,newest.number-1
         if pipeline: pipeline.open_valve('uav_frames_valve', at_key=self._coded)
@@ -293,7 +294,7 @@ def _on_beat(self:GSTCamera):
     "Close the valve when none has asked for a while; the keeper calls it"
     newest = self.newest
     with newest.fresh:
-        if not newest.open or newest.waiting or time.monotonic()-newest.asked < self.lease: return
+        if not newest.open or newest.waiting or clock.monotonic()-newest.asked < self.lease: return
         newest.open = False
         self.keeper.pipeline.open_valve('uav_frames_valve', False)
 

@@ -9,11 +9,12 @@ from dataclasses import dataclass, field, fields
 from importlib.machinery import PathFinder
 from importlib.resources import files
 from pathlib import Path
-import re, sys, sysconfig, time
+import re, sys, sysconfig
 
 from fastcore.basics import patch
 from .values import CameraError, CameraInformation
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import _begin_thread, _has_ended, np
 
 # %% auto #0
@@ -301,7 +302,7 @@ def watch(self:GSTPipeline, f=None): # Called with each buffer of the source
     "Note in `arrived` when the source gives something, and in `ended` when it is at its end"
     kinds,end = self.Gst.PadProbeType,self.Gst.EventType.EOS
     def came(pad, info):
-        self.arrived = time.monotonic()
+        self.arrived = clock.monotonic()
         if f: f()
         return self.Gst.PadProbeReturn.OK
     def event(pad, info):
@@ -358,11 +359,11 @@ def _size(sample)->tuple:
 @patch
 def _taken(self:GSTPipeline, sample)->float:
     "When the buffer was captured, monotonic s; now, when that cannot be so"
-    now,Gst,buffer = time.monotonic(),self.Gst,sample.get_buffer()
-    clock = self.pipeline.get_clock()
-    if not (self.live and clock and buffer.pts != Gst.CLOCK_TIME_NONE): return now
+    now,Gst,buffer = clock.monotonic(),self.Gst,sample.get_buffer()
+    source = self.pipeline.get_clock()
+    if not (self.live and source and buffer.pts != Gst.CLOCK_TIME_NONE): return now
     running = sample.get_segment().to_running_time(Gst.Format.TIME, buffer.pts)
-    age = (clock.get_time()-self.pipeline.get_base_time()-running)/1e9
+    age = (source.get_time()-self.pipeline.get_base_time()-running)/1e9
     return now-age if 0 <= age < 2 else now
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #2f1f30f1

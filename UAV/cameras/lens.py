@@ -6,10 +6,11 @@
 __all__ = ['Travel', 'Lens', 'Focus', 'rotation', 'angles', 'View']
 
 # %% ../../nbs/api/cameras/04_lens.ipynb #5c0a5102
-import copy, math, time
+import copy, math
 
 from fastcore.basics import patch, store_attr
 from .values import NAN, inside, one_of
+from ..utils import clock
 from ..utils.general import np
 
 # %% ../../nbs/api/cameras/04_lens.ipynb #2a4f8768
@@ -18,7 +19,7 @@ class Travel:
     def __init__(self, low:float, # One end
                  high:float, # The other
                  duration:float=4., # Seconds from end to end at full speed
-                 clock=time.monotonic): # Gives seconds
+                 clock=clock.now): # Gives seconds
         store_attr()
         self.go(low)
 
@@ -53,7 +54,7 @@ class Lens:
                  sensor_size_h:float=3.2, # Width of the sensor, mm
                  step:float=1.1, # Factor of one zoom step
                  duration:float=4., # Seconds from end to end at full speed
-                 clock=time.monotonic): # Gives seconds
+                 clock=clock.now): # Gives seconds
         store_attr('sensor_size_h,step')
         self.travel = Travel(focal_length, max_focal_length, duration, clock)
 
@@ -95,7 +96,7 @@ class Focus:
     def __init__(self, near:float=.5, # Nearest distance, m
                  distance:float=math.inf, # What autofocus finds, m
                  duration:float=2., # Seconds from end to end at full speed
-                 clock=time.monotonic): # Gives seconds
+                 clock=clock.now): # Gives seconds
         store_attr('near,distance')
         self.travel = Travel(0., 100., duration, clock)
         self.reset()

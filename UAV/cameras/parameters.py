@@ -15,12 +15,13 @@ from dataclasses import dataclass, field, fields, MISSING
 from difflib import get_close_matches
 from numbers import Real
 from pathlib import Path
-import json, math, os, re, stat, struct, threading
+import json, math, os, re, stat, struct
 
 from fastcore.basics import patch
 from .storage import write_file
 from .values import CameraBusy, CameraError
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import inside, Value
 
 # %% ../../nbs/api/cameras/05_parameters.ipynb #bc0c4a50
@@ -208,7 +209,7 @@ class Parameters:
         if twice: raise ValueError(f'two parameters have the same name: {twice!r}')
         self.file,self.apply,self.changed = Path(file) if file else None,None,changed
         self._values = self.defaults = {p.name: p.check(p.default) for p in declared}
-        self._lock,self._changers,self._restored = threading.RLock(),set(),False
+        self._lock,self._changers,self._restored = clock.RLock(),set(),False
         self._call = None                   # the thread in which the device takes a value
         if self.file: self._load()          # while no one is told
         self.apply = apply
@@ -258,9 +259,9 @@ def allowed(self:Parameters, name:str)->tuple:
 @contextmanager
 def _changing(self:Parameters):
     "For a `with`: a dict that holds all that moved, at the end; raises `CameraBusy`"
-    outer = threading.current_thread() not in self._changers        # else another change calls for this one
+    outer = clock.current_thread() not in self._changers        # else another change calls for this one
     if outer and not self._lock.acquire(timeout=self.patience): raise CameraBusy('another parameter is being set')
-    if outer: self._changers = {threading.current_thread()}
+    if outer: self._changers = {clock.current_thread()}
     before,moved = dict(self._values),{}
     try: yield moved
     finally:
@@ -294,10 +295,10 @@ def _put(self:Parameters, p:Parameter, value):
 @patch
 def _tell_device(self:Parameters, name:str, value)->dict|None:
     "Run `apply`; raises its error, `CameraError` when it takes too long, `CameraBusy` while it still runs"
-    if self._call is threading.current_thread(): return self.apply(name, value)     # it sets another one itself
+    if self._call is clock.current_thread(): return self.apply(name, value)     # it sets another one itself
     if self._call and self._call.is_alive(): raise CameraBusy(f'the device is still busy with {self._call.name}')
     answer = Future()
-    thread = self._call = threading.Thread(target=self._run_apply, args=(answer,name,value), name=name, daemon=True)
+    thread = self._call = clock.Thread(target=self._run_apply, args=(answer,name,value), name=name, daemon=True)
     self._changers.add(thread)
     thread.start()
     try: wait([answer], self.patience)

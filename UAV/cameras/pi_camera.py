@@ -8,13 +8,13 @@ from concurrent.futures import CancelledError, TimeoutError
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-import threading, time
 
 from fastcore.basics import patch, store_attr
 from .camera import Camera
 from .cv2_camera import _LiveCamera
 from .parameters import Option, Parameter
 from .values import *
+from ..utils import clock
 from ..utils.devices import DeviceURL
 from ..utils.general import cv2, np, timers
 from ..video.encoder import PassThrough
@@ -88,7 +88,7 @@ class PiCamera(_LiveCamera):
         "Raises `CameraError` when picamera2 is missing, or the camera"
         for what,value in dict(width=width, height=height, fps=fps).items(): inside(what, value, 1, 10_000)
         store_attr('pose')
-        self._turn,self._job,self._number,self._arrived = threading.Lock(),None,0,time.monotonic()
+        self._turn,self._job,self._number,self._arrived = clock.Lock(),None,0,clock.monotonic()
         self._module,self.encoder = _picamera2(),None        # `encoder`: the board's, once it was wanted
         try:
             self._device = self._module.Picamera2(camera_num)
@@ -127,7 +127,7 @@ def close(self:PiCamera):
 @patch
 def _after_fork(self:PiCamera):
     _LiveCamera._after_fork(self)
-    self._device,self._turn = None,threading.Lock()
+    self._device,self._turn = None,clock.Lock()
 
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #8918c657
 @patch
@@ -158,12 +158,12 @@ def _describe(self:PiCamera, properties:dict)->CameraInformation:
 
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #3c618990
 @patch
-def _on_request(self:PiCamera, request): self._arrived = time.monotonic()
+def _on_request(self:PiCamera, request): self._arrived = clock.monotonic()
 
 @patch
 def _look(self:PiCamera):
     "Set the fault when frames have stopped, and clear it when they come"
-    silent = time.monotonic()-self._arrived > self.silence
+    silent = clock.monotonic()-self._arrived > self.silence
     if silent: self.set_fault(f'{self.information.model} gives no frames: is its cable loose?')
     elif self.fault: self.set_fault(None)
 
@@ -194,7 +194,7 @@ def _take(self:PiCamera, stream:str, fresh:bool=False)->Frame:
         planes,taken = request.make_array(stream),request.get_metadata()['SensorTimestamp']/1e9
     width,height = self.sizes[stream]               # rows have some more bytes, to be multiples of 32 or 64
     image = np.ascontiguousarray(cv2.cvtColor(planes, cv2.COLOR_YUV2BGR_I420)[:height,:width])
-    return Frame(image, number, time.time()-time.monotonic()+taken)
+    return Frame(image, number, clock.time()-clock.monotonic()+taken)
 
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #89f23daf
 @patch
@@ -251,7 +251,7 @@ class _BoardEncoder(PassThrough):
     def __init__(self, camera):
         super().__init__('h264', camera.information.model)
         size,rate = camera.sizes['lores'],camera.frame_rate
-        self.camera,self.coder,self.switching = camera,None,threading.Lock()
+        self.camera,self.coder,self.switching = camera,None,clock.Lock()
         self.expected = VideoFormat('h264', *size, rate, sensible_bitrate(*size, rate))
 
     def run(self, on):

@@ -10,7 +10,7 @@ __all__ = ['usual_shutter', 'usual_iso', 'white_gains', 'sim_parameters', 'colde
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from pathlib import Path
-import math, threading, time
+import math
 
 from fastcore.basics import GetAttr, patch, store_attr
 from .camera import Camera, mode_parameter
@@ -19,6 +19,7 @@ from .lens import angles, Focus, Lens, rotation, View
 from .parameters import Option, Parameter
 from .sim_world import _draw_road, sim_world, SimWorld, _wrapping_noise
 from .values import *
+from ..utils import clock, clock as _clock
 from ..utils.general import cv2, np
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #8e02a583
@@ -120,16 +121,16 @@ class SimCamera(Camera):
         folder:str|Path|None=None, quota:float|None=None, storages:list|None=None, # As for Camera
         seed:int=0, # Which world
         capture_time:float=0., # Seconds that a still picture takes
-        clock=time.time, # Gives the time stamps, s since 1970
+        clock=clock.utc, # Gives the time stamps, s since 1970
         mount=None, # Its mount, such as a `SimGimbal`, with `look` in place of `look` below, and an `origin`
     ):
         self.information = _sim_information(model, width, height)
-        if clock in (time.monotonic,time.perf_counter): raise ValueError('a clock gives s since 1970, as time.time')
+        if clock in (_clock.now,_clock.monotonic,_clock.perf_counter): raise ValueError('a clock gives s since 1970, as time.time')
         super().__init__(folder, quota, storages=storages)
         store_attr('north,east,altitude,roll,pitch,yaw,attitude,origin,frame_rate,capture_time,clock,mount')
         self.world,self.plugged_in = sim_world(seed) if world is None else world,True
         self.lens,self.focus = Lens(2.8, 28., 3.2),Focus()
-        self.number,self._number_lock = 0,threading.Lock()
+        self.number,self._number_lock = 0,_clock.Lock()
         self.patience += capture_time
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #0c4239e5
@@ -346,7 +347,7 @@ class SimDualCamera(SimCamera):
         self.source,self.warm_world = ('rgb',''),_thermal_world(self.world.seed)
         self.lenses = dict(rgb=self.lens, ir=Lens(4.4, 4.4, 3.2))
         self.sources = tuple(self.lenses)       # words of MAVLink's CAMERA_SOURCE; the first is the default
-        self.thermal_frames,self._still = Frames(_ThermalEye(self)),threading.local()
+        self.thermal_frames,self._still = Frames(_ThermalEye(self)),clock.local()
 
     def close(self):
         super().close()

@@ -6,11 +6,12 @@
 __all__ = ['SimWorld', 'sim_world']
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5502
-import math, threading
+import math
 from functools import cached_property, lru_cache
 
 from fastcore.basics import patch
 from .lens import View, rotation
+from ..utils import clock
 from ..utils.general import cv2, np
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5506
@@ -66,7 +67,7 @@ class SimWorld:
     boards = range(12)      # numbers of the tags that stand
 
     def __init__(self, seed:int=0): # The same seed gives the same world
-        self.seed,self._textures,self._lock = seed,{},threading.Lock()
+        self.seed,self._textures,self._lock = seed,{},clock.Lock()
 
     def __repr__(self): return f'SimWorld(seed={self.seed}), {len(self.tags)} tags'
 

@@ -11,13 +11,14 @@ from contextlib import suppress
 from dataclasses import replace
 from operator import attrgetter
 from pathlib import Path
-import errno, itertools, os, re, shutil, tempfile, threading, time, weakref
+import errno, itertools, os, re, shutil, tempfile, weakref
 
 from fastcore.basics import patch, store_attr
 from .exif import add_metadata, sidecar
 from .values import *
 from .values import _as_line, _from_line, _suffix
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import Closes, in_child, Opened
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #f73c4201
@@ -44,7 +45,7 @@ class _FileSizes:
         if when != changed:
             sizes = dict(self.sizes)
             missing = sum(sizes[name] for name in sizes.keys()-os.listdir(self.folder))
-            self._away = changed if time.time_ns()-changed > self.settled*1e9 else None,missing
+            self._away = changed if clock.time_ns()-changed > self.settled*1e9 else None,missing
         return self.sum - missing
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #5c0a5007
@@ -274,7 +275,7 @@ class Storage(Closes):
         self.folder = Path(folder or tempfile.mkdtemp(prefix='uav_'))
         self.folder.mkdir(parents=True, exist_ok=True)
         self.log_file,self._format_log = self.folder/'pictures.jsonl',self.folder/'formatting.jsonl'
-        self._lock,self._log = threading.RLock(),get_logger('storage')
+        self._lock,self._log = clock.RLock(),get_logger('storage')
         self._folder_lock = _FolderLock(self.folder)
         self._release = weakref.finalize(self, _let_go, self._folder_lock, None if folder else self.folder)
         self._release.atexit = False        # at exit the camera closes its storage, after its last picture
@@ -496,7 +497,7 @@ def _after_fork():
     for storage in _storages:
         lock,_ = (storage._release.detach() or (None,None,(None,None)))[2]
         if lock and lock.file: lock.file.close()       # without releasing it
-        storage._lock = threading.RLock()        # a thread that is not here may have held it
+        storage._lock = clock.RLock()        # a thread that is not here may have held it
     _storages.clear()
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #7739a536
@@ -514,12 +515,12 @@ def new_recording(self:Storage)->Path:
 @patch
 def _wait_for_card(self:Storage, cancelled):
     "Wait for `format_time`; raises `TakenBack`, or `StorageError` when it is closed meanwhile"
-    end = time.monotonic()+self.format_time
+    end = clock.monotonic()+self.format_time
     while True:
         self.check_closed()
         if cancelled(): raise TakenBack(f'the format of storage {self.name!r} was taken back')
-        if (left := end-time.monotonic()) <= 0: return
-        time.sleep(min(left, .02))
+        if (left := end-clock.monotonic()) <= 0: return
+        clock.sleep(min(left, .02))
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #3069712b
 @patch

@@ -7,12 +7,13 @@ __all__ = ['Storages', 'media_in']
 
 # %% ../../nbs/api/cameras/03_storages.ipynb #efd1e599
 from dataclasses import replace
-import json, secrets, threading
+import json, secrets
 
 from fastcore.basics import patch
 from .storage import Storage, lost_line, write_file
 from .values import *
 from ..logging import get_logger
+from ..utils import clock
 
 # %% ../../nbs/api/cameras/03_storages.ipynb #2d0249e1
 class Storages:
@@ -22,7 +23,7 @@ class Storages:
         *storages:Storage, # The first one also remembers what the others are for
     ):
         if len(set(map(id, storages))) < max(len(storages), 1): raise ValueError('storages, each only once, are needed')
-        self.all,self._lock = storages,threading.RLock()
+        self.all,self._lock = storages,clock.RLock()
         self._file = self.all[0].folder/'usage.json'
         for number,storage in enumerate(storages, 1):
             if number != storage.storage_id: storage._renumber(number)
@@ -39,7 +40,7 @@ class Storages:
         used = [' and '.join(self.usage(s.storage_id)) or 'nothing' for s in self.all]
         return '\n'.join(f'{s.storage_id} {s.name}: for {u}, {len(s)} pictures' for s,u in zip(self.all, used))
 
-    def _after_fork(self): self._lock = threading.RLock()       # a thread that is not here may have held the old one
+    def _after_fork(self): self._lock = clock.RLock()       # a thread that is not here may have held the old one
 
     def close(self):
         "Close them all"

@@ -9,10 +9,11 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from numbers import Real
 from types import SimpleNamespace as ns
-import math, threading, time
+import math
 
 from fastcore.basics import patch
 from .values import CameraError, Frame, inside, known, NAN, Pose, Value
+from ..utils import clock, clock as _clock
 from ..utils.general import _begin_thread, cv2, _has_ended, np
 from ..utils.pictures import as_bgr
 
@@ -379,10 +380,10 @@ class Tracker:
     silence = 2.            # s without a frame, after which the target counts as lost
     def __init__(self,
                  camera, # Its `frames`, `lens`, `fault`, `log` and `announce` are used; `_target_place`, if it has that
-                 clock=time.monotonic): # Gives seconds
+                 clock=clock.now): # Gives seconds
         self.camera,self.clock,self.status = camera,clock,TrackingStatus()     # the status of the newest frame
         self.closed,self._pursuit,self._told = False,None,(None,'idle')         # what listeners know
-        self._changed,self._telling = threading.Condition(),threading.RLock()
+        self._changed,self._telling = _clock.Condition(),_clock.RLock()
         self._thread,self._runs = None,False
 
     def __repr__(self): return f'{type(self).__name__}: {self.status}'

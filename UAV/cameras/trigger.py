@@ -7,10 +7,11 @@ from __future__ import annotations
 from collections import deque
 from contextlib import contextmanager
 from dataclasses import dataclass
-import math, threading, time
+import math
 
 from fastcore.basics import patch, store_attr
 from .values import CameraBusy, CameraError, inside, known, NAN, Value
+from ..utils import clock
 from ..utils.general import _begin_thread, timers
 from ..utils.geo import great_circle, metres, moved, velocity_here
 
@@ -99,7 +100,7 @@ class Trigger:
     too_late = 1.25         # distances after which people are told that the camera cannot keep up
     def __init__(self,
         camera, # Its `pose`, `velocity`, `captures`, `min_interval`, `image_start_capture` and `announce` are used
-        clock=time.monotonic, # Gives seconds
+        clock=clock.now, # Gives seconds
     ):
         self.camera,self.clock = camera,clock
         self.rule,self.job = None,None          # `None`: it is off
@@ -207,7 +208,7 @@ class _CaptureJob:
     "One picture (`interval` is 0), or a sequence of `count` (0: until stopped), every `interval` s"
     def __init__(self, interval:float, count:int, index:int):
         store_attr()
-        self.begun,self.stop = 0,threading.Event()
+        self.begun,self.stop = 0,clock.Event()
 
     def __repr__(self): return f'CaptureJob({self.begun} of {self.count or "many"}, from {self.index})'
 
@@ -217,7 +218,7 @@ class CaptureQueue:
     max_waiting = 2         # single shots that may wait for the one being taken
     def __init__(self,
                  camera): # Its `storages`, `_take_picture`, `_tell_picture`, `announce` and `capture_status` are used
-        self.camera,self.jobs,self.changed = camera,deque(),threading.Condition()
+        self.camera,self.jobs,self.changed = camera,deque(),clock.Condition()
         self.thread,self.running,self.progress = None,False,0.      # s, when a shot was last begun or a job finished
         self.next_index = 0             # of the next job's first picture
         self.state = self.told = False,0.       # capturing and interval: as it is, as it was announced
@@ -254,7 +255,7 @@ def start(self:CaptureQueue, interval:float, # Seconds between pictures; 0 for o
             self.running = True
         if not self.jobs:
             self.next_index,self.state = self.camera.storages.next_index,(True,interval)
-            self.progress = time.monotonic()
+            self.progress = clock.monotonic()
         self.jobs.append(_CaptureJob(interval, count, self.next_index))
         self.next_index += 1            # its first picture is certain
         return self.jobs[-1].index
@@ -283,7 +284,7 @@ def _begin(self:CaptureQueue, job)->bool:
     with self.changed:
         if job.begun and job.stop.is_set(): return False
         if job.begun: self.next_index += 1       # the first was promised when the job was accepted
-        job.begun,self.progress = job.begun+1,time.monotonic()
+        job.begun,self.progress = job.begun+1,clock.monotonic()
         return True
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a53f2
@@ -292,13 +293,13 @@ def _finish(self:CaptureQueue, job):
     "The job occupies the camera no longer"
     with self.changed:
         if self.jobs and self.jobs[0] is job: self.jobs.popleft()
-        self.progress = time.monotonic()
+        self.progress = clock.monotonic()
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #9f9a4f09
 @patch
 def _do(self:CaptureQueue, job):
     "Take the pictures of one job by its timetable, until it is done or stopped"
-    t0,slot = time.monotonic(),0
+    t0,slot = clock.monotonic(),0
     while self._begin(job):
         self.tell_state((True, job.interval))
         picture = self.camera._take_picture()
@@ -308,8 +309,8 @@ def _do(self:CaptureQueue, job):
         self.camera._tell_picture(picture)
         if last: return
         self.tell_state((False, job.interval))
-        slot = _next_slot(slot, time.monotonic()-t0, job.interval)
-        job.stop.wait(max(0, t0+slot*job.interval-time.monotonic()))
+        slot = _next_slot(slot, clock.monotonic()-t0, job.interval)
+        job.stop.wait(max(0, t0+slot*job.interval-clock.monotonic()))
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5222
 @patch
@@ -348,16 +349,16 @@ def close(self:CaptureQueue, patience:float, # s that a picture may take
     "Accept nothing more and wait for what was accepted; False when the device did not come back"
     with self.changed: self.refusal = CameraError,f'{self.camera!r} is closed'
     self.stop()
-    if self.thread in (None, threading.current_thread()): return True        # a listener may close the camera
-    soon = time.monotonic()+.5
-    while self.thread.is_alive() and (left := max(soon, self.progress+patience)-time.monotonic()) > 0:
+    if self.thread in (None, clock.current_thread()): return True        # a listener may close the camera
+    soon = clock.monotonic()+.5
+    while self.thread.is_alive() and (left := max(soon, self.progress+patience)-clock.monotonic()) > 0:
         self.thread.join(left)
     with self.changed:
         hangs,self.running = self.running,False
         rest = list(self.jobs) if hangs else ()         # shots that were promised, and will not be taken
         if hangs: self.jobs.clear()
         self.changed.notify_all()
-    for job in rest: self.camera._tell_picture(self.camera.storages.fail(time.time(), f'{self.camera!r} was closed'))
+    for job in rest: self.camera._tell_picture(self.camera.storages.fail(clock.time(), f'{self.camera!r} was closed'))
     return not hangs
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5215

@@ -8,13 +8,13 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 from urllib.parse import urlsplit
-import time
 
 from fastcore.basics import patch, store_attr
 from .camera import Camera
 from .cv2_camera import _LiveCamera, _source_name
 from .gst_cam import _AskedFrame
 from .values import *
+from ..utils import clock
 from ..utils.general import _begin_thread, _has_ended
 from ..video.encoder import PassThrough
 from ..video.player import _decode, _decoder, receivers, _scheme
@@ -127,7 +127,7 @@ def _on_unit(self:URLCamera, unit):
     self._encoder.pass_on(unit, width=i.resolution_h, height=i.resolution_v, rate=self.frame_rate, bitrate=self.bitrate)
     self._tell(None)
     with newest.fresh:
-        if newest.open and not newest.waiting and time.monotonic()-newest.asked>self.lease:
+        if newest.open and not newest.waiting and clock.monotonic()-newest.asked>self.lease:
             newest.open = False
             self._encoder.remove(self._frames, wait=False)
 
@@ -173,7 +173,7 @@ def _ask(self:URLCamera)->int:
     "Have frames decoded, for a while; returns the number of the last frame that is too old"
     newest = self._newest
     with newest.fresh:
-        newest.asked = time.monotonic()
+        newest.asked = clock.monotonic()
         if newest.open or self._closing.is_set(): return -1
         newest.open = True
         self._encoder.add(self._frames)

@@ -5,12 +5,13 @@
 # %% ../../nbs/api/check/02_basics.ipynb #e8a33db0
 from __future__ import annotations
 from contextlib import contextmanager
-import math, time
+import math
 
 from fastcore.basics import patch
 from .prober import (_answers, _brings, _ftp_path, _holds, message_ids, _must_bring, _must_end, _must_pace,
     _refused, _slowdown, Acks)
 from .requirement import given, must, NotForThis, requirement, seen_if
+from ..utils import clock
 from ..wire.dialect import enum_name, mavlink
 
 # %% auto #0
@@ -122,11 +123,11 @@ def _device(p):
 # %% ../../nbs/api/check/02_basics.ipynb #86afbf6c
 @requirement('identity.clock', 'time_boot_ms counts milliseconds', 'common.xml CAMERA_INFORMATION.time_boot_ms')
 def _clock(p):
-    begun = time.monotonic()
+    begun = clock.monotonic()
     first = given(p.ask('CAMERA_INFORMATION')[1], 'no CAMERA_INFORMATION')
     p.listen(1.5)
     second = given(p.ask('CAMERA_INFORMATION')[1], 'no CAMERA_INFORMATION')
-    took,ours = second.time_boot_ms-first.time_boot_ms,time.monotonic()-begun
+    took,ours = second.time_boot_ms-first.time_boot_ms,clock.monotonic()-begun
     return seen_if(1000<=took<=6000*ours, f'{took} ms in {ours:.1f} s')
 
 # %% ../../nbs/api/check/02_basics.ipynb #6df8ffd0
@@ -134,7 +135,7 @@ _about = 'devguide ping.md; common.xml PING'
 
 def _ping(p, *to:int, timeout:float|None=None)->tuple:
     "`(what we sent, the first PING with its time, or None)`; it is for all, or for the address `to`"
-    sent = p.mav.ping_encode(time.time_ns()//1000, 17, *(to or (0,0)))
+    sent = p.mav.ping_encode(clock.time_ns()//1000, 17, *(to or (0,0)))
     return sent,p.wait('PING', p.send(sent), lambda m: m.time_usec==sent.time_usec, timeout)
 
 # %% ../../nbs/api/check/02_basics.ipynb #e170a9e6
@@ -374,9 +375,9 @@ def _stop(p):
 def _no_flood(p, period:float, seconds:float, most:float)->str:
     "Measure the rate at an extreme period; raises `NotMet` above `most` a second"
     with _streamed(p, period) as answer:
-        since,begun,flooded = len(p.record),time.monotonic(),p.record.flooded
+        since,begun,flooded = len(p.record),clock.monotonic(),p.record.flooded
         p.wait_any(lambda h: p.record.flooded>flooded, seconds, since)      # a flood is stopped at once
-        rate = len(p.came('CAMERA_CAPTURE_STATUS', since))/max(seconds, time.monotonic()-begun)
+        rate = len(p.came('CAMERA_CAPTURE_STATUS', since))/max(seconds, clock.monotonic()-begun)
     must(answer.acks, 'no ack')
     must(rate<=most, f'{rate:.0f} a second')
     return f'{answer}, {rate:.0f} a second'

@@ -5,10 +5,11 @@
 # %% ../../nbs/api/check/03_pictures.ipynb #b7bb32b8
 from __future__ import annotations
 from contextlib import contextmanager
-import math, time
+import math
 
 from .prober import Acks, _answers, _brings, _holds, message_ids, _must_tell_one, _refused, _Shot
 from .requirement import given, must, NotForThis, requirement, seen_if
+from ..utils import clock
 from ..wire.dialect import command_cancel, enum_name, mavlink
 
 # %% auto #0
@@ -81,7 +82,7 @@ def _contiguous(p):
              'common.xml CAMERA_IMAGE_CAPTURED', **_one)
 def _fields(p):
     m = _first_notice(p)
-    must(m.time_utc==0 or abs(m.time_utc/1e6-time.time())<30*365*86400, f'time_utc is {m.time_utc} µs')
+    must(m.time_utc==0 or abs(m.time_utc/1e6-clock.time())<30*365*86400, f'time_utc is {m.time_utc} µs')
     norm = math.sqrt(sum(x*x for x in m.q))
     must(math.isnan(norm) or abs(norm-1)<.01, f'the length of q is {norm:.2f}')
     must(abs(m.lat)<=900_000_000 and abs(m.lon)<=1_800_000_000, f'{m.lat/1e7:.1f}°, {m.lon/1e7:.1f}°')

@@ -7,12 +7,13 @@ from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import NamedTuple
-import math, re, threading, time
+import math, re
 
 from fastcore.basics import patch
 from .requirement import all_requirements, given, must, NotForThis, requirement, Requirement
 from .requirement import roles, Untested, verdicts
 from ..ftp.frames import ACK, FtpCode, FtpFrame, FtpOp, NAK, read_ftp
+from ..utils import clock
 from ..utils.general import _begin_thread, Closes
 from ..wire.dialect import address, enum_name, LinkError, mavlink
 from ..wire.frames import FrameReader, pack, Wanted
@@ -41,7 +42,7 @@ class _Record:
         self.link,self.heard = link,[]
         self.ended,self.flooded = False,0   # has the link gone? Frames that were too many
         self._second,self._count = 0,0      # the second that it is, and how many came in it
-        self._changed,self._readers = threading.Condition(),{}
+        self._changed,self._readers = clock.Condition(),{}
         self._thread = _begin_thread(self._read, 'recorder')
 
     def __len__(self): return len(self.heard)
@@ -66,7 +67,7 @@ def _room(self:_Record, second:int)->int:
 # %% ../../nbs/api/check/01_prober.ipynb #63f26dd8
 @patch
 def _take(self:_Record, data:bytes, peer):
-    at,fresh = time.monotonic(),lambda: FrameReader(Wanted(None), datagrams=self.link.datagrams)
+    at,fresh = clock.monotonic(),lambda: FrameReader(Wanted(None), datagrams=self.link.datagrams)
     room = self._room(int(at))
     messages = self._readers.setdefault(peer, fresh()).feed(data) if room else [data]
     if messages and room: self.link.welcome(peer)
@@ -80,12 +81,12 @@ def _take(self:_Record, data:bytes, peer):
 @patch
 def wait(self:_Record, fits, timeout:float, since:int=0)->_Arrival|None:
     "The first `_Arrival` that `fits`; `None` when none comes in `timeout` s. Raises `LinkError` when the link has gone"
-    end = time.monotonic()+timeout
+    end = clock.monotonic()+timeout
     with self._changed:
         while True:
             for heard in self.heard[since:]:
                 if fits(heard): return heard
-            since,left = len(self.heard),end-time.monotonic()
+            since,left = len(self.heard),end-clock.monotonic()
             if self.ended: raise LinkError('the link has gone')
             if left<=0: return
             self._changed.wait(left)
@@ -137,8 +138,8 @@ def send(self:Prober, msg)->int:
 @patch
 def beat(self:Prober):
     "Our heartbeat, when it is time; an autopilot that we play has none, as the real one would not like that"
-    if time.monotonic()-self._beaten<1 or self.role.system is None: return
-    self._beaten = time.monotonic()
+    if clock.monotonic()-self._beaten<1 or self.role.system is None: return
+    self._beaten = clock.monotonic()
     state = mavlink.MAV_AUTOPILOT_INVALID,0,0,mavlink.MAV_STATE_ACTIVE
     self.send(self.mav.heartbeat_encode(self.role.kind, *state))
 
@@ -146,10 +147,10 @@ def beat(self:Prober):
 @patch
 def wait_any(self:Prober, fits, timeout:float, since:int=0)->_Arrival|None:
     "The first message that fits, from any sender; our heartbeats go on meanwhile"
-    end = time.monotonic()+timeout
+    end = clock.monotonic()+timeout
     while True:
         self.beat()
-        now,left = len(self.record),end-time.monotonic()
+        now,left = len(self.record),end-clock.monotonic()
         found = self.record.wait(fits, max(0, min(left, .25)), since)
         if found or left<=.25: return found
         since = now
@@ -232,7 +233,7 @@ def await_ack(self:Prober, command:int, since:int, timeout:float|None=None)->lis
 @patch
 def do(self:Prober, msg, timeout:float|None=None)->Acks:
     "Send a COMMAND_LONG or COMMAND_INT, once, and wait for its ack"
-    sent,since = time.monotonic(),self.send(msg)
+    sent,since = clock.monotonic(),self.send(msg)
     return Acks(msg.command, sent, since, self.await_ack(msg.command, since, timeout))
 
 # %% ../../nbs/api/check/01_prober.ipynb #4530cc02
@@ -361,7 +362,7 @@ class Row:
 def is_there(self:Prober, silence:float=6.)->bool:
     "Was the camera heard in the last `silence` s? If not, it gets a moment more; a third time it gets none"
     last = next((h.at for h in reversed(self.record.heard) if self.ours(h)), -math.inf)
-    if time.monotonic()-last<silence: return True
+    if clock.monotonic()-last<silence: return True
     self.known['silent'] = self.known.get('silent', 0)+1
     return self.wait_any(self.ours, 3. if self.known['silent']<=2 else .05, len(self.record)) is not None
 
@@ -468,9 +469,9 @@ def _must_end(p:Prober, name:str, seconds:float=1.):
 # %% ../../nbs/api/check/01_prober.ipynb #f266accc
 def _slowdown()->float:
     "How many times longer work takes now than it would alone: a busy machine is no fault of the camera"
-    begun,work = time.monotonic(),time.thread_time()
-    while time.thread_time()-work<.005: pass
-    return max(1., (time.monotonic()-begun)/.005)
+    begun,work = clock.monotonic(),clock.thread_time()
+    while clock.thread_time()-work<.005: pass
+    return max(1., (clock.monotonic()-begun)/.005)
 
 def _fits_pace(times:list, period:float, slow:float=1.)->bool:
     "Compare gaps with the period: the median at most twice as long, the mean about as long at least; more when `slow`"
@@ -499,8 +500,8 @@ def status(self:Prober):
 @patch
 def idle(self:Prober, timeout:float=8.):
     "End what the camera is taking, and wait until it has ended"
-    stops,end = {'image_status':'IMAGE_STOP_CAPTURE', 'video_status':'VIDEO_STOP_CAPTURE'},time.monotonic()+timeout
-    while (now := self.get('CAMERA_CAPTURE_STATUS')[1]) and time.monotonic()<end:
+    stops,end = {'image_status':'IMAGE_STOP_CAPTURE', 'video_status':'VIDEO_STOP_CAPTURE'},clock.monotonic()+timeout
+    while (now := self.get('CAMERA_CAPTURE_STATUS')[1]) and clock.monotonic()<end:
         if not (now.image_status or now.video_status): return
         for field,stop in list(stops.items()):
             if getattr(now, field): self.command(stops.pop(field), 0)
@@ -530,16 +531,16 @@ def ready(self:Prober, mode:str): # 'image' or 'video'
 @patch
 def next_number(self:Prober)->int:
     "A new sequence number, for parameter 4 of IMAGE_START_CAPTURE"
-    self.known['number'] = number = self.known.get('number', int(time.time())%1_000_000+1)+1
+    self.known['number'] = number = self.known.get('number', int(clock.time())%1_000_000+1)+1
     return number
 
 # %% ../../nbs/api/check/01_prober.ipynb #f9f06626
 @patch
 def notices(self:Prober, since:int, wanted:int=0, timeout:float=10.)->list:
     "The CAMERA_IMAGE_CAPTURED since then; waits for as many as `wanted`, then until it is clear that no more come"
-    begun = time.monotonic()
+    begun = clock.monotonic()
     def enough(h): return len(self.came('CAMERA_IMAGE_CAPTURED', since))>=wanted
-    came,took = self.wait_any(enough, timeout, since),time.monotonic()-begun
+    came,took = self.wait_any(enough, timeout, since),clock.monotonic()-begun
     slow = max(self.known.get('slow', 0), took/wanted if wanted and came else 0)    # how long a picture took at most
     self.known['slow'] = slow
     self.listen(max(self.quiet, min(3., 1.5*max(slow, took))))

@@ -9,12 +9,13 @@ from dataclasses import dataclass, field
 from html import escape
 from importlib import resources
 from urllib.parse import quote
-import re, time
+import re
 
 from fastcore.basics import patch
 from . import basics, files, pictures, settings, video      # their requirements
 from .prober import _chosen, _marks, Prober, Row
 from .requirement import verdicts
+from ..utils import clock
 from ..utils.general import plain
 
 # %% auto #0
@@ -40,7 +41,7 @@ class Findings:
     "A camera's identity, and each requirement's outcome"
     camera:dict # Vendor, model, system and component
     connection:str=''
-    when:float=field(default_factory=time.time) # s since 1970
+    when:float=field(default_factory=clock.utc) # s since 1970
     seconds:float=0. # That it took
     rows:list=field(default_factory=list)
 
@@ -80,7 +81,7 @@ def run_suite(p:Prober, only=(), # As for `suite`
         row = p.judge(r, destroy)
         found.rows.append(row)
         tell(row)
-        found.seconds = time.time()-found.when
+        found.seconds = clock.time()-found.when
     return found
 
 # %% ../../nbs/api/check/07_suite.ipynb #f27c6171
@@ -134,7 +135,7 @@ def _table_html(title:str, rows:list)->str:
 @patch
 def page(self:Findings)->str:
     "The report as a page: one file, for a screen and for paper"
-    c,when = {k:escape(str(v)) for k,v in self.camera.items()},time.gmtime(self.when)
+    c,when = {k:escape(str(v)) for k,v in self.camera.items()},clock.gmtime(self.when)
     counts = ', '.join(f'<span class="{v.split()[0]}">{n} {v}</span>' for v,n in self.counts.items() if n)
     def of(subject): return [row for row in self.rows if row.requirement.subject==subject]
     tables = [_table_html('What is not met', self.failed),
@@ -144,4 +145,4 @@ def page(self:Findings)->str:
             f'<h1>{c["vendor"]} {c["model"]}</h1><p>{counts}</p>'
             f'<p class="soft">MAVLink camera {c["system"]}/{c["component"]}, '
             f'firmware {c["firmware"]}, on {escape(self.connection)}. uav-camera-check, '
-            f'{time.strftime("%Y-%m-%d %H:%M UTC", when)}, {self.seconds:.0f} s.</p>{"".join(tables)}</html>\n')
+            f'{clock.strftime("%Y-%m-%d %H:%M UTC", when)}, {self.seconds:.0f} s.</p>{"".join(tables)}</html>\n')

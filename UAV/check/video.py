@@ -5,11 +5,12 @@
 # %% ../../nbs/api/check/04_video.ipynb #bf381abe
 from __future__ import annotations
 from contextlib import contextmanager
-import math, re, time
+import math, re
 
 from .prober import (Acks, _answers, _brings, _holds, message_ids, _must_end, _must_pace, _must_tell_one,
     Prober, _refused)
 from .requirement import given, must, NotForThis, requirement, seen_if
+from ..utils import clock
 from ..wire.dialect import mavlink
 
 # %% auto #0
@@ -54,9 +55,9 @@ def _pushed(p):
 def _time(p):
     with _filmed(p) as answer:
         p.wait('CAMERA_CAPTURE_STATUS', answer.since, lambda m: _recording(m) and m.recording_time_ms, 3)
-        begun,first = time.monotonic(),p.status()
+        begun,first = clock.monotonic(),p.status()
         p.listen(1.)
-        second,ours = p.status(),1000*(time.monotonic()-begun)
+        second,ours = p.status(),1000*(clock.monotonic()-begun)
     a,b = first.recording_time_ms,second.recording_time_ms
     must(_recording(second), 'it says that it does not record')
     took = second.time_boot_ms-first.time_boot_ms           # by the camera's own clock

@@ -10,7 +10,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import Literal
-import asyncio, time
+import asyncio
 
 from fastcore.basics import patch
 from ..cameras.parameters import Parameter, Parameters, UnknownParameter
@@ -28,6 +28,7 @@ from UAV.mavlink.camera_asking import (CAMERA_TRACKING_IMAGE_STATUS, cameras_hea
     tracking_of)
 from ..mavlink.protocol import Busy, comes_from, CommandError, Denied, NoAnswer
 from ..mavlink.settings import PARAM_EXT_VALUE, param_name, param_value
+from ..utils import clock
 from ..utils.general import known
 from ..utils.output import amount, Progress
 from ..wire.dialect import enum_name, MAVError
@@ -76,9 +77,9 @@ async def first_sign(self:CameraVisit, seconds:float)->bool|None:
     there = self.options.system,self.options.component
     asked = asyncio.ensure_future(self.client.camera(*there).request(CAMERA_INFORMATION))
     beat = asyncio.ensure_future(self.client.wait_heartbeat(None, *there, seconds))
-    waiting,end = {asked,beat},time.monotonic()+seconds
+    waiting,end = {asked,beat},clock.monotonic()+seconds
     try:
-        while (found := self.verdict(there, asked)) is None and waiting and (left := end-time.monotonic())>0:
+        while (found := self.verdict(there, asked)) is None and waiting and (left := end-clock.monotonic())>0:
             _,waiting = await asyncio.wait(waiting, timeout=left, return_when=asyncio.FIRST_COMPLETED)
         return found
     finally:
@@ -346,13 +347,13 @@ async def _within(coroutine, seconds:float):
 @patch
 async def recorded(self:CameraVisit, seconds:float):
     "Wait while the camera records; raises `NotTaken` if the recording ends early"
-    came,began,seen = asyncio.Queue(),time.monotonic(),False
+    came,began,seen = asyncio.Queue(),clock.monotonic(),False
     with self.hearing([CAMERA_CAPTURE_STATUS], came.put_nowait):
-        while (left := began+seconds-time.monotonic())>0:
+        while (left := began+seconds-clock.monotonic())>0:
             msg = await _within(came.get(), min(left, 2.))
             msg = msg or await _within(self.camera.request(CAMERA_CAPTURE_STATUS), left)
             seen = seen or bool(msg and msg.video_status)
-            late = seen or time.monotonic()-began>self.beginning
+            late = seen or clock.monotonic()-began>self.beginning
             if msg and late and not msg.video_status: raise NotTaken('the recording has ended by itself')
 
 # %% ../../nbs/api/cli/03_camera.ipynb #5d4059e9
@@ -390,7 +391,7 @@ async def entries(self:CameraVisit, folder:str)->list:
 # %% ../../nbs/api/cli/03_camera.ipynb #1d2b72d1
 def _time_text(moment:float)->str:
     "Return the local time of `moment`, s since 1970; '' if unknown or impossible"
-    try: return time.strftime('%Y-%m-%d %H:%M:%S', time.localtime(moment)) if moment else ''
+    try: return clock.strftime('%Y-%m-%d %H:%M:%S', clock.localtime(moment)) if moment else ''
     except (ValueError, OverflowError, OSError): return ''
 
 # %% ../../nbs/api/cli/03_camera.ipynb #27003e38

@@ -13,7 +13,7 @@ from ipaddress import ip_address
 from pathlib import Path
 from types import SimpleNamespace
 from typing import get_args, get_origin, Literal
-import asyncio, errno, json, math, os, re, shutil, sys, time
+import asyncio, errno, json, math, os, re, shutil, sys
 
 from fastcore.docments import docments
 from fastcore.basics import patch, store_attr
@@ -23,6 +23,7 @@ from ..gimbals.values import GimbalError
 from ..logging import LogLevels
 from ..mavlink import MAVCom, mavlink
 from ..mavlink.protocol import CommandError, NoAnswer
+from ..utils import clock
 from ..utils.general import plain
 from ..utils.output import output_error
 from ..wire.dialect import enum_name, LinkError, MAVError
@@ -515,7 +516,7 @@ class Visitor:
     "Mixin for a client of short visits"
     def on_mav_connection(self):
         "Start the sequence number of our frames at the clock"
-        self.sender.mav.seq = int(time.time()*16)%256
+        self.sender.mav.seq = int(clock.time()*16)%256
 
 # %% ../../nbs/api/cli/01_common.ipynb #c4a56e32
 @contextmanager
@@ -561,13 +562,13 @@ class Visit:
 @patch
 async def find(self:Visit)->list:
     "Return the matching devices; none if none comes in time"
-    o,end = self.options,time.monotonic()+self.options.timeout
+    o,end = self.options,clock.monotonic()+self.options.timeout
     count = 1 if o.system and o.component else None         # it is unique
     while True:
-        found = await self.look(count, max(min(self.listen, end-time.monotonic()), .1))
+        found = await self.look(count, max(min(self.listen, end-clock.monotonic()), .1))
         self.seen = found
         meant = [device for device in found if self.is_meant(device)]
-        if meant or time.monotonic()>=end: return meant
+        if meant or clock.monotonic()>=end: return meant
         count = None
 
 # %% ../../nbs/api/cli/01_common.ipynb #69076d1a

@@ -8,13 +8,14 @@ from contextlib import contextmanager, ExitStack, nullcontext
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
-import logging, os, re, shutil, signal, sys, threading
+import logging, os, re, shutil, signal, sys
 
 from fastcore.basics import basic_repr
 from ..cameras import Camera, CameraError, CV2Camera, SimCamera, SimDualCamera, Storage
 from .common import address, links, listed, on_links, or_exit, painted, place_for, run_with_options
 from ..gimbals import circle, Gimbal, hover, SimGimbal, SimVehicle
 from ..mavlink import CameraServer, GimbalCameraServer, GimbalServer, SimAutopilot
+from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device
 from ..utils.general import Closes, inside, known, one_of
 from ..video.units import codecs
@@ -222,7 +223,7 @@ def _status_of(camera, com)->tuple:
 # %% ../../nbs/api/cli/02_serve.ipynb #2605d907
 def _statuses(camera, com, period:float=1.):
     "Yield the status, again and again"
-    changed = threading.Event()
+    changed = clock.Event()
     def note(event): changed.set()
     camera.subscribe(note)
     try:

@@ -6,8 +6,9 @@
 from __future__ import annotations
 from contextlib import contextmanager
 from importlib import import_module
-import os, signal, sys, time
+import os, signal, sys
 
+from ..utils import clock
 from ..utils.output import fill_standard_files, lasting, output_error
 
 # %% auto #0
@@ -19,7 +20,7 @@ def end_as_with_ctrl_c():
     "Make SIGTERM and SIGHUP raise `KeyboardInterrupt`; return a list that gets their numbers"
     came,last = [],[-9.]
     def end(number, frame):
-        again,last[0] = time.monotonic()-last[0]<2,time.monotonic()
+        again,last[0] = clock.monotonic()-last[0]<2,clock.monotonic()
         if again: return
         came.append(number)
         ctrl_c = signal.getsignal(signal.SIGINT)        # asyncio has its own

@@ -6,11 +6,12 @@
 from __future__ import annotations
 from dataclasses import replace
 from itertools import count
-import errno, os, time
+import errno, os
 
 from fastcore.basics import patch, store_attr
 from .frames import ACK, ftp_crc, FtpCode, FtpError, FtpFrame, FtpOp, listing, most_data, _read_path
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.files import FileTree
 from ..utils.general import Seen
 from ..wire.dialect import MAVError
@@ -44,7 +45,7 @@ class FtpSessions:
     repeat = 5.             # seconds in which a request that comes again gets the old answer
 
     def __init__(self, files:FileTree, # What there is
-                 clock=time.monotonic): # Gives seconds
+                 clock=clock.now): # Gives seconds
         self.files,self.clock,self.log = files,clock,get_logger('ftp')
         self.open = {}          # `{(peer, number): FtpSession}`
         self._last,self._ended = Seen(self.repeat, 64, clock),Seen(self.dead, 256, clock)   # requests; closed ones

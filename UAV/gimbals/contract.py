@@ -6,9 +6,10 @@
 __all__ = ['check_gimbal']
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #93d4e241
-import math, threading, time
+import math
 
 from .values import *
+from ..utils import clock
 from ..utils.general import _has_ended, Report, kept
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #72dcf213
@@ -271,12 +272,12 @@ def _checks_for(gimbal)->list:
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #152e1a6e
 def check_gimbal(gimbal, # A Gimbal; it is closed at the end
-                 wait=time.sleep, # Lets time pass, in seconds; for one with a clock of your own: moves that clock
+                 wait=lambda seconds: clock.sleep(seconds), # Lets time pass, in seconds; for one with a clock of your own: moves that clock
                 )->Report:
     "Does `gimbal` do what others rely on? Raises `AssertionError` with a sentence that says what it does not"
     assert hasattr(gimbal, 'setpoint'), f'{type(gimbal).__name__}.__init__ must call super().__init__(...)'
-    threads = threading.enumerate()
+    threads = clock.enumerate()
     report = kept(gimbal, _checks_for(gimbal), _ticking(gimbal, wait))
-    left = [t.name for t in threading.enumerate() if t not in threads and not _has_ended(t, 1.)]
+    left = [t.name for t in clock.enumerate() if t not in threads and not _has_ended(t, 1.)]
     assert not left, f'threads are left after close(): {", ".join(left)}'
     return report

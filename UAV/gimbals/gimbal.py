@@ -7,11 +7,13 @@ from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from numbers import Real
-import math, threading, time
+import math
 
 from fastcore.basics import patch
 from .values import *
 from ..logging import get_logger
+from ..utils import clock, clock as _clock
+from ..utils.clock import goes_by_itself
 from ..utils.general import inside, Timers, Value
 from ..utils.geo import metres
 
@@ -31,9 +33,9 @@ class Gimbal:
     fault = None                    # The device's fault; `None` when it works
     camera = None                   # the `Camera` that it turns, when its driver has one
     def __init__(self,
-                 clock=time.monotonic): # Gives seconds, and never goes back; with another one, call `tick` yourself
+                 clock=clock.now): # Gives seconds, and never goes back; with another one, call `tick` yourself
         self.clock,self.log = clock,get_logger(f'gimbal.{self.information.model}')
-        self.setpoint,self.closed,self._lock = Setpoint(),False,threading.RLock()
+        self.setpoint,self.closed,self._lock = Setpoint(),False,_clock.RLock()
         self._told = VehicleState(),-math.inf           # what we heard last of the vehicle, and when
         self._timers,self._alarm = Timers(f'timer of {self.information.model}'),None   # its own: it may hang
 
@@ -161,7 +163,7 @@ def _take(self:Gimbal, setpoint:Setpoint):
 @patch
 def _wake(self:Gimbal, due:float):
     "Call `tick` when it is `due`, s on the gimbal's clock"
-    if self.closed or self.clock is not time.monotonic or due==math.inf: return
+    if self.closed or not goes_by_itself(self.clock) or due==math.inf: return
     self._alarm = self._alarm or self._timers.alarm(self.tick)
     self._timers.move(self._alarm, due)
 
@@ -276,7 +278,7 @@ class RegionOfInterest:
     lead = .1       # s that we look ahead: from one `tick` to the next, while the gimbal turns
 
     def __init__(self, gimbal:Gimbal):
-        self.gimbal,self._lock = gimbal,threading.RLock()
+        self.gimbal,self._lock = gimbal,clock.RLock()
         self.target = None          # `None`: there is no region of interest
         self.before = Setpoint()    # Where the gimbal was to point when it was set
         self.ours = None            # Where we told it to point last

@@ -13,7 +13,7 @@ from urllib.error import HTTPError
 from urllib.parse import quote, urlsplit, urlunsplit
 from xml.etree import ElementTree
 from xml.sax.saxutils import escape
-import hashlib, itertools, math, os, re, threading, time
+import hashlib, itertools, math, os, re
 
 from fastcore.basics import patch, store_attr
 from ..cameras.url_camera import URLCamera
@@ -21,6 +21,7 @@ from ..cameras.values import CameraError, Frame, Still
 from .gimbal import Gimbal
 from .values import *
 from ..logging import get_logger
+from ..utils import clock, clock as _clock
 from ..utils.devices import DeviceURL
 from ..utils.general import cv2, inside, np
 from ..utils.geo import quaternion
@@ -111,14 +112,14 @@ class _OnvifLine:
     timeout,most = 2.,16<<20        # s for an answer; bytes of one
     fast,slow = .25,1.              # s between two questions where it points, while it moves and else
     patience = 5.                   # s that `close` waits
-    def __init__(self, host:str, port:int|None=None, user:str='', password:str='', clock=time.monotonic):
+    def __init__(self, host:str, port:int|None=None, user:str='', password:str='', clock=clock.now):
         store_attr()
         self.place = (f'[{host}]' if ':' in host else host)+(f':{port}' if port else '')
         self.services = dict(tds=f'http://{self.place}/onvif/device_service')
         self.log,self.skew = get_logger('onvif'),None       # `skew`: s that its clock is ahead; `None`: not known
         self.hear = self.changed = lambda: None     # called when `status` is new, and when `error` comes or goes
         self.status,self.error,self.heard = (NAN, NAN, NAN, ''),None,clock()    # pan, tilt, zoom, space; since when
-        self._orders,self._wake,self._closing,self._thread = {},threading.Condition(),False,None
+        self._orders,self._wake,self._closing,self._thread = {},_clock.Condition(),False,None
         self._due = self._busy = -math.inf                  # when to ask next; until when it may move
 
     def __repr__(self): return f'ONVIF camera at {self.place}'
@@ -165,7 +166,7 @@ def ask(self:_OnvifLine, request:str, # Such as '<tds:GetServices/>'
     try:
         if self.user and operation!='GetSystemDateAndTime':
             if self.skew is None: self.skew = self._find_skew()
-            created = time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime(time.time()+self.skew))
+            created = clock.strftime('%Y-%m-%dT%H:%M:%SZ', clock.gmtime(clock.time()+self.skew))
             head = _token(self.user, self.password, created, os.urandom(16))
         return _answer(self.load(self.services[service], _envelope(request, head)))
     except _Refused as e: raise _Refused(f'{self!r} refuses {operation}: {e}') from None
@@ -182,7 +183,7 @@ def _find_skew(self:_OnvifLine)->float:
     try: told = self.ask('<tds:GetSystemDateAndTime/>').find('.//{*}UTCDateTime')
     except (_Refused, _Unauthorized): return 0.
     names = 'Date/Year','Date/Month','Date/Day','Time/Hour','Time/Minute','Time/Second'
-    try: return timegm(tuple(int(_text(told, name)) for name in names))-time.time()
+    try: return timegm(tuple(int(_text(told, name)) for name in names))-clock.time()
     except ValueError: return 0.
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #f75723ae
@@ -328,7 +329,7 @@ def _run(self:_OnvifLine):
 @patch
 def start(self:_OnvifLine):
     "Start the thread"
-    self._thread = threading.Thread(target=self._run, name=f'onvif at {self.place}', daemon=True)
+    self._thread = clock.Thread(target=self._run, name=f'onvif at {self.place}', daemon=True)
     self._thread.start()
 
 @patch
@@ -392,7 +393,7 @@ class OnvifCamera(URLCamera):
 @patch
 def read_still(self:OnvifCamera)->Frame:
     "Return the camera's own JPEG, or a frame of its video when it has none"
-    taken,jpeg = time.time(),b''
+    taken,jpeg = clock.time(),b''
     try: jpeg = self.line.load(self.line.still) if self.line.still else b''
     except GimbalError as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
     image = cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR) if jpeg else None
@@ -427,7 +428,7 @@ class Onvif(Gimbal):
                  pan:tuple|None=None, # Degrees to the right at the ends of its pan; `None`: as it reports, or -180, 180
                  tilt:tuple|None=None, # Degrees up at the ends of its tilt; `None`: as it reports, or -90, 0
                  speeds:tuple=(60.,40.), # Of pan and tilt at full speed, degrees a second, unless it reports them
-                 clock=time.monotonic, line=None, # In tests: gives seconds; instead of a `_OnvifLine`
+                 clock=clock.now, line=None, # In tests: gives seconds; instead of a `_OnvifLine`
                  **storage): # `folder`, `quota` and `storages` of its camera
         device = line or _OnvifLine(host, port, user, password)
         if line is None: device.connect()

@@ -8,11 +8,12 @@ __all__ = ['Motor', 'SimGimbal']
 # %% ../../nbs/api/gimbals/03_sim.ipynb #54716415
 from collections import deque
 from dataclasses import replace
-import math, time
+import math
 
 from fastcore.basics import patch, store_attr
 from .gimbal import Gimbal
 from .values import *
+from ..utils import clock
 from ..utils.general import inside
 from ..utils.geo import euler, metres, product, quaternion
 
@@ -206,7 +207,7 @@ class SimGimbal(Gimbal):
         stowed:tuple=(0.,30.,0.), # Roll, pitch and yaw when it is retracted, degrees
         delay:float=0., # s from a setpoint until it counts
         locks:tuple=axes, # Axes that hold their direction on earth; the others lean with the vehicle
-        clock=time.monotonic, # Gives seconds, and never goes back; with another one, call `tick` yourself
+        clock=clock.now, # Gives seconds, and never goes back; with another one, call `tick` yourself
         stand_in:bool=False, # Is `vehicle` only there until `set_vehicle` tells of another?
         **motor, # `smoothing`: s over which the nose is smoothed (0: not at all); `speed`, `acceleration` as of `Motor`
     ):

@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #96e35763
 from __future__ import annotations
-import math, struct, time
+import math, struct
 
 from fastcore.basics import patch, store_attr
 from ..cameras.values import Pose
@@ -12,6 +12,7 @@ from .gimbal import Gimbal
 from .siyi_camera import SiyiCamera
 from .siyi_link import Cmd, rate_data, angle_data, read_attitude, read_config, MODELS, SiyiAttitude, SiyiLink
 from .values import *
+from ..utils import clock
 from ..utils.devices import DeviceURL
 from ..utils.geo import quaternion
 
@@ -41,7 +42,7 @@ class Siyi(Gimbal):
     def __init__(self, link:SiyiLink, # To the device; `close` closes it
                  camera=None, # Its camera; `close` closes it
                  angles:str='loop', # 'device' leaves angles to the device, which halts yaw at each new one
-                 clock=time.monotonic): # Gives seconds; with another one, call `tick` yourself
+                 clock=clock.now): # Gives seconds; with another one, call `tick` yourself
         self.link,self.camera,self.angles = link,camera,one_of('angles', angles, ('loop','device'))
         super().__init__(clock)
         self._next,self._steps = clock(),0
@@ -229,7 +230,7 @@ def _send_vehicle(self:Siyi):
         self.link.send(Cmd.position, struct.pack('<I7i', ms, *place, *velocity))
     if self._utc_left:
         self._utc_left -= 1
-        self.link.send(Cmd.utc, struct.pack('<Q', int(time.time()*1e6)))
+        self.link.send(Cmd.utc, struct.pack('<Q', int(clock.time()*1e6)))
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #ab38256a
 @patch

@@ -7,9 +7,8 @@ from __future__ import annotations
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-from queue import Empty, SimpleQueue
 from urllib.parse import urlencode, urlsplit
-import json, math, threading, time
+import json, math
 
 from fastcore.basics import patch, store_attr
 from ..cameras.lens import Lens
@@ -20,6 +19,7 @@ from ..cameras.values import *
 from UAV.gimbals.siyi_link import (Cmd, read_config, read_range, read_stream, read_thermal, read_zoom, SiyiLink,
     zoom_data)
 from .values import GimbalError
+from ..utils import clock
 from ..utils.general import cv2, inside, np, timers
 from ..utils.sockets import get_web
 from ..video.units import VideoFormat
@@ -61,7 +61,7 @@ class _ZoomDrive:
     def __init__(self, lens, send, log): # `send(cmd, data, times)`
         store_attr()
         self.way,self.aim,self.left,self.at = 0,None,0,-math.inf    # ±1; the magnification that was ordered
-        self._lock,self.halting = threading.Lock(),False            # `halting`: told to stop, and no report since
+        self._lock,self.halting = clock.Lock(),False            # `halting`: told to stop, and no report since
 
     times = property(lambda self: round(self.lens.focal_length/self.lens.travel.low, 1), doc="Magnification")
 
@@ -109,7 +109,7 @@ class _CardRecorder:
     def __init__(self, toggle, log):
         store_attr()
         self.on,self.missing,self.ours,self.wanted,self.left,self.at = False,False,False,None,0,-math.inf
-        self._lock = threading.Lock()
+        self._lock = clock.Lock()
 
 @patch
 def want(self:_CardRecorder, on:bool):
@@ -182,7 +182,7 @@ class SiyiCamera(URLCamera):
                  pose=None): # Function that returns the Pose of a picture
         self.link,self.range_unit,self._given = link,range_unit,url
         self.host = host or (link.name.rpartition(':')[0] if link.transport!='serial' else '192.168.144.25')
-        self._files,self._notices,self._said = _CardFiles(self.host, http_port),SimpleQueue(),set()
+        self._files,self._notices,self._said = _CardFiles(self.host, http_port),clock.SimpleQueue(),set()
         self._listed,self._no_files = None,-math.inf        # the newest file, if known; when there was no list, s
         link.wait(lambda link: link.hardware and link.firmware, timeout)
         self._fit_model()
@@ -304,9 +304,9 @@ def _shoot(self:SiyiCamera):
     if self._card.missing: raise CameraError('there is no card in the camera')
     while not self._notices.empty(): self._notices.get()
     self.link.send(Cmd.photo, b'\0')
-    end = time.monotonic()+self.shutter_time
-    with suppress(Empty):
-        while (notice := self._notices.get(timeout=max(end-time.monotonic(), .001))) not in (0,1): pass
+    end = clock.monotonic()+self.shutter_time
+    with suppress(clock.Empty):
+        while (notice := self._notices.get(timeout=max(end-clock.monotonic(), .001))) not in (0,1): pass
         if notice: raise CameraError('the camera could not take the photo')
         return
     self._log_once('the camera does not confirm its photos')
@@ -315,8 +315,8 @@ def _shoot(self:SiyiCamera):
 @patch
 def _fetch(self:SiyiCamera, before:str|None)->bytes|None:
     "Return the file of the photo just taken, not the one `before`; `None` when there is none"
-    end,self._listed = time.monotonic()+self.shutter_time,None
-    while before is not None and (newest := self._newest_file()) is not None and time.monotonic()<end:
+    end,self._listed = clock.monotonic()+self.shutter_time,None
+    while before is not None and (newest := self._newest_file()) is not None and clock.monotonic()<end:
         with suppress(OSError, ValueError):
             if newest!=before and b'\xff\xd9' in (jpeg := self._files.get(newest))[-4096:]:       # it is complete
                 self._listed = newest
@@ -327,7 +327,7 @@ def _fetch(self:SiyiCamera, before:str|None)->bytes|None:
 @patch
 def read_still(self:SiyiCamera)->Frame:
     "Have the device take a photo, and return it; raises `CameraError`"
-    before,taken = self._newest_file() if self._listed is None else self._listed,time.time()
+    before,taken = self._newest_file() if self._listed is None else self._listed,clock.time()
     self._shoot()
     jpeg = self._fetch(before)
     image = jpeg and cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR)
@@ -417,9 +417,9 @@ def thermal_range(self:SiyiCamera, stream_id:int=0, # 0: of the thermal camera
 @patch
 def _end_card(self:SiyiCamera):
     "Stop what records on the card because of us; orders get lost, and one may be on its way"
-    end = time.monotonic()+5
+    end = clock.monotonic()+5
     def settle():
-        while self._card.wanted is not None and time.monotonic()<end:
+        while self._card.wanted is not None and clock.monotonic()<end:
             self._card.hear(read_config(self.link.ask(Cmd.config)).record, self.link.clock())
             self._closing.wait(.05)
     if self.link.fault: return

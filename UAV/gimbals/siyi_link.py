@@ -8,11 +8,13 @@ from binascii import crc_hqx
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import NamedTuple
-import math, socket, struct, threading, time
+import math, socket, struct
 
 from fastcore.basics import patch, store_attr
 from .values import *
 from ..logging import get_logger
+from ..utils import clock, clock as _clock
+from ..utils.clock import goes_by_itself
 from ..utils.devices import DeviceURL
 from ..utils.general import _begin_thread, Closes, inside, timers, Value
 from ..utils.sockets import TCPClient
@@ -215,7 +217,7 @@ class _Line(Closes):
     "A datagram socket or a serial port that one thread reads"
     def __init__(self, name:str, open): # Of the thread; a function that returns `(read, write, close)`
         store_attr()
-        self.error,self.up,self._lock,self._closed = 'not open yet',False,threading.Lock(),threading.Event()
+        self.error,self.up,self._lock,self._closed = 'not open yet',False,clock.Lock(),clock.Event()
         self.hear,self.changed,self._thread,self._write = None,lambda: None,None,None
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #c086dce4
@@ -259,7 +261,7 @@ def send(self:_Line, data:bytes)->bool:
 def close(self:_Line):
     "Close it for good; may be called twice"
     self._closed.set()
-    if self._thread not in (None, threading.current_thread()): self._thread.join()
+    if self._thread not in (None, clock.current_thread()): self._thread.join()
     self.error = 'closed'
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #e2ad5239
@@ -287,7 +289,7 @@ class SiyiLink(Closes):
     pace = .25              # s between two looks at what's to be asked
     def __init__(self, host:str='192.168.144.25', # Or the path of a serial port, with `transport='serial'`
                  port:int=37260, transport:str='udp', # 'udp', 'tcp' or 'serial'
-                 clock=time.monotonic, # Gives seconds; with another one, call `tick` yourself
+                 clock=clock.now, # Gives seconds; with another one, call `tick` yourself
                  line=None): # In tests, instead of a socket
         one_of('transport', transport, ('udp','tcp','serial'))
         self.clock,self.transport,self.log = clock,transport,get_logger('siyi')
@@ -295,13 +297,13 @@ class SiyiLink(Closes):
         self.newest,self.heard = {},-math.inf           # `{cmd: (when, data)}`; when any frame came, s
         self._began,self._asked,self._beaten = clock(),-math.inf,-math.inf
         self._reader,self._listeners,self._seq,self._closed = SiyiReader(),{},0,False
-        self._came,self._sending = threading.Condition(),threading.RLock()
+        self._came,self._sending = _clock.Condition(),_clock.RLock()
         self.line = line or (_serial_line(host) if transport=='serial' else
                              TCPClient(host, port) if transport=='tcp' else _udp_line(host, port))
         self.line.hear,self.line.changed = lambda data: self._hear(data),lambda: self._on_line()
         self.name = host if transport=='serial' else f'{host}:{port}'
         self.line.start()
-        self._job = timers.every(self.pace, self.tick) if clock is time.monotonic else None
+        self._job = timers.every(self.pace, self.tick) if goes_by_itself(clock) else None
 
     def __repr__(self): return f'{type(self).__name__}({self.model.name} at {self.name}, {self.fault or "works"})'
 

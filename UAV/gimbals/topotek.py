@@ -5,11 +5,13 @@
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #bd59e4c6
 from __future__ import annotations
 from dataclasses import replace
-import math, re, socket, threading, time
+import math, re, socket
 
 from fastcore.basics import patch
 from .gimbal import Gimbal
 from .values import *
+from ..utils import clock
+from ..utils.clock import goes_by_itself
 from ..utils.devices import DeviceURL
 from ..utils.general import inside
 from ..utils.geo import quaternion
@@ -100,7 +102,7 @@ class _TopotekLine:
     "Opens a port, reads it on a thread, and opens it again when it is lost"
     def __init__(self, name:str, make): # `make` opens the port; raises `OSError`
         self.name,self.make,self.hear = name,make,lambda data: None
-        self.error,self._port,self._lock,self._loop = 'not open yet',None,threading.Lock(),None
+        self.error,self._port,self._lock,self._loop = 'not open yet',None,clock.Lock(),None
 
     def __repr__(self): return self.name
 
@@ -161,7 +163,7 @@ class Topotek(Gimbal):
                  local:int=0, # Our UDP port; 0: any
                  baudrate:int=115200, # Of a serial port
                  pitch:tuple=(-90.,45.), yaw:tuple=(-150.,150.), # Least and greatest angle, degrees
-                 clock=time.monotonic, # Gives seconds; with another one, call `tick` yourself
+                 clock=clock.now, # Gives seconds; with another one, call `tick` yourself
                  line=None): # In tests, instead of a socket or a serial port
         self.information = GimbalInformation('Topotek', 'TP gimbal', pitch=pitch, yaw=yaw)
         super().__init__(clock)
@@ -177,7 +179,7 @@ class Topotek(Gimbal):
         self.line = line or _TopotekLine(host if serial else f'UDP {host}:{port}', make)
         self.line.hear = lambda data: self._hear(data)
         self.line.start()
-        self._job = self._timers.every(self.pace, self.tick) if clock is time.monotonic else None
+        self._job = self._timers.every(self.pace, self.tick) if goes_by_itself(clock) else None
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #af0b5e1a
 @patch

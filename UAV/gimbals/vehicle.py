@@ -6,10 +6,11 @@
 __all__ = ['moment', 'circle', 'line', 'hover', 'strips', 'SimVehicle']
 
 # %% ../../nbs/api/gimbals/04_vehicle.ipynb #f4ce0e10
-import math, time
+import math
 
 from fastcore.basics import patch, store_attr
 from .values import *
+from ..utils import clock
 from ..utils.geo import moved
 
 # %% ../../nbs/api/gimbals/04_vehicle.ipynb #9ef12100
@@ -66,7 +67,7 @@ class SimVehicle:
     def __init__(self,
         path=None, # Function: s since the start to (north, east, height above the ground) in m; `None`: `circle()`
         origin:tuple=(-35.363262,149.165237,584.), # Latitude, longitude, height above sea of the origin
-        clock=time.monotonic, # Gives seconds
+        clock=clock.now, # Gives seconds
         heading=None, # Degrees from north, or a function of the seconds; `None`: along the path
     ):
         store_attr('origin,clock,heading')

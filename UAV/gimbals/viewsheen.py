@@ -5,13 +5,14 @@
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #08676ae8
 from __future__ import annotations
 from dataclasses import dataclass
-import math, struct, time
+import math, struct
 
 from fastcore.basics import patch, store_attr
 from ..cameras import CameraError, Frame
 from ..cameras.url_camera import URLCamera
 from .gimbal import Gimbal
 from .values import *
+from ..utils import clock
 from ..utils.general import inside, NAN, one_of, takes_options, Value
 from ..utils.devices import DeviceURL
 from ..utils.geo import quaternion, wrap
@@ -258,7 +259,7 @@ class Viewsheen(Gimbal):
     series = None       # pictures that we take one by one: `(how many are left, when the next one is due, s between)`
     @takes_options(ViewsheenSetup)
     def __init__(self, host:str='192.168.144.200', port:int=2000, # The factory's address is 192.168.42.200
-                 clock=time.monotonic, # Gives seconds; with another one, call `tick` yourself
+                 clock=clock.now, # Gives seconds; with another one, call `tick` yourself
                  line=None, # In tests, instead of a `TCPClient`
                  **kwargs):
         self.setup = ViewsheenSetup(**kwargs)

@@ -8,7 +8,7 @@ from contextlib import aclosing, suppress
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
-import asyncio, os, re, tempfile, time
+import asyncio, os, re, tempfile
 
 from fastcore.basics import patch
 from ..cameras.parameters import Parameter, Parameters
@@ -20,6 +20,7 @@ from ..mavlink.camera_downloads import FtpFile
 from ..mavlink.camera_asking import CAMERA_TRACKING_IMAGE_STATUS, tracking_of
 from ..mavlink.protocol import NoAnswer
 from ..mavlink.settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
+from ..utils import clock
 from ..utils.general import inside, known
 from ..utils.sockets import set_within
 from ..video.recorder import Recorder
@@ -278,7 +279,7 @@ class _CameraTracking(RowPart):
         "Return the target's position, as `_target_of`"
         told,size = self.row.told,self.row.preview.newest.size
         msg = told.newest.get(CAMERA_TRACKING_IMAGE_STATUS)
-        old = time.monotonic()-told.came.get(CAMERA_TRACKING_IMAGE_STATUS, 0)>self.stays
+        old = clock.monotonic()-told.came.get(CAMERA_TRACKING_IMAGE_STATUS, 0)>self.stays
         return dict(target=None if msg is None or old else _target_of(msg, size[0]/size[1] if size else 4/3))
 
     async def _follow(self):
@@ -318,7 +319,7 @@ async def untrack(self:_CameraTracking)->Ack:
 def _file_name(name:str, began:float, part:int=0)->str:
     "Return the file name of a recording begun `began` s since 1970; each change of the stream starts a new part"
     plain = re.sub('[^A-Za-z0-9]+', '_', name)[:40].strip('_') or 'camera'
-    at = time.strftime('%Y-%m-%d_%H-%M-%S', time.localtime(began))
+    at = clock.strftime('%Y-%m-%d_%H-%M-%S', clock.localtime(began))
     return f'{at}_{plain}{f"_{part+1}" if part else ""}.mp4'
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #c601e8b1
@@ -326,7 +327,7 @@ class _HereRecorder(Recorder):
     "A recorder of the received stream; calls `tell` after its first picture, and when it ends by itself"
     sets = b''              # parameter sets of the newest key frame, as a byte stream
     def __init__(self, name:str, stream, folder, reserve:float=100., tell=lambda: None):
-        self.began,self.name_of,self.folder = time.time(),name,Path(folder)
+        self.began,self.name_of,self.folder = clock.time(),name,Path(folder)
         self.stream,self.tell = stream,tell
         super().__init__(self.path_of, segment=3600., reserve=reserve, on_end=lambda _: tell())     # MiB to keep free
 
@@ -487,7 +488,7 @@ def _held(self:_Aim, number:int)->tuple:
     "Return the gimbal's attitude when a picture was taken, as a quaternion; raises `GimbalError` if unknown"
     came,history = self.row.preview.newest.when(number),self.gimbal.history
     if came is None: raise GimbalError('there is no picture yet')
-    if (age := time.monotonic()-came)>history.seconds: raise GimbalError(f'that picture is {age:.0f} s old')
+    if (age := clock.monotonic()-came)>history.seconds: raise GimbalError(f'that picture is {age:.0f} s old')
     q = history.at(came-self.delay)
     if q is None: raise GimbalError('the gimbal does not say where it points')
     return q

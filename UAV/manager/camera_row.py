@@ -5,7 +5,7 @@
 # %% ../../nbs/api/manager/07_camera_row.ipynb #c2ffa52b
 from __future__ import annotations
 from contextlib import ExitStack, suppress
-import asyncio, time
+import asyncio
 
 from fastcore.basics import patch
 from .camera_parts import _Aim, _CameraFiles, _CameraSettings, _CameraTracking, _RecordHere, _ZoomHelm
@@ -18,6 +18,7 @@ from ..mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURE
     CAMERA_SETTINGS, STORAGE_INFORMATION)
 from ..mavlink.camera_asking import stream_of, VIDEO_STREAM_INFORMATION
 from ..mavlink.protocol import Failed
+from ..utils import clock
 from ..utils.general import inside, one_of
 from ..utils.sockets import set_within
 from ..wire.dialect import Ack, address, MAVError
@@ -119,13 +120,13 @@ def _put_off(self:CameraRow, question:int):
     "Postpone a request by its period, doubled for each one without an answer"
     if question not in self.questions: return
     period,tries = self.questions[question],min(self.tries.get(question, 0), 9)
-    self.due[question] = time.monotonic()+min(period*2**tries, max(period, self.longest))
+    self.due[question] = clock.monotonic()+min(period*2**tries, max(period, self.longest))
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #a91396d7
 @patch
 async def _ask(self:CameraRow, question:int):
     "Request a message from the camera; the answer arrives as any message"
-    began = time.monotonic()
+    began = clock.monotonic()
     self.tries[question] = self.tries.get(question, 0)+1
     self._put_off(question)
     ask = self.preview.find() if question==VIDEO_STREAM_INFORMATION else self.camera.request(question)
@@ -165,7 +166,7 @@ def lost(self:CameraRow)->str:
 @patch
 def _open_questions(self:CameraRow)->list:
     "Return the messages that are due for a request"
-    now = time.monotonic()
+    now = clock.monotonic()
     found = [q for q in self.questions if self.due.get(q, 0)<=now]
     return found[:1] if CAMERA_INFORMATION in found else found
 
@@ -205,7 +206,7 @@ async def run(self:CameraRow):
 def status(self:CameraRow)->dict:
     "Return all that a viewer shows, as plain values"
     lost,remote,preview = self.lost,self.camera.client.remotes.get(self.camera.address),self.preview
-    age = int(time.monotonic()-remote.heard) if remote and remote.heard else None
+    age = int(clock.monotonic()-remote.heard) if remote and remote.heard else None
     streams = [dict(id=s.id, text=text_of(repr(s).replace(s.uri, '').rstrip(', '))) for s in preview.streams or []]
     return dict(Row.status(self), state='lost' if lost else 'alive', age=age, why=lost, **self.told.status(),
         picture=preview.status(), streams=streams, stream=preview.stream and preview.stream.id)

@@ -5,7 +5,7 @@
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #82296cfe
 from __future__ import annotations
 from collections import deque
-import asyncio, math, threading, time
+import asyncio, math
 
 from fastcore.basics import patch
 from ..gimbals.values import GimbalAttitude
@@ -15,6 +15,7 @@ from .told import text_of
 from ..mavlink.remote_gimbal import about, GIMBAL_DEVICE_ATTITUDE_STATUS
 from ..mavlink.gimbal_flags import axis_limits
 from ..mavlink.protocol import Lost
+from ..utils import clock
 from ..utils.general import inside, known
 from ..utils.geo import inverse, product, wrap
 from ..wire.dialect import Ack, MAVError
@@ -36,7 +37,7 @@ def _between(p:tuple, q:tuple, share:float)->tuple:
 class _History:
     "The attitudes of the last seconds, as quaternions; times in monotonic s"
     def __init__(self, seconds:float=10.):
-        self.seconds,self._kept,self._lock = seconds,deque(),threading.Lock()
+        self.seconds,self._kept,self._lock = seconds,deque(),clock.Lock()
 
     def add(self, time:float, q:tuple):
         "Store an attitude, if it is later than the last one"
@@ -84,7 +85,7 @@ class GimbalRow(Row):
         frame = 'earth' if known(now.vehicle_yaw) else 'vehicle'
         if frame!=self.frame: self.history,self.frame = _History(),frame
         q = now.earth_q if frame=='earth' else now.q
-        if all(map(known, q)): self.history.add(time.monotonic(), q)
+        if all(map(known, q)): self.history.add(clock.monotonic(), q)
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #27d57da1
 @patch
@@ -101,14 +102,14 @@ async def learn(self:GimbalRow):
 async def listen(self:GimbalRow):
     "Store attitudes until none comes for a while, and request what is missing; raises `Lost`"
     client,device = self.client,self.client.client._device_of(self.gimbal)
-    learned = time.monotonic()
+    learned = clock.monotonic()
     with client.client._news.add(GIMBAL_DEVICE_ATTITUDE_STATUS, lambda msg: about(msg)==device, device[:2]) as told:
         while await told.wait(self.patience) is not None:
             told.renew()
             if (now := client.attitude) is not None: self.note(now)
-            if self.missing and time.monotonic()-learned>self.learns_again:
+            if self.missing and clock.monotonic()-learned>self.learns_again:
                 await self.learn()
-                learned = time.monotonic()
+                learned = clock.monotonic()
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #1c803708
 @patch
@@ -160,7 +161,7 @@ def owner(self:GimbalRow)->dict:
 def status(self:GimbalRow)->dict:
     "Return all that a viewer shows, as plain values"
     lost,remote = self.lost,self.client.client.remotes.get(self.gimbal[:2])
-    age = int(time.monotonic()-remote.heard) if remote and remote.heard else None
+    age = int(clock.monotonic()-remote.heard) if remote and remote.heard else None
     return dict(id=self.id, name=text_of(self.remote.name), state='lost' if lost else 'alive', age=age,
         why=lost or self.missing, can=list(self.remote.can), limits=self.limits(), **self.pointing(), **self.owner(),
         turning=self.helm.held is not None, buttons=self.buttons())

@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/manager/11_gui.ipynb #063f14c3
 from __future__ import annotations
-import asyncio, time
+import asyncio
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -16,6 +16,7 @@ from .server import PanelServer
 from .widget import _card_of, _Shown, _this_kernel
 from ..mavlink.camera_asking import is_camera
 from ..mavlink.remote_gimbal import _of_manager, GIMBAL_MANAGER_INFORMATION
+from ..utils import clock
 from ..wire.dialect import address, MAVError
 
 # %% auto #0
@@ -81,7 +82,7 @@ async def _watch_cameras(self:Gui):
 @patch
 def _due(self:Gui, asked:dict)->list:
     "Return the addresses to ask now, and drop lost ones from `asked`, `{address: (times, next time)}`"
-    there,now = self._may_manage(),time.monotonic()
+    there,now = self._may_manage(),clock.monotonic()
     told = {g[:2] for g in list(self.gimbal_client._heard.get(GIMBAL_MANAGER_INFORMATION, ()))}
     for gone in set(asked)-there: del asked[gone]
     return sorted(a for a in there if a not in asked or a not in told and asked[a][1]<=now)[:16]
@@ -93,7 +94,7 @@ async def _ask_managers(self:Gui, asked:dict):
     due,(first,last) = self._due(asked),self.ask_again
     for a in due:
         times = asked.get(a, (0, 0))[0]
-        asked[a] = times+1,time.monotonic()+min(first*2**min(times, 9), last)
+        asked[a] = times+1,clock.monotonic()+min(first*2**min(times, 9), last)
     ask = self.gimbal_client._ask
     await asyncio.gather(*(ask(a, GIMBAL_MANAGER_INFORMATION) for a in due), return_exceptions=True)
 
@@ -123,7 +124,7 @@ async def _forget_lost(self:Gui):
     "Remove rows that have been lost for long, until the panel closes"
     since = {}
     while True:
-        now = time.monotonic()
+        now = clock.monotonic()
         since = {id:since.get(id, now) for id,row in self.rows.items() if getattr(row, 'lost', '')}
         for id,when in since.items():
             if now-when>=self.forget_after: await self.remove_row(id)

@@ -6,7 +6,7 @@
 from __future__ import annotations
 from collections import deque
 from secrets import token_hex
-import asyncio, math, time
+import asyncio, math
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -16,6 +16,7 @@ from ..mavlink.camera_asking import CAMERA_TRACKING_IMAGE_STATUS, tracking_of
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS
 from ..mavlink.gimbal_client import RemoteGimbal
 from ..mavlink.protocol import Denied, NoAnswer, Unsupported
+from ..utils import clock
 from ..utils.sockets import set_within
 from ..utils.general import inside, known
 from ..wire.dialect import MAVError
@@ -119,7 +120,7 @@ async def _stop(self:Helm, lock:bool):
     client.client._turned.pop(client.gimbal, None)
     if client.held_by_other: return
     client.send_rates(0., 0., lock)
-    nothing = int(100*time.monotonic())%10_000*1e-6     # degrees a second: a new value each 10 ms
+    nothing = int(100*clock.monotonic())%10_000*1e-6     # degrees a second: a new value each 10 ms
     (await client.set_rates(pitch=nothing, lock=lock)).check()
 
 # %% ../../nbs/api/manager/02_helm.ipynb #b81f60ba
@@ -273,11 +274,11 @@ class _Follow(RowPart):
 
     def _ends(self, seen:float)->str:
         "Return the reason to end now, or ''; `seen`: when the target was seen last, monotonic s"
-        (now,_),clock = self._target(),time.monotonic()
+        (now,_),time = self._target(),clock.monotonic()
         if self.row.lost: return 'The camera no longer answers'
         if now is None or now.status=='idle': return 'The camera has no target'
-        if clock-seen>self.patience: return 'The target is lost'
-        return 'No viewer is left' if clock-self.row.preview._looked>self.lease else ''
+        if time-seen>self.patience: return 'The target is lost'
+        return 'No viewer is left' if time-self.row.preview._looked>self.lease else ''
 
     async def close(self):
         "Stop following and turning"
@@ -291,14 +292,14 @@ class _Follow(RowPart):
 @patch
 async def _steer(self:_Follow, gimbal):
     "Turn the gimbal until there is a reason to end, and log the reason"
-    n,seen,middle,rates,why = 0,time.monotonic(),_Middle(),(0.,0.),''
+    n,seen,middle,rates,why = 0,clock.monotonic(),_Middle(),(0.,0.),''
     try:
         while not (why := self._ends(seen)):
             now,came = self._target()
             fov,pitch = self.row.aim.field_of_view(),(gimbal.client.attitude or GimbalAttitude()).pitch
             if now.status=='active' and now.point and came!=middle.when and fov:
-                seen,rates = time.monotonic(),middle.rates(_errors(now.point, fov, pitch if known(pitch) else 0.), came)
-            elif time.monotonic()-seen>self.old: rates = 0.,0.
+                seen,rates = clock.monotonic(),middle.rates(_errors(now.point, fov, pitch if known(pitch) else 0.), came)
+            elif clock.monotonic()-seen>self.old: rates = 0.,0.
             n += 1
             await self.helm.hold(*rates, self.hold, n)
             await asyncio.sleep(self.period)

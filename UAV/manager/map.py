@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections import deque
 from contextlib import ExitStack, suppress
 from dataclasses import replace
-import asyncio, math, time
+import asyncio, math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -16,6 +16,7 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_BATTERY_STATUS 
 from .panel import RowPart
 from .told import _battery_of, _picture_of
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS, from_int32
+from ..utils import clock
 from ..utils.general import known, NAN
 from ..utils.geo import metres, moved, turned, unit
 from ..wire.dialect import address, MAVError
@@ -71,7 +72,7 @@ class _Vehicle:
 
     def take(self, msg):
         "Store a message"
-        self.source,self.heard = address(msg),time.monotonic()
+        self.source,self.heard = address(msg),clock.monotonic()
         if msg.get_msgId()==BATTERY_STATUS and msg.id==0: self.battery = _battery_of(msg)
         if msg.get_msgId()==SYS_STATUS: self.battery = _battery_of(msg)
         if msg.get_msgId()!=POSITION or not (msg.lat or msg.lon): return
@@ -90,7 +91,7 @@ class _Vehicle:
 
     def is_fresh(self, seconds:float=3.)->bool:
         "True if a position came within `seconds`"
-        return self.position is not None and time.monotonic()-self.came<seconds
+        return self.position is not None and clock.monotonic()-self.came<seconds
 
 # %% ../../nbs/api/manager/05_map.ipynb #2262be6e
 @patch
@@ -100,7 +101,7 @@ def status(self:_Vehicle)->dict:
     lat,lon = (round(n, 6) for n in self.place) if p else (None,None)
     altitude,above = (round(mm/1e3, 1) for mm in (p.alt, p.relative_alt)) if p else (None,None)
     heading = round(self.heading)%360 if known(self.heading) else None
-    age = int(time.monotonic()-(self.came if p else self.heard))
+    age = int(clock.monotonic()-(self.came if p else self.heard))
     return dict(system=self.system, lat=lat, lon=lon, altitude=altitude, above=above, heading=heading,
                 battery=self.battery, age=age)
 
@@ -144,14 +145,14 @@ class Fleet:
         source = address(msg)
         if not self._is_pilot(source) or source[0] not in self.vehicles and len(self.vehicles)>=self.most: return
         vehicle = self.vehicles.setdefault(source[0], _Vehicle(source[0]))
-        gone = time.monotonic()-vehicle.heard>self.patience
+        gone = clock.monotonic()-vehicle.heard>self.patience
         if vehicle.source in (None, source) or source[1]==1 or gone: vehicle.take(msg)
 
 # %% ../../nbs/api/manager/05_map.ipynb #f1e238e5
 @patch
 def _silent(self:Fleet, client)->list:
     "Return the autopilots that are due for a request"
-    now,found = time.monotonic(),[]
+    now,found = clock.monotonic(),[]
     for a,r in list(client.remotes.items()):
         told = a[0] in self.vehicles and self.vehicles[a[0]].is_fresh(self.patience)
         if not r.heard or r.lost or told or not self._is_pilot(a): self._asked.pop(a, None)
@@ -163,7 +164,7 @@ def _silent(self:Fleet, client)->list:
 async def _ask(self:Fleet, client, source:tuple):
     "Request the position of an autopilot"
     times,(first,last) = self._asked[source][0],self.asks_again
-    self._asked[source] = times+1,time.monotonic()+min(first*2**min(times, 9), last)
+    self._asked[source] = times+1,clock.monotonic()+min(first*2**min(times, 9), last)
     with suppress(MAVError):
         await client.send_command(*source, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, [POSITION, self.interval])
 
@@ -233,7 +234,7 @@ class _CameraGround(RowPart):
         "Return the same from CAMERA_FOV_STATUS"
         told,vehicle = self.row.told,self.vehicle
         msg = told.newest.get(CAMERA_FOV_STATUS)
-        if msg is None or time.monotonic()-told.came[CAMERA_FOV_STATUS]>self.lasts: return None
+        if msg is None or clock.monotonic()-told.came[CAMERA_FOV_STATUS]>self.lasts: return None
         lat,lon = (from_int32(n, 1e7) for n in (msg.lat_camera, msg.lon_camera))
         alt,ground = (from_int32(n, 1e3) for n in (msg.alt_camera, msg.alt_image))
         measured = known(alt) and known(ground) and ground<alt<math.inf
@@ -244,14 +245,14 @@ class _CameraGround(RowPart):
     async def watch(self):
         "Request CAMERA_FOV_STATUS while a map is open, if the camera has sent its position before"
         msg = self.row.told.newest.get(CAMERA_FOV_STATUS)
-        knows,is_open = msg and known(from_int32(msg.lat_camera, 1e7)),time.monotonic()-self.looked<self.open_for
+        knows,is_open = msg and known(from_int32(msg.lat_camera, 1e7)),clock.monotonic()-self.looked<self.open_for
         if knows and is_open and not self.by_gimbal(): self.row.soon(CAMERA_FOV_STATUS)
 
 # %% ../../nbs/api/manager/05_map.ipynb #d11a153f
 @patch
 def features(self:_CameraGround)->list:
     "Return footprint, center and pictures, for a map"
-    self.looked,shown = time.monotonic(),list(self.pictures)
+    self.looked,shown = clock.monotonic(),list(self.pictures)
     at,fov = self.by_gimbal() or self.by_camera(),self.row.aim.field_of_view()
     if not (at and fov) or self.row.lost: return shown
     lat,lon,height,q = at
@@ -280,7 +281,7 @@ class _Signal(RowPart):
 
     async def watch(self):
         "Count frames"
-        now,camera = time.monotonic(),self.row.camera
+        now,camera = clock.monotonic(),self.row.camera
         for channel in camera.client.mav_com.channels:
             if not (source := channel.sources.get(camera.address)): continue
             kept = self.counted.setdefault(channel.number, deque())

@@ -9,12 +9,13 @@ from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
 from secrets import token_hex
-import asyncio, atexit, inspect, threading, time
+import asyncio, atexit, inspect
 
 from fastcore.basics import patch, store_attr
 from ..cameras.values import CameraError
 from ..gimbals.values import GimbalError
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import Closes, plain
 from ..utils.sockets import LoopThread
 from ..wire.dialect import Ack, MAVError
@@ -38,7 +39,7 @@ async def call(f, # Function or coroutine function
         try: answer.set_result(f())
         except BaseException as e: answer.set_exception(_as_error(e))
     here = inspect.iscoroutinefunction(f)
-    if not here: threading.Thread(target=live, name=name, daemon=True).start()
+    if not here: clock.Thread(target=live, name=name, daemon=True).start()
     try:
         found = await (f() if here else asyncio.wrap_future(answer))
         return await found if inspect.isawaitable(found) else found
@@ -71,7 +72,7 @@ class Press:
 
     def status(self)->dict:
         "Return the press as plain values"
-        at = time.strftime('%H:%M:%S', time.localtime(self.at))
+        at = clock.strftime('%H:%M:%S', clock.localtime(self.at))
         return dict(n=self.number, at=at, who=self.who, what=self.what, state=self.state.name, text=self.text,
                     took=self.took)
 
@@ -80,7 +81,7 @@ class CommandLog:
     "The newest presses, and the state of each button"
     most,longest = 30,300 # lines kept; characters of a text
     def __init__(self):
-        self.entries,self._last,self._number,self._lock = [],{},0,threading.Lock()
+        self.entries,self._last,self._number,self._lock = [],{},0,clock.Lock()
 
     def __repr__(self): return '\n'.join(map(repr, self.entries)) or 'no presses yet'
     def __len__(self): return len(self.entries)
@@ -89,13 +90,13 @@ class CommandLog:
         "Log the press of a button"
         with self._lock:
             self._number += 1
-            entry = self._last[who,what] = Press(self._number, who, what, time.time())
+            entry = self._last[who,what] = Press(self._number, who, what, clock.time())
             self.entries = [*self.entries[1-self.most:], entry]
             return entry
 
     def end(self, entry:Press, state:Btn_State, text:str=''):
         "Log the result of a press"
-        entry.took,entry.text,entry.state = max(time.time()-entry.at, 0.),text[:self.longest],state
+        entry.took,entry.text,entry.state = max(clock.time()-entry.at, 0.),text[:self.longest],state
 
     def state_of(self, who:str, what:str)->Btn_State:
         "Return the state of a button"
@@ -118,7 +119,7 @@ class _News:
 
     def look(self):
         "Call `status` again, if it is time"
-        now = time.monotonic()
+        now = clock.monotonic()
         if now<self._due: return
         self._due,status = now+self.period,self.status()
         if status!=self.newest: self.newest,self.number = status,self.number+1
@@ -232,7 +233,7 @@ class Panel(Closes):
         self.functions = {n:f for n,f in dict(auto=auto, reset=reset, pause=pause).items() if f is not None}
         self.rows,self.log,self.hosts = {},CommandLog(),[]     # `{id: Row}`; presses; views, which have `close()`
         self.actions,self.last_pictures,self.calling = _actions(self),{},set()  # JPEGs, by camera; functions under way
-        self.logger,self.exit_event,self.closed = get_logger('manager'),threading.Event(),False
+        self.logger,self.exit_event,self.closed = get_logger('manager'),clock.Event(),False
         self.loop,self.news = LoopThread('panel'),_News(lambda: self.status())
         atexit.register(self.close)
         for name in self.lives: self.loop.run(self._keep(getattr(self, name)))
@@ -261,7 +262,7 @@ def close(self:Panel):
             if isinstance(e, Exception): self.logger.warning('while closing: %s', e)
 
     if self.closed: return
-    if self.loop.inside: return threading.Thread(target=self.close, name='panel closes').start()    # it cannot wait
+    if self.loop.inside: return clock.Thread(target=self.close, name='panel closes').start()    # it cannot wait
     atexit.unregister(self.close)
     self.closed = True
     if self.loop.orphaned: return           # a forked process: devices and viewers are its parent's
@@ -390,12 +391,12 @@ async def _pictures(self:Panel, after:dict)->list:
 @patch
 async def _poll(self:Panel, seen:str, after:dict, timeout:float)->_Update:
     "Wait for news, on the panel's loop"
-    end = time.monotonic()+timeout
+    end = clock.monotonic()+timeout
     if seen.partition('-')[0]!=self.news.run: after = dict.fromkeys(after, -1)
     while True:
         pictures = await self._pictures(after)
         self.news.look()
-        tag,left = self.news.tag,end-time.monotonic()
+        tag,left = self.news.tag,end-clock.monotonic()
         if pictures or tag!=seen or left<=0: return _Update(tag, None if tag==seen else self.news.newest, pictures)
         await self.news.wait(left)
 
@@ -414,8 +415,8 @@ async def poll(self:Panel,
 async def next_picture(self:Panel, of:str|None=None, after:int=-1, timeout:float=1.)->tuple|None:
     "Return `(number, JPEG)` of a picture later than `after`, if one comes in time; see `frame`. On the panel's loop"
     of = of or next((id for id,row in self.rows.items() if row.kind=='camera'), '')
-    end = time.monotonic()+timeout
-    while not (found := await self._pictures({of:after})) and (left := end-time.monotonic())>0:
+    end = clock.monotonic()+timeout
+    while not (found := await self._pictures({of:after})) and (left := end-clock.monotonic())>0:
         await self.news.wait(left)
     return found[0][1:] if found else None
 

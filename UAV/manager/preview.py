@@ -5,10 +5,11 @@
 # %% ../../nbs/api/manager/01_preview.ipynb #0d5de61c
 from __future__ import annotations
 from collections import deque
-import asyncio, math, time
+import asyncio, math
 
 from fastcore.basics import patch, store_attr
 from ..mavlink.protocol import Lost
+from ..utils import clock
 from ..utils.sockets import set_within
 from ..wire.dialect import MAVError
 
@@ -84,7 +85,7 @@ class Preview:
     @property
     def wanted(self)->bool:
         "True while a viewer looks or a recording runs"
-        return time.monotonic()-self._looked<self.lease or bool(self.sinks)
+        return clock.monotonic()-self._looked<self.lease or bool(self.sinks)
 
     @property
     def stream(self):
@@ -106,7 +107,7 @@ class Preview:
 @patch(as_prop=True)
 def silent(self:Preview)->float:
     "Seconds since the last picture, or since the stream was opened"
-    return time.monotonic()-self._since
+    return clock.monotonic()-self._since
 
 # %% ../../nbs/api/manager/01_preview.ipynb #bec5d93f
 @patch(as_prop=True)
@@ -136,14 +137,14 @@ def state(self:Preview)->tuple:
 def status(self:Preview)->dict:
     "Return state, size and rate as plain values"
     (state,why),size = self.state,self.newest.size
-    rate = round(self.newest.rate(time.monotonic()), 1) if state=='running' else None
+    rate = round(self.newest.rate(clock.monotonic()), 1) if state=='running' else None
     return dict(state=state, why=why, size=size and list(size), fps=rate)
 
 # %% ../../nbs/api/manager/01_preview.ipynb #d790c70b
 @patch
 async def _open(self:Preview):
     "Open a player of the stream; raises `MAVError`, `OSError` (also for a host not the camera's) or `ValueError`"
-    self._anew,self._since = False,time.monotonic()
+    self._anew,self._since = False,clock.monotonic()
     self.newest.begin()
     if why := self.camera.client.mav_com.lost(self.camera.address): raise Lost(why)        # it can't answer
     await self.find()
@@ -176,7 +177,7 @@ async def _show(self:Preview):
     async def feed():
         async for frame in self.player:
             self.newest.put(frame)
-            self.fault,self._since = '',time.monotonic()
+            self.fault,self._since = '',clock.monotonic()
             self.news()
     feeding = asyncio.create_task(feed())
     try:
@@ -203,7 +204,7 @@ async def run(self:Preview):
 @patch
 def look(self:Preview):
     "Open the stream for a viewer, and keep it open for a while"
-    wakes,self._looked = not self.wanted,time.monotonic()
+    wakes,self._looked = not self.wanted,clock.monotonic()
     if wakes: self._wake.set()
 
 # %% ../../nbs/api/manager/01_preview.ipynb #48c2efbe

@@ -9,10 +9,11 @@ from functools import lru_cache
 from html import escape
 from http import HTTPStatus
 from importlib.resources import files
-import asyncio, hmac, ipaddress, json, re, secrets, socket, time
+import asyncio, hmac, ipaddress, json, re, secrets, socket
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import Closes
 from ..utils.sockets import listen_tcp
 from ..wire.dialect import MAVError
@@ -192,7 +193,7 @@ def _age_of(row, number:int)->float|None:
     "Return the seconds since that picture came to the panel; `None` if unknown"
     newest = getattr(getattr(row, 'preview', None), 'newest', None)
     when = newest and newest.when(number)
-    return when and round(time.monotonic()-when, 3)
+    return when and round(clock.monotonic()-when, 3)
 
 # %% ../../nbs/api/manager/09_server.ipynb #c398a948
 @patch
@@ -342,7 +343,7 @@ def give(self:Site, of:str, path:str, play:bool=False, # Play in the page rather
     if kind is None: raise ValueError('a browser cannot play this file')
     for old in list(self.tickets)[:-255]: del self.tickets[old]
     ticket = secrets.token_urlsafe(16)
-    self.tickets[ticket] = of,path,kind,time.monotonic()+seconds
+    self.tickets[ticket] = of,path,kind,clock.monotonic()+seconds
     return f'download/{ticket}/{_saved_as(path)}'
 
 # %% ../../nbs/api/manager/09_server.ipynb #c91f5d76
@@ -351,7 +352,7 @@ async def download(self:Site, request, visit, ticket:str):
     "Send the file of a ticket; raises `Refused` (404)"
     from aiohttp import web
     of,path,kind,until = self.tickets.get(ticket, ('','','',0.))
-    if time.monotonic()>until: raise Refused(404, 'this link is too old: go back to the panel')
+    if clock.monotonic()>until: raise Refused(404, 'this link is too old: go back to the panel')
     try: coming = await _Messages(self.gui)._camera_of(of, path).files.open(path)
     except (MAVError, ValueError) as e: raise Refused(404, str(e)[:300] or type(e).__name__) from None
     headers = _rules_for(request.headers['Host'])|{'Content-Type':kind, 'Content-Length':str(coming.size)}
@@ -388,7 +389,7 @@ class _Talk:
         "Open the socket, and answer messages until it's closed"
         if not self.socket.can_prepare(request): raise Refused(426, 'this is the place of a WebSocket')
         visit = self.visit
-        visit.admitted,visit.since,visit.busy = False,time.monotonic(),0        # until it has sent the token
+        visit.admitted,visit.since,visit.busy = False,clock.monotonic(),0        # until it has sent the token
         await self.socket.prepare(request)
         self.site.talks.add(self)
         try:
@@ -453,7 +454,7 @@ class _Visit:
     def __init__(self, handler, transport):
         store_attr()
         self.trusted = self.admitted = False    # it has sent the token; it has made a permitted request
-        self.since = self.moved = time.monotonic()
+        self.since = self.moved = clock.monotonic()
         self.busy,self.waiting = 0,0            # answers under way; bytes not yet read by it
 
     def rank(self)->tuple: "Return its rank; the lowest is dropped first"; return self.trusted,self.busy>0,self.since
@@ -516,7 +517,7 @@ class PanelServer(Closes):
     async def _sweep(self):
         while True:
             await asyncio.sleep(min(.5, self.patience/4, self.sending/4))
-            now = time.monotonic()
+            now = clock.monotonic()
             for visit in list(self.visits.values()):
                 if visit.late(now, self.patience, self.sending): visit.transport.abort()
 
@@ -552,7 +553,7 @@ async def _serve(self:PanelServer, request):
     except Exception:
         log.exception('a request failed')
         refused = Refused(500)
-    finally: visit.busy,visit.since = visit.busy-1,time.monotonic()
+    finally: visit.busy,visit.since = visit.busy-1,clock.monotonic()
     log.debug('%s: %s', request.remote, refused)
     response = self.site.reply(request, refused.text, 'text/plain', refused.status)
     response.force_close()

@@ -4,12 +4,13 @@
 
 # %% ../../nbs/api/manager/03_told.ipynb #5461e116
 from __future__ import annotations
-import math, time
+import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
     CAMERA_SETTINGS, STORAGE_INFORMATION)
+from ..utils import clock
 from ..utils.general import known, NAN
 from ..wire.dialect import enum_name
 
@@ -109,7 +110,7 @@ class _Texts:
             self.lines[-1] = self.lines[-1]|dict(text=(self.lines[-1]['text']+text)[:self.longest])
         else:
             severity = enum_name('MAV_SEVERITY', msg.severity, 'MAV_SEVERITY_')
-            line = dict(at=time.strftime('%H:%M:%S'), severity=severity, text=text)
+            line = dict(at=clock.strftime('%H:%M:%S'), severity=severity, text=text)
             self.lines = [*self.lines, line][-self.most:]
         self._id = number
 
@@ -133,7 +134,7 @@ class CameraTold:
     def add(self, msg):
         "Store a message"
         msg_id = msg.get_msgId()
-        self.newest[msg_id],self.came[msg_id] = msg,time.monotonic()
+        self.newest[msg_id],self.came[msg_id] = msg,clock.monotonic()
         if msg_id==STORAGE_INFORMATION: self.storages[msg.storage_id] = msg
         if msg_id==STATUSTEXT: self.texts.add(msg)
 
@@ -164,7 +165,7 @@ def status(self:CameraTold)->dict:
     "Return the camera's state as plain values"
     get,info = self.newest.get,self.newest.get(CAMERA_INFORMATION)
     vendor,model,can = (text_of(info.vendor_name), text_of(info.model_name), flags_of(info)) if info else ('','',[])
-    ago = time.monotonic()-self.came.get(CAMERA_CAPTURE_STATUS, 0.)
+    ago = clock.monotonic()-self.came.get(CAMERA_CAPTURE_STATUS, 0.)
     return dict(name=f'{vendor} {model}'.strip() or 'unknown camera', vendor=vendor, model=model, can=can,
         info=about_camera(info), modes=_modes_of(can), **settings_of(get(CAMERA_SETTINGS)),
         **capture_of(get(CAMERA_CAPTURE_STATUS), ago), storage=storage_of(self.storages.values()),

@@ -10,10 +10,11 @@ from contextlib import suppress
 from functools import lru_cache, partial
 from html import escape
 from uuid import uuid4
-import json, sys, time
+import json, sys
 
 from fastcore.basics import store_attr
 from .server import _Messages, panel_css, panel_js, PanelServer
+from ..utils import clock
 from ..utils.general import known
 
 # %% auto #0
@@ -155,13 +156,13 @@ def _as_card(status:dict, pictures:dict)->str:
 # %% ../../nbs/api/manager/10_widget.ipynb #33139c92
 async def _shown(gui, timeout:float)->tuple:
     "Return the status, and JPEGs by camera id; wait up to `timeout` s for missing ones"
-    end,found = time.monotonic()+timeout,{}
+    end,found = clock.monotonic()+timeout,{}
     states = {c['id']: c['picture']['state'] for c in gui.status()['cameras']}
     while True:
         missing = [id for id in states if id not in found]
         found |= {id: jpeg for id,_,jpeg in await gui._pictures(dict.fromkeys(missing, -1))}
         wanted = [id for id in missing if id not in found and states[id] not in ('none','lost')]
-        left = end-time.monotonic()
+        left = end-clock.monotonic()
         if not wanted or left<=0: return gui.status(),found
         await gui.news.wait(left)
 

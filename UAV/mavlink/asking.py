@@ -6,11 +6,12 @@
 from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass, field
-import math, time
+import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from .protocol import _AfterLock, Command, longest_rto, Lost, remembered
+from ..utils import clock
 from ..utils.general import Seen
 from ..wire.dialect import address, enum_name
 
@@ -198,7 +199,7 @@ class Commands:
                  send, # Called with a `Command`: put a copy of it on the wire
                  ask, # Called with `(target, number)`: send a TIMESYNC and a PING with this number
                  alarm=lambda due: None, # Called with the time at which `tick` must be called
-                 clock=time.monotonic): # Returns seconds
+                 clock=clock.now): # Returns seconds
         self.remotes,self.clock = remotes,clock
         self._send,self._ask,self._alarm = send,ask,alarm
         self._lines,self._fences = {},{}        # lines by key, and by the numbers that their fences have asked with

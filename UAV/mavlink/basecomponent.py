@@ -6,7 +6,7 @@
 from __future__ import annotations
 from dataclasses import dataclass
 from functools import partial, wraps
-import math, secrets, struct, threading, time
+import math, secrets, struct
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -16,6 +16,7 @@ from .mavcom import MAVCom
 from UAV.mavlink.protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
     CommandError, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives, _Seconds, Served,
     _Tables)
+from ..utils import clock
 from ..utils.general import time_UTC_usec, timers, Worker
 from ..wire.dialect import Ack, address, command_cancel, enum_name, LinkError, timesync
 from ..wire.frames import pack
@@ -28,7 +29,7 @@ class Sender:
     "Sends the messages of one component, in order"
     def __init__(self, component):
         self.component,self.mav = component,None
-        self._lock,self._held = threading.Lock(),{}     # held messages, of all threads (`None`) or of one
+        self._lock,self._held = clock.Lock(),{}     # held messages, of all threads (`None`) or of one
 
     def join(self, system:int, component:int):
         "Make the encoder with our ids"
@@ -77,7 +78,7 @@ class _Held:
 def ack_first(self:Sender, own_thread:bool=False, # Hold only messages of this thread
              )->_Held:
     "For a `with`: hold back messages (not those of `send_now`) until its end"
-    key = threading.get_ident() if own_thread else None
+    key = clock.get_ident() if own_thread else None
     with self._lock:
         hold = self._held.get(key) or self._held.setdefault(key, _Held(self, key))
         hold.depth += 1
@@ -90,7 +91,7 @@ def send(self:Sender, msg, # A message of the encoder `mav`
     "Send `msg`, or hold it back; raises `LinkError` if we are on no link, `ValueError` if a field does not fit"
     if self._held:
         with self._lock:
-            held = self._held.get(threading.get_ident()) or self._held.get(None)
+            held = self._held.get(clock.get_ident()) or self._held.get(None)
             if held: return held.messages.append((msg, to))
     self.send_now(msg, to)
 
@@ -228,14 +229,14 @@ def _log_command(self:BaseComponent, arrow:str, other:tuple, command_id:int, par
 @patch
 def _log_arrival(self:BaseComponent, msg):
     "Log a received command, and store its time for the ack"
-    msg.came_at = time.monotonic()
+    msg.came_at = clock.monotonic()
     self._log_command('←', address(msg), msg.command, identity(msg)[1], getattr(msg, 'confirmation', 0)+1)
 
 @patch
 def _log_ack(self:BaseComponent, arrow:str, other:tuple, command_id:int, result:int, since:float|None):
     "Log an ack to or from `other`; `since` is the time of its command"
     names = enum_name('MAV_CMD', command_id, 'MAV_CMD_'),enum_name('MAV_RESULT', result, 'MAV_RESULT_')
-    after = f'after {1000*(time.monotonic()-since):.0f} ms' if since is not None else '(no command waits for it)'
+    after = f'after {1000*(clock.monotonic()-since):.0f} ms' if since is not None else '(no command waits for it)'
     self.log.debug('%s %s/%s %s %s %s', arrow, *other, *names, after if since is not None or arrow=='←' else '')
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #a69b759c
@@ -402,7 +403,7 @@ async def wait_heartbeat(self:BaseComponent, remote_mav_type:int|None=None, # On
         return all(w in (None,is_) for w,is_ in zip(wanted, (mav_type,*address)))
     with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: fits(address(m), m.type)) as heartbeat:
         for remote in list(self.remotes.values()):
-            recent = time.monotonic()-remote.heard<1.5*self.mav_com.beat_period
+            recent = clock.monotonic()-remote.heard<1.5*self.mav_com.beat_period
             if remote.type is not None and recent and fits(remote.address, remote.type): return remote.address
         msg = await heartbeat.wait(timeout)
     return address(msg) if msg else None
@@ -417,7 +418,7 @@ def _on_ping(self:BaseComponent, msg):
         return self.send_message(self.mav.ping_encode(msg.time_usec, msg.seq, *source))
     sent = self.asking.pings.find(msg.time_usec)
     if sent is None: self.asking.answered(msg.time_usec, source)
-    elif source in self.remotes: self.remotes[source].round_trip.sample(time.monotonic()-sent)
+    elif source in self.remotes: self.remotes[source].round_trip.sample(clock.monotonic()-sent)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #46d5e570
 @patch
@@ -425,14 +426,14 @@ def _on_ping(self:BaseComponent, msg):
 def _on_timesync(self:BaseComponent, msg):
     "Answer a TIMESYNC with our clock (ns since 1970), or handle the answer to ours"
     if msg.tc1: self.asking.answered(msg.ts1//1000, address(msg))
-    else: self.send_message(timesync(time.time_ns(), msg.ts1, *address(msg)))
+    else: self.send_message(timesync(clock.time_ns(), msg.ts1, *address(msg)))
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #c6a5e2d7
 @patch
 def send_ping(self:BaseComponent, target_system:int=0, target_component:int=0, ping_num:int|None=None):
     "Send a PING to all components (its target is always 0/0); the answers update `round_trips`"
     now = time_UTC_usec()
-    self.asking.pings.note(now, time.monotonic())
+    self.asking.pings.note(now, clock.monotonic())
     self.send_message(self.mav.ping_encode(now, ping_num or 0, 0, 0))
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #e28b8d79
@@ -451,9 +452,9 @@ async def timesync(self:BaseComponent, target_system:int, target_component:int,
     "Compare clocks with a component; `None` without an answer, raises `Lost` if it falls silent"
     target,found = (target_system,target_component),[]
     for _ in range(count):
-        came,sent,began = [],time.time_ns(),time.monotonic_ns()
+        came,sent,began = [],clock.time_ns(),clock.monotonic_ns()
         def ours(m):
-            if m.ts1==sent and m.tc1 and comes_from(m, *target): came.append(time.monotonic_ns()-began)
+            if m.ts1==sent and m.tc1 and comes_from(m, *target): came.append(clock.monotonic_ns()-began)
             return came
         with self.expecting(mavlink.MAVLINK_MSG_ID_TIMESYNC, ours, target) as answer:
             self.send_message(timesync(0, sent, *target))

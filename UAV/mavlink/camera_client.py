@@ -8,11 +8,12 @@ from datetime import datetime, timezone
 from functools import cached_property
 from pathlib import Path
 from types import SimpleNamespace as ns
-import asyncio, math, os, random, time
+import asyncio, math, os, random
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import LogLevels
+from ..utils import clock
 from ..utils.general import for_async, NAN
 from ..wire.dialect import Ack, address, MAVError, number_of
 from .asking import first_rto
@@ -149,9 +150,9 @@ async def find_cameras(self:CameraClient, count:int|None=None, # Return as soon 
     "Return a `RemoteCamera` for each camera, ordered by address; raises `LinkError` without a link"
     check_count(count)
     check_seconds('timeout', timeout)
-    start = time.monotonic()
+    start = clock.monotonic()
     def enough(): return count is not None and len(cameras_heard(self, start-1.5))>=count
-    while not enough() and (left := start+timeout-time.monotonic())>0: await self._next_beat(left, enough)
+    while not enough() and (left := start+timeout-clock.monotonic())>0: await self._next_beat(left, enough)
     found = await asyncio.gather(*(self._known(there) for there in cameras_heard(self, start-1.5)))
     return Found(found, f'no camera in {timeout:g} s; {self.mav_com.who_was_heard()}')
 
@@ -164,14 +165,14 @@ async def find_camera(self:CameraClient, name:str|None=None, # Part of its vendo
                      )->RemoteCamera:
     "Return the first camera that answers; raises `NoAnswer` with the components seen instead"
     check_seconds('timeout', timeout)
-    start,seen = time.monotonic(),{}
+    start,seen = clock.monotonic(),{}
     def meant(s): return s not in seen and system in (None,s[0]) and component in (None,s[1])
     def new(): return [*filter(meant, cameras_heard(self, start-1.5))]
     while True:
         for there in new():
             camera = seen[there] = await self._known(there)
             if (name or '').lower() in camera.name.lower(): return camera
-        if (left := start+timeout-time.monotonic())<=0: break
+        if (left := start+timeout-clock.monotonic())<=0: break
         await self._next_beat(left, new)
     asked = dict(name=name, system=system, component=component)
     which = ', '.join(f'{k}={v!r}' for k,v in asked.items() if v is not None)
@@ -620,9 +621,9 @@ async def ask_all(cameras, # `RemoteCamera`s that should answer
             if (source := address(ack)) not in found or not found[source]:
                 found[source] = Ack(ack.result, source, command_id, param=ack.result_param2)
             return wanted<=found.keys()
-        command,end = Command((0, 0), command_id, params),time.monotonic()+timeout
+        command,end = Command((0, 0), command_id, params),clock.monotonic()+timeout
         with client.expecting(mavlink.MAVLINK_MSG_ID_COMMAND_ACK, complete) as all_there:
-            while not all_there.there and (left := end-time.monotonic())>0:
+            while not all_there.there and (left := end-clock.monotonic())>0:
                 command.copies += 1
                 client._send_copy(command)
                 await all_there.wait(min(left, first_rto*command.copies))

@@ -8,13 +8,14 @@ from contextlib import suppress
 from io import BytesIO
 from itertools import count
 from pathlib import Path, PurePath
-import asyncio, errno, os, stat, time
+import asyncio, errno, os, stat
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL as FILE_TRANSFER_PROTOCOL
 from ..cameras.storage import lock_file
 from ..ftp.frames import (ftp_crc, FtpCode, FtpError, FtpFrame, FtpOp, FtpParts, most_data, path_data, read_ftp,
     read_ftp_url, read_listing)
+from ..utils import clock
 from ..utils.files import FileEntry
 from ..utils.output import Progress
 from ..wire.dialect import LinkError
@@ -74,7 +75,7 @@ def place_on_disk(to:str|Path, # File, or existing folder
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #d45ad53f
 class FtpNumbers:
     "Request and session numbers of one of our components"
-    def __init__(self): self._number,self._session = int(time.time()*1000),int(time.time())
+    def __init__(self): self._number,self._session = int(clock.time()*1000),int(clock.time())
 
     def request(self, numbers:int=2)->int:
         "Return a number for a request; a burst needs many"
@@ -127,14 +128,14 @@ async def _ask(self:RemoteFiles, op:int, *paths, patience:float|None=None, **fie
     "Send a request and return its answer; raises `FtpError` (refused), `Lost` (none in `patience` s)"
     data,there = fields.pop('data', path_data(*paths) if paths else b''),self.remote.address
     request = FtpFrame(self.client.ftp_numbers.request(), op, **{**dict(size=len(data), data=data), **fields})
-    copies,end = 0,time.monotonic()+(patience or self.patience)
+    copies,end = 0,clock.monotonic()+(patience or self.patience)
     def fits(m): return comes_from(m, *there) and read_ftp(m.payload).answers(request)
     with self.client.expecting(FILE_TRANSFER_PROTOCOL, fits) as wanted:
-        while (now := time.monotonic())<end:
+        while (now := clock.monotonic())<end:
             self._send(request)
             copies += 1
             msg = await wanted.wait(min(self.trip.wait(copies), end-now))
-            if msg and copies==1 and op!=FtpOp.CALC_FILE_CRC32: self.trip.sample(time.monotonic()-now)
+            if msg and copies==1 and op!=FtpOp.CALC_FILE_CRC32: self.trip.sample(clock.monotonic()-now)
             if msg is None: continue
             answer = read_ftp(msg.payload)
             if e := answer.error: raise FtpError(e.code, e.errno, ' '.join(paths))
@@ -170,11 +171,11 @@ class FtpFile:
 @patch
 async def _open(self:RemoteFiles, op:int, path:str, number:int)->FtpFrame:
     "Open a file, waiting for a free session; return the answer"
-    end = time.monotonic()+self.patience
+    end = clock.monotonic()+self.patience
     while True:
         try: return await self._ask(op, path, session=number)
         except FtpError as e:
-            if e.code!=FtpCode.NO_SESSIONS_AVAILABLE or time.monotonic()>end: raise
+            if e.code!=FtpCode.NO_SESSIONS_AVAILABLE or clock.monotonic()>end: raise
         await asyncio.sleep(1.)
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #bc14cb97
@@ -186,8 +187,8 @@ def _take(self:FtpFile, msg)->bool:
     if frame.req_opcode!=FtpOp.BURST_READ_FILE or frame.session!=self.session: return False
     self.refused = frame.error
     if not self.refused: self.parts.take(frame.offset, frame.data)
-    first,_,count = self.came or (time.monotonic(),0,0)
-    self.came = first,time.monotonic(),count+1
+    first,_,count = self.came or (clock.monotonic(),0,0)
+    self.came = first,clock.monotonic(),count+1
     return bool(self.refused or frame.burst_complete or self.parts.end==self.parts.size)
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #1a20f3ac
@@ -208,8 +209,8 @@ async def burst(self:FtpFile):
     trip,self.came,before = files.trip,None,parts.count
     with files.client.expecting(FILE_TRANSFER_PROTOCOL, self._take) as ended:
         files._send(request)
-        began = time.monotonic()
-        while (left := self._due(began, trip)-time.monotonic())>0 and not await ended.wait(left): pass
+        began = clock.monotonic()
+        while (left := self._due(began, trip)-clock.monotonic())>0 and not await ended.wait(left): pass
     if self.came and not self.silent: trip.sample(self.came[0]-began)
     self.silent = 0 if parts.count>before else self.silent+1
     if self.refused: raise FtpError(self.refused.code, self.refused.errno, self.path)
@@ -257,7 +258,7 @@ def _passes(error:Exception)->bool:
 @patch
 async def fetch(self:FtpFile, progress=None):
     "Fetch the whole file; raises `FtpError`, `Lost` and `OSError`"
-    end,vain = time.monotonic()+self.files.patience,0      # `vain`: refusals in a row
+    end,vain = clock.monotonic()+self.files.patience,0      # `vain`: refusals in a row
     while self.parts is None or not self.parts.whole:
         count = self.parts.count if self.parts else 0
         try:
@@ -266,11 +267,11 @@ async def fetch(self:FtpFile, progress=None):
             else: await self.fill()
         except (FtpError, Lost) as e:
             vain += 1
-            if not self.parts or time.monotonic()>end or vain>self.tries or not _passes(e): raise
+            if not self.parts or clock.monotonic()>end or vain>self.tries or not _passes(e): raise
             self.session = None
         self._write()
-        if self.parts.count>count: end,vain = time.monotonic()+self.files.patience,0
-        elif time.monotonic()>end: raise Lost(f'{self.path}: nothing more of it comes')
+        if self.parts.count>count: end,vain = clock.monotonic()+self.files.patience,0
+        elif clock.monotonic()>end: raise Lost(f'{self.path}: nothing more of it comes')
         if progress: progress(self.parts.done, self.parts.size)
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #1af64158

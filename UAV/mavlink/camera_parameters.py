@@ -4,7 +4,6 @@
 
 # %% ../../nbs/api/mavlink/09_camera_parameters.ipynb #e32cb133
 from __future__ import annotations
-import threading
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -15,6 +14,7 @@ from ..ftp.frames import ftp_url
 from .basecomponent import Part
 from .protocol import Busy, Denied, announced, receives
 from .settings import *
+from ..utils import clock
 from ..utils.general import timers
 from ..wire.dialect import address
 
@@ -28,7 +28,7 @@ class SettingsPart(Part):
     def __init__(self, component): # The `CameraServer`
         super().__init__(component)
         self.camera = component.camera
-        self._wanted,self._lock = {},threading.Lock()       # pending values by name
+        self._wanted,self._lock = {},clock.Lock()       # pending values by name
         self._defined,self._told = (None,0),None    # content and version of the file; its last announcement
 
     @property

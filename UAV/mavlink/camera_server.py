@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d53ece1i
 from __future__ import annotations
-import inspect, math, re, time
+import inspect, math, re
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -24,6 +24,7 @@ from .ftp_server import FtpServer
 from UAV.mavlink.protocol import (announced, Busy, Cancelled, check_id, command, Denied, message, Outcome, Presses,
     Served, Unsupported)
 from .vehicle import Geotagger, Survey
+from ..utils import clock
 from ..utils.general import NAN, Seen, time_since_boot_ms
 from ..wire.dialect import address, enum_name, enum_value
 
@@ -302,7 +303,7 @@ def url_of(self:CameraServer, picture)->str:
 @patch
 def _encode_picture(self:CameraServer, picture:Picture):
     "Encode a `Picture` as CAMERA_IMAGE_CAPTURED"
-    pose,ago = picture.pose,time.time()+getattr(self.camera,'clock_error',0.)-picture.time_utc
+    pose,ago = picture.pose,clock.time()+getattr(self.camera,'clock_error',0.)-picture.time_utc
     taken = min(max(0, time_since_boot_ms()-int(ago*1000)), 0xffffffff)
     units = dict(lat=1e7, lon=1e7, alt=1e3, relative_alt=1e3)
     where = [_scaled(pose, name, scale) for name,scale in units.items()] if pose else [0]*4
@@ -338,7 +339,7 @@ def _camera_image_captured(self:CameraServer, index:int=None, last:int=0):
 def _capture_news(self:CameraServer, event:CaptureStatus):
     "Encode CAMERA_CAPTURE_STATUS, unless only a picture has begun"
     same,self._doing = self._doing==(event.interval,event.recording),(event.interval,event.recording)
-    self._begun = time.monotonic() if event.capturing and same else math.inf
+    self._begun = clock.monotonic() if event.capturing and same else math.inf
     if self._begun<math.inf: return
     return self._encode_status(event) if same else self._camera_capture_status()        # a film's end may be overtaken
 
@@ -368,7 +369,7 @@ def _on_camera(self:CameraServer, event):
 def beat(self:CameraServer):
     "Send a heartbeat with the camera's state, and the status of a single slow picture"
     self.health.beat()
-    if time.monotonic()-self._begun<self.slow_picture: return
+    if clock.monotonic()-self._begun<self.slow_picture: return
     self._begun = math.inf
     now = self.camera.capture_status()
     if now.capturing: self.send_message(self._encode_status(now))

@@ -7,7 +7,7 @@ from __future__ import annotations
 from contextlib import contextmanager, nullcontext
 from itertools import count as count_from, islice
 from weakref import WeakKeyDictionary
-import asyncio, math, threading, time
+import asyncio, math
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -15,6 +15,7 @@ from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_CAMERA_IMAGE_CAP
 from .component import Texts
 from .camera_asking import CAMERA_CAPTURE_STATUS, CameraAsking
 from .protocol import Busy, Failed, Lost, NoAnswer, shot_tries
+from ..utils import clock
 from ..wire.dialect import MAVError
 
 # %% auto #0
@@ -31,7 +32,7 @@ class PictureLog:
         self.runs,self.unknown = [],0           # `[index, how many]` wanted; how many more, of unknown index
         self.notices,self.skipped = {},set()    # `{index: notice}` not given yet; indexes not to be given
         self.came,self.last,self.since = 0,None,since   # how many came; the newest of them
-        self.odd,self._looks,self._lock = '',0,threading.RLock()    # what the last look at the camera was like
+        self.odd,self._looks,self._lock = '',0,clock.RLock()    # what the last look at the camera was like
         if count: self.begin(first, count)
 
     def __repr__(self): return f'PictureLog: {self.left:g} wanted, {len(self.ready())} ready'
@@ -206,7 +207,7 @@ class RemotePictures:
     def hear(self, msg):
         "Store a STATUSTEXT with an error"
         text = self.texts.add(msg)
-        if msg.severity<=mavlink.MAV_SEVERITY_ERROR: self.said = time.monotonic(),text
+        if msg.severity<=mavlink.MAV_SEVERITY_ERROR: self.said = clock.monotonic(),text
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #f33ec68f
 @patch
@@ -241,8 +242,8 @@ async def look(self:RemotePictures, log:PictureLog):
 @patch
 async def gather(self:RemotePictures, log:PictureLog, count:int, timeout:float, longest:float=2.):
     "Wait for `count` notices, or `timeout` seconds without a new one; raises `Lost`"
-    last,wait,patience = time.monotonic(),self.camera._soon(),timeout
-    while len(log.ready(count))<count and time.monotonic()-last<patience:
+    last,wait,patience = clock.monotonic(),self.camera._soon(),timeout
+    while len(log.ready(count))<count and clock.monotonic()-last<patience:
         came = log.came
         msg = await self.camera._hear(CAMERA_IMAGE_CAPTURED, min(wait, timeout), there=lambda: log.came!=came)
         if msg: log.add(msg)
@@ -250,7 +251,7 @@ async def gather(self:RemotePictures, log:PictureLog, count:int, timeout:float, 
             status,_ = await self.look(log)
             if status: patience = max(timeout, 2*status.image_interval)
             if status and not log.came: log.guess(max(0, status.image_count-count))     # the latest ones must be meant
-        if log.came!=came: last,wait = time.monotonic(),self.camera._soon()
+        if log.came!=came: last,wait = clock.monotonic(),self.camera._soon()
         else: wait = min(2*wait, longest)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #39426aa7
@@ -282,7 +283,7 @@ class Capture:
         self.owed,self.log = count or math.inf,PictureLog(count=0)      # pictures still to request; those requested
         self.number,self.running = None,False           # of a single shot; True: a series that we must stop
         self.asked,self.given = 0,0     # requests since the last new picture; pictures received
-        self.since = self.begun = time.monotonic()      # time of the request or the last picture; start time
+        self.since = self.begun = clock.monotonic()      # time of the request or the last picture; start time
 
     def __repr__(self):
         return f'Capture from {self.camera._label}: {self.owed:g} to be asked for, {self.log.left:g} asked for'
@@ -378,17 +379,17 @@ async def _ask(self:Capture, count:float):
     if self.stopped and self.running:           # the stop overtook the command
         await self.client.image_stop_capture(*self.camera.address)
     self.log.sure = 2 if self.pictures.tells else 4
-    self.owed,self.since = 0 if count==math.inf else self.owed-count,time.monotonic()
+    self.owed,self.since = 0 if count==math.inf else self.owed-count,clock.monotonic()
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #9f66ffa2
 @patch
 async def _ask_rest(self:Capture):
     "Request the owed pictures; raises as `_ask` does"
-    if self.given: await asyncio.sleep(self.since+self.interval-time.monotonic())
+    if self.given: await asyncio.sleep(self.since+self.interval-clock.monotonic())
     try: await self._ask(1 if self.given else self.owed)
     except Busy:
         self.running = False            # it is another's
-        if not self.given and self.asked<2 or time.monotonic()-self.since>self.timeout: raise
+        if not self.given and self.asked<2 or clock.monotonic()-self.since>self.timeout: raise
         self.asked -= 1
         await asyncio.sleep(.5)
 
@@ -400,7 +401,7 @@ async def next(self:Capture):
         if self.log.left: await self._verify()
         elif self.owed and not self.stopped: await self._ask_rest()
         else: return None
-    self.asked,self.number,self.given,self.since = 0,None,self.given+1,time.monotonic()
+    self.asked,self.number,self.given,self.since = 0,None,self.given+1,clock.monotonic()
     self.pictures.log = self.pictures.log or PictureLog()
     self.pictures.log.skip(found[0].image_index, found[0])      # `wait_images` need not give it again
     return found[0]
@@ -410,7 +411,7 @@ async def next(self:Capture):
 def _in_vain(self:Capture, status)->bool:
     "True if nothing new came for too long, given the link and the camera's status"
     longest = max(self.timeout, 4*self.client._rto(self.camera.address), 2*self.interval*self.running)
-    times = (time.monotonic()-self.since)/longest
+    times = (clock.monotonic()-self.since)/longest
     if status is None: return self.asked>self.tries and times>=self.patience
     if self.log.missing(status.image_count): return times>=3*self.patience          # it is there
     return not self.log.odd and times>=(self.patience if status.image_status else 1)
@@ -419,7 +420,7 @@ def _in_vain(self:Capture, status)->bool:
 @patch
 async def _verify(self:Capture):
     "Wait for a notice; if none comes, request it or check the camera's count"
-    came,silent,soon = self.log.came,time.monotonic()-self.since,self.camera._soon()
+    came,silent,soon = self.log.came,clock.monotonic()-self.since,self.camera._soon()
     if self.running: soon = max(soon, min(1.2*self.interval, 10.))
     def there(): return self.log.came!=came
     msg = await self.camera._hear(CAMERA_IMAGE_CAPTURED, max(soon, min(silent, 2.)), there)
@@ -430,7 +431,7 @@ async def _verify(self:Capture):
         msg = await self.client.request_message(CAMERA_IMAGE_CAPTURED, [index], *self.camera.address,
                                                 self.camera._soon(), lambda m: m.image_index==index)
         if msg: self.log.add(msg)
-    if there(): self.since = time.monotonic()
+    if there(): self.since = clock.monotonic()
     else: await self._look()
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #74fb431e
@@ -440,7 +441,7 @@ async def _look(self:Capture):
     came = self.log.came
     status,verdict = await self.pictures.look(self.log)
     if status is None: self.asked += 1
-    if self.log.came!=came: self.since = time.monotonic()
+    if self.log.came!=came: self.since = clock.monotonic()
     elif verdict in ('short','anew'): await self._cut(status.image_count, verdict)
     elif self._in_vain(status):
         raise NoAnswer(f'{self.camera._label}: {self.log.left+self.owed:g} pictures did not come')

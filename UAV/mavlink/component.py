@@ -8,7 +8,7 @@ from collections import Counter
 from functools import wraps
 from itertools import chain, islice
 from types import SimpleNamespace as ns
-import inspect, sys, threading, time
+import inspect, sys
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -18,6 +18,7 @@ from .asking import first_rto
 from .basecomponent import BaseComponent
 from .protocol import (accepts, Busy, check_seconds, _check_target, comes_from, command, Denied, Lost,
     message, Unsupported)
+from ..utils import clock, clock as _clock
 from ..utils.general import Timers
 from ..wire.dialect import Ack, address, enum_name, MAVError, message_name
 from ..wire.frames import pack
@@ -60,10 +61,10 @@ class Streams:
     tick,ahead = .01,1000.          # seconds between two messages of answers; bytes of credit at the start
     most_more = 4                   # short answers queued behind another one
 
-    def __init__(self, component, clock=time.monotonic):
+    def __init__(self, component, clock=clock.now):
         store_attr()
         self._streams,self._askers,self._closed = {},{},False
-        self._lock,self._pacer,self._credit = threading.Lock(),None,0.
+        self._lock,self._pacer,self._credit = _clock.Lock(),None,0.
         self._answers = {}      # by asker: pending messages with receivers: a long answer, short ones, or both
 
     def __len__(self): return len(self._streams)
@@ -324,11 +325,11 @@ async def _request(self:Component, command_id:int, params, msg_id:int, target:tu
 @patch
 async def _ask_until(self:Component, wanted, command_id:int, params, target:tuple, timeout, tries, retries)->Ack:
     "Repeat the request until the message `wanted` has come, or is refused"
-    end,asked = time.monotonic()+self.patience,0
+    end,asked = clock.monotonic()+self.patience,0
     while True:
         ack,asked = await self.send_command(*target, command_id, params, retries=retries, until=wanted),asked+1
         if ack and not wanted.there: await wanted.wait(timeout or max(.5, 2*self._rto(target)))
-        if wanted.there or not ack or asked==tries or time.monotonic()>end: return ack
+        if wanted.there or not ack or asked==tries or clock.monotonic()>end: return ack
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #a840784a
 @patch
@@ -470,7 +471,7 @@ class Health:
     "The `fault` of a device, shown in the heartbeat of a component"
     def __init__(self, component:Component, device): # A device with `information.model` and an optional `fault`
         store_attr()
-        self.fault,self.said,self._lock = None,'',threading.Lock()      # `said`: the last text sent
+        self.fault,self.said,self._lock = None,'',clock.Lock()      # `said`: the last text sent
 
     @property
     def now(self):
@@ -533,10 +534,10 @@ class DeviceServer(Component):
     def _beat_soon(self):
         "Schedule our heartbeat, which waits while the device hangs"
         if self._pulse is None or self._closed: return
-        hangs = time.monotonic()-self._pulse.due>self.hangs_after
+        hangs = clock.monotonic()-self._pulse.due>self.hangs_after
         if hangs and not self._hangs: self.log.error('the device does not return: no heartbeats until it does')
         self._hangs = hangs
-        self.timers.move(self._pulse, time.monotonic())
+        self.timers.move(self._pulse, clock.monotonic())
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #6674ab65
 @patch

@@ -6,7 +6,7 @@
 from __future__ import annotations
 from collections import deque
 from weakref import WeakKeyDictionary
-import errno, math, threading, time
+import errno, math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL as FILE_TRANSFER_PROTOCOL
@@ -14,6 +14,7 @@ from ..ftp.frames import FtpFrame, FtpOp, read_ftp
 from ..ftp.server import FtpJob, FtpSessions
 from .basecomponent import Part
 from .protocol import Denied, receives
+from ..utils import clock
 from ..utils.files import FileTree
 from ..wire.dialect import address
 
@@ -113,7 +114,7 @@ class FtpServer(Part):
         self.files,self.guard = FileTree() if files is None else files,guard
         self.sessions,self._paces = FtpSessions(self.files),{}
         self._requests,self._jobs = deque(),{}          # queued requests; `{key: FtpJob}`
-        self._changed,self._thread,self._closed = threading.Condition(),None,False
+        self._changed,self._thread,self._closed = clock.Condition(),None,False
 
     def __repr__(self): return f'FtpServer: {self.files!r}, {len(self.sessions.open)} open'
 
@@ -154,7 +155,7 @@ def _begin(self:FtpServer, job:FtpJob):
         if job.key in self._jobs: self._jobs[job.key].request = job.request     # repeated request
         else: self._jobs[job.key],job.frames = job,self.sessions.checksum(job)
         return
-    pace,now = self._paces.setdefault(job.peer, FtpPace(self.component.pace)),time.monotonic()
+    pace,now = self._paces.setdefault(job.peer, FtpPace(self.component.pace)),clock.monotonic()
     job.session = self.sessions.open[job.peer,job.request.session]
     job.frames = self.sessions.burst(job, pace.begin(job.session, job.request.offset, now))
     self._jobs[job.key] = job
@@ -176,7 +177,7 @@ def _answer(self:FtpServer, peer:tuple, request:FtpFrame, msg):
 @patch
 def _advance(self:FtpServer, job:FtpJob):
     "Advance a job by a step of a checksum or some frames of a burst, and move it to the end of the queue"
-    now = time.monotonic()
+    now = clock.monotonic()
     for _ in range(8):
         if self._when(job)>now: return
         self._jobs[job.key] = self._jobs.pop(job.key)
@@ -197,10 +198,10 @@ def _advance(self:FtpServer, job:FtpJob):
 @patch
 def _next(self:FtpServer)->tuple|None:
     "Wait for work and return a tuple of one request, or of none if a job is due; `None` at the end"
-    end = time.monotonic()+self.linger
+    end = clock.monotonic()+self.linger
     with self._changed:
         while not self._closed:
-            now,due = time.monotonic(),min(map(self._when, self._jobs.values()), default=math.inf)
+            now,due = clock.monotonic(),min(map(self._when, self._jobs.values()), default=math.inf)
             if self._requests: return (self._requests.popleft(),)
             if due<=now: return ()
             if now>=end: break
@@ -230,5 +231,5 @@ def take(self:FtpServer, msg): # A FILE_TRANSFER_PROTOCOL
         self._changed.notify_all()
         if self._thread is None:
             name = f'files of {type(self.component).__name__} {self.component.source_component}'
-            self._thread = threading.Thread(target=self._run, name=name, daemon=True)
+            self._thread = clock.Thread(target=self._run, name=name, daemon=True)
             self._thread.start()

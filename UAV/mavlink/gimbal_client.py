@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #c871f75i
 from __future__ import annotations
-import asyncio, math, random, time
+import asyncio, math, random
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -15,6 +15,7 @@ from .gimbal_flags import _ways
 from .protocol import check_count, check_seconds, comes_from, Expectations, Found, Lost, NoAnswer, receives
 from UAV.mavlink.remote_gimbal import (about, _device_address, _of_device, _of_manager, ATTITUDE, HOME_POSITION,
     RemoteGimbal)
+from ..utils import clock
 from ..utils.general import inside, NAN
 from ..wire.dialect import Ack, address
 
@@ -76,7 +77,7 @@ def _on_gimbal_message(self:GimbalClient, msg):
     msg_id,gimbal = msg.get_msgId(),about(msg)
     of = self._heard.setdefault(msg_id, {})
     if gimbal in of or len(of)<self._most_gimbals: of[gimbal] = msg
-    if msg_id==GIMBAL_DEVICE_ATTITUDE_STATUS and gimbal in of: self._came[gimbal] = time.monotonic()
+    if msg_id==GIMBAL_DEVICE_ATTITUDE_STATUS and gimbal in of: self._came[gimbal] = clock.monotonic()
     if msg_id in _of_manager and any(g[2] for g in self._about(gimbal[:2])):
         for i in _of_manager: self._heard.get(i, {}).pop((*gimbal[:2], 0), None)
     self._news.offer(msg)
@@ -131,7 +132,7 @@ def _on_attitude(self:GimbalClient, msg):
     "Store the heading of a vehicle"
     system = address(msg)[0]
     if system in self._headings or len(self._headings)<self._most_gimbals:
-        self._headings[system] = math.degrees(msg.yaw),time.monotonic()
+        self._headings[system] = math.degrees(msg.yaw),clock.monotonic()
     self._news.offer(msg)
 
 @patch
@@ -146,7 +147,7 @@ def _on_home(self:GimbalClient, msg):
 def _heading_of(self:GimbalClient, system:int)->float:
     "Return the heading of a vehicle, degrees from north; NaN if older than a second"
     yaw,when = self._headings.get(system, (NAN,-math.inf))
-    return yaw if time.monotonic()-when<1 else NAN
+    return yaw if clock.monotonic()-when<1 else NAN
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #e6c54bab
 @patch(as_prop=True)
@@ -173,15 +174,15 @@ def _to_ask(self:GimbalClient, since:float, asked:dict)->list:
 @patch
 async def _meet(self:GimbalClient, count:int|None, timeout:float)->list:
     "Ask all components for gimbals, until there are `count` or the time is over; id 0 is no gimbal"
-    start,asked = time.monotonic(),{}       # `{address: when it was asked}`
+    start,asked = clock.monotonic(),{}       # `{address: when it was asked}`
     def new(): return self._to_ask(start-1.5, asked)
     while True:
         asking = new()
-        asked.update(dict.fromkeys(asking, time.monotonic()))
+        asked.update(dict.fromkeys(asking, clock.monotonic()))
         answers = asyncio.gather(*(self._ask(s, GIMBAL_MANAGER_INFORMATION) for s in asking))
-        try: await asyncio.wait_for(answers, max(start+timeout-time.monotonic(), .5))
+        try: await asyncio.wait_for(answers, max(start+timeout-clock.monotonic(), .5))
         except asyncio.TimeoutError: pass
-        told,left = self._heard.get(GIMBAL_MANAGER_INFORMATION, ()),start+timeout-time.monotonic()
+        told,left = self._heard.get(GIMBAL_MANAGER_INFORMATION, ()),start+timeout-clock.monotonic()
         found = sorted(g for s in asked for g in self._about(s) if g[2] or g in told)
         if left<=0 or count is not None and len(found)>=count: return found
         with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT) as beat:
@@ -217,11 +218,11 @@ async def find_gimbal(self:GimbalClient, name:str|None=None, # Part of its vendo
                      )->RemoteGimbal:
     "Return the first gimbal that answers; raises `NoAnswer` with the components seen instead"
     check_seconds('timeout', timeout)
-    end,found = time.monotonic()+timeout,[]
+    end,found = clock.monotonic()+timeout,[]
     def fits(g):
         components = None,g.component,self._device_of(g.gimbal)[1]
         return system in (None,g.system) and component in components and (name or '').lower() in g.name.lower()
-    while (left := end-time.monotonic())>0 or not found:
+    while (left := end-clock.monotonic())>0 or not found:
         found = await self.find_gimbals(len(found)+1, max(left, 0.))
         if fitting := next(filter(fits, found), None): return fitting
         if left<=0: break

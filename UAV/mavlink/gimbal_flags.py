@@ -5,7 +5,7 @@
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #83195816
 from __future__ import annotations
 from dataclasses import dataclass, replace
-import math, struct, threading
+import math, struct
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import (
@@ -17,6 +17,7 @@ from fastcore.basics import patch, store_attr
 from UAV.gimbals.values import (axes, Axis, GimbalAttitude, GimbalError, GimbalInformation, HeadingUnknown,
     PositionUnknown)
 from .protocol import Denied, Unsupported
+from ..utils import clock
 from ..utils.general import inside, known, NAN, one_of, Value
 from ..utils.geo import euler, inverse, product, quaternion, unit, wrap
 from ..wire.dialect import enum_value
@@ -276,7 +277,7 @@ class Control:
     ):
         store_attr()
         self.primary = self.secondary = _no_owner      # `(system, component)`
-        self._lock = threading.Lock()
+        self._lock = clock.Lock()
 
     def __repr__(self): return f'Control: {self.owner}'
 

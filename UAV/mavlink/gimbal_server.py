@@ -6,7 +6,7 @@
 from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import partial
-import math, threading, time
+import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -21,6 +21,7 @@ from .gimbal_flags import (_axis, _checked_attitude, _checked_device_id, _limits
     _results, _attitude_fields, _capabilities, _Target)
 from .protocol import check_id, command, Denied, message, receives, Unsupported
 from .vehicle import Vehicle
+from ..utils import clock
 from ..utils.general import known, NAN, one_of, Seen, takes_options, time_since_boot_ms
 from ..wire.dialect import address, enum_name, parameters
 
@@ -56,7 +57,7 @@ class _Stream:
     took:float=0. # s that the gimbal took for it
     dropped:int=0 # Number of invalid or failed setpoints
     retracted:float=-math.inf # Time of the last "retract", s on the gimbal's clock
-    lock:threading.Lock=field(default_factory=threading.Lock, repr=False) # One at a time
+    lock:clock.Lock=field(default_factory=lambda: clock.Lock(), repr=False) # One at a time
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #db25c48e
 class _Service(Part):
@@ -110,7 +111,7 @@ class GimbalServer(DeviceServer):
         self.gimbal_device_id = _checked_device_id(gimbal_device_id, source_component, role)
         self.health,self.region = Health(self, self.gimbal),RegionOfInterest(self.gimbal)
         self.control = Control(self.options.strict, self.options.px4_release)
-        self.clock = getattr(gimbal, 'clock', time.monotonic)
+        self.clock = getattr(gimbal, 'clock', clock.now)
         self._ticks,self._stream,self._said = None,_Stream(),Seen(60.)     # the last one: warnings already logged
         self._mover = None              # `(system, component)` that moved it last, while it is present
         self._owner_seen = None,0,0.    # the owner, its number of frames, and since when
@@ -340,7 +341,7 @@ def _let_go(self:GimbalServer, source:tuple, why:str):
 @patch
 def _see_owner(self:GimbalServer):
     "Take control from an owner that was silent for five seconds"
-    seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),time.monotonic()
+    seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),clock.monotonic()
     if seen!=self._owner_seen[:2]: self._owner_seen = *seen,now
     elif seen[1] and now-self._owner_seen[2]>=self.mav_com.lost_after: self._let_go(seen[0], 'the owner is silent')
 
@@ -420,9 +421,9 @@ def _drive_to(self:GimbalServer, target:_Target, source:tuple|None=None):
     before,setpoint = self._stream.done
     in_force = target==before and setpoint is not None and setpoint is getattr(self.gimbal, 'setpoint', None)
     if in_force and not setpoint.turning: return
-    began = time.monotonic()
+    began = clock.monotonic()
     try: self._apply(target, self.options.stream_lasts, source, streamed=True)
-    finally: self._stream.took = time.monotonic()-began
+    finally: self._stream.took = clock.monotonic()-began
     self._stream.done = target,getattr(self.gimbal, 'setpoint', None)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #f32d70e8

@@ -6,13 +6,14 @@
 from __future__ import annotations
 from dataclasses import dataclass
 from functools import partial
-import atexit, re, socket, threading, time
+import atexit, re, socket
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, LogLevels
 from .asking import Remotes
 from .protocol import accepts, _check_component, check_id, opened
+from ..utils import clock
 from ..utils.general import (Closes, date_time_str, _explain, Opened, Seen, show_unawaited, time_since_boot_ms,
     time_UTC_usec, timers)
 from ..wire.dialect import address, LinkError
@@ -59,7 +60,7 @@ def beat(self:Heart):
 @patch
 def check_stuck(self:Heart)->bool:
     "True if a handler has blocked a reader for `stuck_after` seconds"
-    now,were = time.monotonic(),self.stuck
+    now,were = clock.monotonic(),self.stuck
     busy = [c.busy_since for c in self.com.channels]
     self.stuck = any(since is not None and now-since>self.com.stuck_after for since in busy)
     if self.stuck and not were: self.com.log.error('a handler does not return: no heartbeats until it does')
@@ -73,7 +74,7 @@ def note(self:Heart, msg, # A HEARTBEAT
     "Store a heartbeat, and answer a new component with ours"
     if 0 in source: return                  # 0 means all, and cannot send
     self.ways.note(getattr(msg, 'came_by', None))
-    now,was_lost = time.monotonic(),self.remotes.why_lost(source)
+    now,was_lost = clock.monotonic(),self.remotes.why_lost(source)
     news = self.remotes.beat(source, msg, now)
     if was_lost: self.com.log.warning('%s is back', self.remotes[source].name)
     if ours or not news or now-self.greeted<.2: return      # many new components get one answer
@@ -98,7 +99,7 @@ def lost(self:Heart, address:tuple)->str:
 def watch(self:Heart):
     "Report components that fell silent or are back"
     were = [r for r in list(self.remotes.values()) if r.lost]
-    for remote in self.remotes.silent(time.monotonic(), self.frames):
+    for remote in self.remotes.silent(clock.monotonic(), self.frames):
         if remote.address in self.com._here: remote.lost = False
         else: self.lose(remote.address)
     for remote in were:
@@ -122,7 +123,7 @@ def check_double(self:Heart, msg, source:tuple):
     channel = msg.came_by[0]
     heard = channel.sources.source(source)
     frames = heard.received+heard.missing+heard.skipped-heard.doubled
-    numbers = msg.get_seq(),channel.number,frames,heard.restarts,time.monotonic()
+    numbers = msg.get_seq(),channel.number,frames,heard.restarts,clock.monotonic()
     if not self.remotes.note_sequence(source, *numbers): return
     name = self.remotes[source].name
     self.com.log.error('%s: two components use this address; both obey its commands, and you see one', name)
@@ -157,8 +158,8 @@ class Channel:
     def __init__(self, com, link:Link, name:str, number:int):
         self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
         self.readers,self.sources = {},Sources()
-        self.busy_since,self._stop = None,threading.Event()     # arrival time of the bytes in work
-        self.thread = threading.Thread(target=self._read, name=f'reader of {name}', daemon=True)
+        self.busy_since,self._stop = None,clock.Event()     # arrival time of the bytes in work
+        self.thread = clock.Thread(target=self._read, name=f'reader of {name}', daemon=True)
 
     def __repr__(self): return f'{self.name}{"" if self.up else " (gone)"}'
 
@@ -191,7 +192,7 @@ class Channel:
 @patch
 def take(self:Channel, data:bytes, peer=None):
     "Take bytes from `peer` and route their messages"
-    now = self.busy_since = time.monotonic()
+    now = self.busy_since = clock.monotonic()
     reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
     judged = com.forward or com.signing is not None or com.message_log is not None
     reader.heard,reader.check = now,self._check if judged else None
@@ -208,7 +209,7 @@ def close(self:Channel):
     self._stop.set()
     try:
         self.link.close()
-        if self.thread is threading.current_thread(): return
+        if self.thread is clock.current_thread(): return
         self.thread.join(self.patience)
         if self.thread.is_alive(): self.com.log.error('%s does not end: a handler hangs', self.thread.name)
     finally: self.release()
@@ -238,7 +239,7 @@ class MAVCom(Closes):
         self.signing = signing if signing is None or isinstance(signing, Signing) else Signing(signing)
         self.component,self.channels,self.wanted = {},[],Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
         self._here,self._everywhere = set(),[]      # addresses of our components; `(channel, None)` for each link
-        self._passed,self._lock,self._closed = Seen(1., most=512),threading.Lock(),False
+        self._passed,self._lock,self._closed = Seen(1., most=512),clock.Lock(),False
         self.heart = Heart(self)
         self.add_link(connection_string, baudrate)
         self.remotes = self.heart.remotes       # `{(system, component): Remote}` of all components seen

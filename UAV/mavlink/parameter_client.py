@@ -5,11 +5,12 @@
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #a1a8628d
 from __future__ import annotations
 from contextlib import suppress
-import asyncio, threading, time
+import asyncio
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..cameras.parameters import UnknownParameter, typed
+from ..utils import clock
 from ..utils.sockets import get_web
 from ..wire.dialect import MAVError
 from ..ftp.frames import read_ftp_url
@@ -150,7 +151,7 @@ async def fetch(url:str, # http:// or https://
     "Return the content, at most a little over `most_bytes`; raises `ValueError`, `NoAnswer`, `PermissionError`"
     if not url.startswith(('http://','https://')): raise ValueError(f'{url!r} is no address of a web server')
     answer = Answer()
-    threading.Thread(target=_get_into, args=(answer, url, hosts, timeout), name='fetch', daemon=True).start()
+    clock.Thread(target=_get_into, args=(answer, url, hosts, timeout), name='fetch', daemon=True).start()
     data = await answer.wait(timeout+1.)
     if data is None: raise NoAnswer(f'{url} did not come in {timeout:g} s')
     return data
@@ -207,13 +208,13 @@ async def load(self:RemoteSettings, definition:bool=True, # Also fetch the defin
 @patch
 async def _final_ack(self:RemoteSettings, request:SetRequest, wait:float):
     "Wait for the PARAM_EXT_ACK that ends a SET, or `None`; IN_PROGRESS extends the wait"
-    now,found = time.monotonic(),None
+    now,found = clock.monotonic(),None
     end,longest = now+wait,now+longest_work
-    while (left := min(end, longest)-time.monotonic())>0:
+    while (left := min(end, longest)-clock.monotonic())>0:
         ack = await request.next(left)
         if ack is None: continue
         if request.is_ours(ack): return ack
-        now = time.monotonic()
+        now = clock.monotonic()
         if ack.param_result==mavlink.PARAM_ACK_IN_PROGRESS: end,found = now+in_progress_timeout,None
         else: found,end = ack,min(end, now+self.camera._soon())
     return found

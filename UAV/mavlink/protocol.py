@@ -8,10 +8,11 @@ from collections import deque
 from numbers import Real
 from types import SimpleNamespace as ns
 from typing import NamedTuple
-import inspect, math, re, sys, threading, time
+import inspect, math, re, sys
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
+from ..utils import clock, clock as _clock
 from ..utils.general import Seen
 from ..wire.dialect import (address, Busy, Cancelled, CommandError, Denied, enum_name, enum_value, Failed, LinkError,
     Lost, MAVError, NoAnswer, parameters, Unsupported)
@@ -47,7 +48,7 @@ shot_tries = 3 # times that a client requests a numbered shot, each with its ful
 class Answer:
     "A value that coroutines wait for and any thread may set, once"
     def __init__(self):
-        self.value,self.there,self._waiting,self._lock = None,False,[],threading.Lock()
+        self.value,self.there,self._waiting,self._lock = None,False,[],clock.Lock()
 
     def set(self, value)->bool:
         "Set the value; false if one was set before. An exception is raised by `wait`"
@@ -61,7 +62,7 @@ class Answer:
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #9557b964
 def _wake(future, thread:int):
     "Wake the coroutine that waits for `future` on a loop in `thread`; called from any thread"
-    if thread==threading.get_ident(): return _woken(future)
+    if thread==clock.get_ident(): return _woken(future)
     try: future.get_loop().call_soon_threadsafe(_woken, future)
     except RuntimeError: pass           # the loop was closed while we waited
 
@@ -76,7 +77,7 @@ async def wait(self:Answer, timeout:float|None=None): # Seconds; `None` waits fo
     loop = asyncio.get_running_loop()
     future = loop.create_future()
     with self._lock:
-        if not (there := self.there): self._waiting.append((future, threading.get_ident()))
+        if not (there := self.there): self._waiting.append((future, clock.get_ident()))
     if not there:
         timer = timeout is not None and loop.call_later(timeout, _woken, future)
         try: await future
@@ -112,7 +113,7 @@ class Command(Answer):
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #9513a993
 class _AfterLock:
     "A lock with a queue of calls that are made after its release; calls they add run after them, not within"
-    def __init__(self): self._calls,self._lock,self._busy = deque(),threading.RLock(),threading.Lock()
+    def __init__(self): self._calls,self._lock,self._busy = deque(),clock.RLock(),clock.Lock()
 
     def add(self, f, *args):
         "Call `f(*args)` after the lock is released"
@@ -156,7 +157,7 @@ class Expected(Answer):
 class Expectations:
     "Awaited messages by id"
     def __init__(self, wanted=None): # The link's `Wanted`, the ids of messages to build
-        self.wanted,self._expected,self._lock = wanted,{},threading.Lock()
+        self.wanted,self._expected,self._lock = wanted,{},clock.Lock()
 
     def add(self, msg_id:int, # MAVLINK_MSG_ID
             fits=lambda msg: True, # Returns true for the right message
@@ -458,7 +459,7 @@ class Served:
     most_frames = 64            # far fewer than 256, after which sequence numbers wrap
     most_alike = 8              # commands of one sender with the same id and other parameters
 
-    def __init__(self, clock=time.monotonic): # Returns seconds
+    def __init__(self, clock=clock.now): # Returns seconds
         store_attr()
         self._copies = Seen(remembered, self.most//self.most_alike, clock)     # latest copies, by sender and command
         self._numbers = Seen(shot_tries*remembered, self.most_senders, clock)   # shot numbers served, by sender
@@ -535,8 +536,8 @@ class Presses:
     pair = .2           # seconds within which they come
     old = mavlink.MAV_CMD_DO_DIGICAM_CONTROL
 
-    def __init__(self, clock=time.monotonic): # Returns seconds
-        self.lock,self.told = threading.Lock(),Seen(shot_tries*remembered, clock=clock)     # `told`: of whose repeats
+    def __init__(self, clock=clock.now): # Returns seconds
+        self.lock,self.told = _clock.Lock(),Seen(shot_tries*remembered, clock=clock)     # `told`: of whose repeats
         self._last = Seen(self.pair, clock=clock)
 
     def note(self, msg, number:int, outcome:Outcome, ways:dict|None=None):

@@ -6,7 +6,7 @@
 from __future__ import annotations
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
-import asyncio, math, time
+import asyncio, math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -17,6 +17,7 @@ from .component import message_name, sends
 from .gimbal_flags import *
 from .gimbal_flags import _caps
 from .protocol import Denied, NoAnswer
+from ..utils import clock
 from ..utils.general import for_async, inside, known, NAN, one_of, Value
 from ..utils.geo import quaternion, wrap
 from ..wire.dialect import Ack, address, MAVError
@@ -203,7 +204,7 @@ async def _get_heading(self:RemoteGimbal):
     await self.client._ask(autopilot, ATTITUDE, lambda m: True, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, self._interval)
 
 @patch
-def _is_fresh(self:RemoteGimbal)->bool: return time.monotonic()-self.client._came.get(self._device, -1.)<1
+def _is_fresh(self:RemoteGimbal)->bool: return clock.monotonic()-self.client._came.get(self._device, -1.)<1
 
 @patch
 async def _see(self:RemoteGimbal, heading:bool=False)->GimbalAttitude|None:
@@ -385,7 +386,7 @@ async def _pitchyaw(self:RemoteGimbal, angles:tuple, rates:tuple, flags:int)->Ac
     else:
         self._send_setpoint(angles, rates, flags)
         ack = await self._sent()
-    if ack: self._locked = bool(flags&YAW_LOCK),time.monotonic()
+    if ack: self._locked = bool(flags&YAW_LOCK),clock.monotonic()
     return ack
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #e699afa0
@@ -444,14 +445,14 @@ async def reached(self:RemoteGimbal, timeout:float=10., # Seconds
                   tolerance:float=1., # Degrees
                  )->GimbalAttitude|None:
     "Wait for the requested angles; return the attitude, `None` if not reached in time. Raises `Lost`"
-    asked_of,end = self.client._asked,time.monotonic()+timeout
+    asked_of,end = self.client._asked,clock.monotonic()+timeout
     def asked(): return asked_of.get(self.gimbal) or asked_of.get((*self._manager, 0))      # before its id was known
     if asked() is None: raise ValueError('no angles were asked for: call set_angles or center first')
     def there(msg=None): return asked() is not None and self._off(asked())<=tolerance
     with self.client._news.add(GIMBAL_DEVICE_ATTITUDE_STATUS, there, self._device[:2]) as told:
         try: await asyncio.wait_for(self._see(asked()[2]=='earth'), timeout)     # request it if it does not come
         except asyncio.TimeoutError: return None
-        return self.attitude if there() or await told.wait(max(end-time.monotonic(), 0)) else None
+        return self.attitude if there() or await told.wait(max(end-clock.monotonic(), 0)) else None
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #8efcac59
 @patch
@@ -535,7 +536,7 @@ def send_rates(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees per se
     "Send rates once, without an ack; a loop sends them with each picture, more than once in 3 s"
     if pitch or yaw: self._warn_of_control()
     self._send_rates(pitch, yaw, self._lock_now(lock))
-    if lock is not None: self._locked = lock,time.monotonic()
+    if lock is not None: self._locked = lock,clock.monotonic()
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #cbd77c07
 @patch

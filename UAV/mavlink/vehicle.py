@@ -6,7 +6,7 @@
 from __future__ import annotations
 from bisect import bisect_right
 from dataclasses import replace
-import math, threading, time
+import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -22,6 +22,7 @@ from ..gimbals.values import VehicleState
 from .basecomponent import Part
 from .gimbal_flags import attitude_of
 from .protocol import announced, command, Denied, receives
+from ..utils import clock
 from ..utils.general import inside, known, NAN, Seen
 from ..utils.geo import euler, inverse, metres, product, quaternion, SenderClock, unit, velocity_here
 from ..wire.dialect import address
@@ -56,7 +57,7 @@ class _HeardVehicle:
     "Recent messages of one vehicle"
     lasts = {POSITION:3., ATTITUDE:1., GIMBAL_STATE:1.}     # s for which each message is valid
     carries = .5            # s for which a turn is extrapolated
-    def __init__(self, clock=time.monotonic): self.clock,self.home_alt,self._heard = clock,NAN,{}
+    def __init__(self, clock=clock.now): self.clock,self.home_alt,self._heard = clock,NAN,{}
 
     def take(self, msg):
         "Store the fields of `msg`; raises `ValueError` for impossible ones"
@@ -95,7 +96,7 @@ class Vehicle(Part):
     asks_again = 10.                        # s until a missing message is requested again
     def __init__(self, component, # The server of a device
                  asks:bool=True, # Request missing messages; false for a link without capacity for them
-                 clock=time.monotonic): # Returns seconds
+                 clock=clock.now): # Returns seconds
         super().__init__(component)
         self.device,self.asks,self.clock = component.health.device,asks,clock
         self.source = None      # `(system, component)` of the last report
@@ -214,7 +215,7 @@ class _Reports:
     "Reports of the last seconds, by time"
     lasts,most = 20.,1000       # s that a report is kept; most reports
     def __init__(self):
-        self._moments,self._values,self._lock = [],[],threading.Lock()
+        self._moments,self._values,self._lock = [],[],clock.Lock()
 
     def __len__(self): return len(self._moments)
     def __repr__(self): return f'{type(self).__name__}: {len(self)}'
@@ -318,8 +319,8 @@ class Geotagger(Vehicle):
     def __init__(self,
                  component, # Server of a camera with `gimbal_device_id`, `mounted` and `clock_error`
                  asks:bool=True, # Request missing messages from the autopilot
-                 clock=time.monotonic, # Returns seconds
-                 utc=time.time): # Returns seconds since 1970, the clock of the camera's frames
+                 clock=clock.now, # Returns seconds
+                 utc=clock.utc): # Returns seconds since 1970, the clock of the camera's frames
         super().__init__(component, asks, clock)
         self.utc,self._time_heard,self._clocks = utc,-math.inf,{}   # SYSTEM_TIME; `{(system, component): SenderClock}`
         self._positions,self._attitudes,self._gimbal = _PositionTrail(),_AttitudeTrail(),_AttitudeTrail()

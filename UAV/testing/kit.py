@@ -6,12 +6,13 @@
 from __future__ import annotations
 from binascii import crc_hqx
 from difflib import get_close_matches
-import logging, math, random, socket, threading, time
+import logging, math, random, socket
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..cameras.sim import SimCamera
 from ..cameras.sim_world import SimWorld
+from ..utils import clock
 from ..utils.general import Closes
 from ..utils.geo import metres
 from ..wire.message_log import MessageLog, _once, _pair
@@ -138,7 +139,7 @@ class Logged(Closes, logging.Handler):
                  level:int=logging.NOTSET): # Lowest level to store
         super().__init__(level)
         self.logger = logging.getLogger(logger) if isinstance(logger, str) else logger
-        self.records,self._news = [],threading.Condition()
+        self.records,self._news = [],clock.Condition()
         self._propagated,self.logger.propagate = self.logger.propagate,False
         self.logger.addHandler(self)
 
@@ -175,7 +176,7 @@ class WireLog(MessageLog):
     "A `MessageLog` for both ends of a link, with assertions"
     usual = tuple(name for name in MessageLog.usual if name!='FILE_TRANSFER_*')     # a picture is hundreds of them
     def __init__(self, *args, **kwargs): # Arguments of `MessageLog`
-        self._news = threading.Condition()
+        self._news = clock.Condition()
         super().__init__(*args, **kwargs)
 
     def add(self, frame, sent=None, when=None):
@@ -246,9 +247,9 @@ def _times(n:int)->str: return {0:'never', 1:'once', 2:'twice'}.get(n, f'{n} tim
 @patch
 def _find(self:WireLog, fits, within:float, done)->list:
     "List the messages that fit; waits until `done(found)`, `within` seconds at most"
-    end = time.monotonic()+within
+    end = clock.monotonic()+within
     with self._news:
-        while not done(found := list(filter(fits, self._events()))) and (left := end-time.monotonic())>0:
+        while not done(found := list(filter(fits, self._events()))) and (left := end-clock.monotonic())>0:
             self._news.wait(left)
     return found
 

@@ -9,9 +9,10 @@ from functools import partial
 from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
-import errno, os, re, stat, time
+import errno, os, re, stat
 
 from fastcore.basics import patch
+from . import clock
 
 # %% auto #0
 __all__ = ['most_bytes', 'FileEntry', 'FileTree']
@@ -180,7 +181,7 @@ class FileTree:
         if not names: raise _error(errno.EISDIR, path)
         if not callable(content) and not isinstance(content, (bytes,bytearray,memoryview)):
             raise TypeError(f'the content of {path} must be bytes, such as b\'text\', or a function that gives them')
-        self._files[names] = content,time.time()
+        self._files[names] = content,clock.time()
 
     def mount(self, path:str, # Where it stands, such as `/media`
               folder:str|Path, # On a disk; it may come and go

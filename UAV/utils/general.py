@@ -12,13 +12,13 @@ from functools import wraps
 from importlib import import_module
 from inspect import CORO_CREATED, getcoroutinestate
 from numbers import Real
-from queue import SimpleQueue
 from types import CoroutineType
-import heapq, inspect, math, os, re, sys, threading, time, weakref
+import heapq, inspect, math, os, re, sys, weakref
 
 from fastcore.basics import patch, store_attr
 from fastcore.meta import delegates
 from ..logging import get_logger
+from . import clock, clock as _clock
 
 # %% auto #0
 __all__ = ['log', 'timers', 'NAN', 'time_since_boot_ms', 'time_UTC_usec', 'date_time_str', 'in_child', 'Closes', 'Opened',
@@ -28,21 +28,18 @@ __all__ = ['log', 'timers', 'NAN', 'time_since_boot_ms', 'time_UTC_usec', 'date_
 # %% ../../nbs/api/utils/00_general.ipynb #b1083063
 log = get_logger('timers')
 
-# %% ../../nbs/api/utils/00_general.ipynb #0a70fb90
-_boot = time.monotonic()
-
 # %% ../../nbs/api/utils/00_general.ipynb #60c39659
 def time_since_boot_ms()->int:
     "Milliseconds since this process imported the package, as a uint32 that wraps after 49 days"
-    return int((time.monotonic()-_boot)*1000) & 0xffffffff
+    return int((clock.monotonic()-clock.boot)*1000) & 0xffffffff
 
 def time_UTC_usec()->int:
     "Microseconds since the UNIX epoch, UTC"
-    return int(time.time()*1e6)
+    return int(clock.time()*1e6)
 
 def date_time_str()->str:
     "Local date and time for a file name, such as `2026-11-21_09-30-00`"
-    return datetime.now().strftime('%Y-%m-%d_%H-%M-%S')
+    return datetime.fromtimestamp(clock.time()).strftime('%Y-%m-%d_%H-%M-%S')
 
 # %% ../../nbs/api/utils/00_general.ipynb #690c3735
 _in_child = []          # for a process that is forked from this one
@@ -82,15 +79,15 @@ class Opened:
         for one in found: abandon(one)
 
 # %% ../../nbs/api/utils/00_general.ipynb #65a837fb
-def _begin_thread(f, name:str)->threading.Thread:
+def _begin_thread(f, name:str)->clock.Thread:
     "A thread that runs `f`; raises `RuntimeError` when the system has none left"
-    thread = threading.Thread(target=f, name=name, daemon=True)
+    thread = clock.Thread(target=f, name=name, daemon=True)
     thread.start()
     return thread
 
-def _has_ended(thread:threading.Thread|None, timeout:float)->bool:
+def _has_ended(thread:clock.Thread|None, timeout:float)->bool:
     "Wait for a thread; true when it has ended, there was none, or it's the calling one"
-    if thread is None or thread is threading.current_thread(): return True
+    if thread is None or thread is clock.current_thread(): return True
     thread.join(timeout)
     return not thread.is_alive()
 
@@ -112,7 +109,7 @@ class Timers:
         self._restart()
 
     def _restart(self):
-        self._jobs,self._changed = [],threading.Condition()
+        self._jobs,self._changed = [],clock.Condition()
         self._thread = self._running = None
         _timers.add(self)
 
@@ -121,7 +118,7 @@ class Timers:
               delay:float=0., # Seconds until the first call
              )->_Job:
         "Call `f` every `period` seconds without drift, until `cancel`"
-        job = _Job(f, period, time.monotonic()+delay)
+        job = _Job(f, period, clock.monotonic()+delay)
         with self._changed:
             heapq.heappush(self._jobs, job)
             if self._thread is None: self._thread = _begin_thread(self._run, self.name)
@@ -140,11 +137,11 @@ def _next(self:Timers):
                 self._thread = None
                 self._changed.notify_all()
                 return
-            wait = self._jobs[0].due-time.monotonic()
+            wait = self._jobs[0].due-clock.monotonic()
             if wait<=0: break
             self._changed.wait(min(wait, 3600.))      # a lock cannot wait for ages
         self._running = job = self._jobs[0]
-        job.advance(time.monotonic())
+        job.advance(clock.monotonic())
         heapq.heapreplace(self._jobs, job)
         return job
 
@@ -168,7 +165,7 @@ def cancel(self:Timers, job:_Job,
         heapq.heapify(self._jobs)
         self._changed.notify_all()
         thread = self._thread
-        if thread is None or thread is threading.current_thread(): return True
+        if thread is None or thread is clock.current_thread(): return True
         def ends(): return self._thread is thread and self._running is None and not self._jobs
         self._changed.wait_for(lambda: self._running is not job and not ends(), timeout)
         if self._thread is thread: return self._running is not job
@@ -198,7 +195,7 @@ class Worker:
     "Calls functions one after the other, on a thread of its own"
     patience = 5.           # s that `close` waits
     def __init__(self, name:str):
-        self.name,self._jobs,self._thread,self._lock = name,SimpleQueue(),None,threading.Lock()
+        self.name,self._jobs,self._thread,self._lock = name,clock.SimpleQueue(),None,clock.Lock()
 
     def do(self, f, *args):
         "Call `f(*args)` when all before it are done"
@@ -216,7 +213,7 @@ class Worker:
         with self._lock: thread,self._thread = self._thread,None
         if thread is None: return
         self._jobs.put(None)
-        if thread is threading.current_thread(): return
+        if thread is clock.current_thread(): return
         thread.join(self.patience/2)
         if hurry and thread.is_alive(): hurry()
         thread.join(self.patience/2)
@@ -286,9 +283,9 @@ class Seen:
     "Recent keys with their values"
     def __init__(self, window:float, # Seconds that it is remembered
                  most:int=64, # How many are remembered; the oldest are forgotten first
-                 clock=time.monotonic): # Gives seconds
+                 clock=clock.now): # Gives seconds
         store_attr()
-        self._noted,self._lock = {},threading.RLock()
+        self._noted,self._lock = {},_clock.RLock()
 
     def __len__(self): return len(self._noted)
     def __repr__(self): return f'Seen: {len(self)} in the last {self.window:g} s'

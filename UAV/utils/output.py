@@ -6,11 +6,11 @@
 from __future__ import annotations
 from html import escape
 from io import StringIO
-from threading import Lock
-import errno, io, logging, os, select, sys, time
+import errno, io, logging, os, select, sys
 
 from fastcore.basics import patch, store_attr
 from fastcore.imports import in_jupyter
+from . import clock
 from .general import Closes, cv2
 
 # %% auto #0
@@ -72,7 +72,7 @@ class Progress:
     def __init__(self, name:str='', # What goes on
                  stream=None, # A terminal; `None`: the notebook's output, or else `sys.stderr` when that is a terminal
                  unit:str='B', # Of the numbers
-                 clock=time.monotonic): # Gives seconds
+                 clock=clock.now): # Gives seconds
         store_attr('name,unit,clock')
         self.stream,self.handle = stream,None
         self.done,self.total,self.began,self._shown = 0,0,clock(),-1.
@@ -125,7 +125,7 @@ class ScrollingLog:
                  font_scale:float=1.0): # For a picture 1000 pixels high; smaller ones get smaller letters
         if max_lines<1: raise ValueError(f'max_lines must be at least 1, not {max_lines}')
         store_attr()
-        self.log,self._lock,self._view = [],Lock(),None
+        self.log,self._lock,self._view = [],clock.Lock(),None
 
     def __repr__(self): return '\n'.join(self.log)
     def _repr_html_(self): return f'<pre>{escape(repr(self))}</pre>'

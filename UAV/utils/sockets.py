@@ -7,10 +7,11 @@ from __future__ import annotations
 from collections import deque
 from concurrent.futures import Future, TimeoutError as TooLate
 from urllib.parse import urljoin, urlsplit
-import asyncio, errno, math, selectors, socket, threading, time
+import asyncio, errno, math, selectors, socket
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
+from . import clock
 from .general import _begin_thread, Closes, inside, timers
 
 # %% auto #0
@@ -54,14 +55,14 @@ class Loop(Closes):
         "End the thread; the sockets that were watched stay open"
         self._closed = True
         self.call(lambda: None)
-        if self._thread is not threading.current_thread(): self._thread.join()
+        if self._thread is not clock.current_thread(): self._thread.join()
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #26d6177c
 @patch
 def ask(self:Loop, do): # A function without parameters
     "Let the loop's thread call `do()`, and wait until it has; there, call it at once"
-    if threading.current_thread() is self._thread: return do()
-    done = threading.Event()
+    if clock.current_thread() is self._thread: return do()
+    done = clock.Event()
     def _do():
         try: do()
         finally: done.set()
@@ -105,7 +106,7 @@ def serve(self:Loop, listener, # From `listen_tcp`
         except BlockingIOError: return
         except OSError as e:
             log.warning('%s: %s', self.name, e)
-            return time.sleep(.05)                  # too many open files: not again at once
+            return clock.sleep(.05)                  # too many open files: not again at once
         welcome(sock, address)
     listener.setblocking(False)
     self.call(lambda: self.watch(listener, accept))
@@ -125,7 +126,7 @@ def _get(url:str, hosts, most:int, opened:list, end:float)->bytes:
         if hosts is not None and host not in hosts:
             raise PermissionError(f'{url} is not at {" or ".join(sorted(hosts))}')
         kind = dict(http=HTTPConnection, https=HTTPSConnection)[parts.scheme]
-        connection = kind(host, parts.port, timeout=max(end-time.monotonic(), .01))
+        connection = kind(host, parts.port, timeout=max(end-clock.monotonic(), .01))
         connection._create_connection = connect
         try:
             connection.request('GET', (parts.path or '/')+(f'?{parts.query}' if parts.query else ''))
@@ -145,11 +146,11 @@ def get_web(url:str, # http:// or https://
            )->bytes:
     "Return the first `most` bytes of a page; raises `ValueError`, `OSError`, `PermissionError` among them"
     from http.client import HTTPException
-    opened,late = [],threading.Event()
+    opened,late = [],clock.Event()
     def stop():
         late.set()
         for sock in list(opened): _shut(sock)
-    alarm,end = timers.alarm(stop),time.monotonic()+seconds
+    alarm,end = timers.alarm(stop),clock.monotonic()+seconds
     timers.move(alarm, end)
     try: data = _get(url, hosts, most, opened, end)
     except (OSError, HTTPException) as e:
@@ -188,8 +189,8 @@ class TCPClient(Closes):
                  changed=lambda: None): # Called when it is there, and when it is lost
         inside('port', port, 1, 65535)          # the system would take another one, without a word
         store_attr()
-        self.error,self.up,self._lock = 'not connected yet',False,threading.Condition()
-        self._sock,self._why,self._thread,self._closed = None,None,None,threading.Event()
+        self.error,self.up,self._lock = 'not connected yet',False,clock.Condition()
+        self._sock,self._why,self._thread,self._closed = None,None,None,clock.Event()
 
     def start(self):
         "Begin to connect"
@@ -233,7 +234,7 @@ def _run(self:TCPClient):
         try: self._connect(attempt)
         except (OSError, ValueError) as e: why = str(self._why or getattr(e, 'strerror', None) or e)
         if self._closed.is_set(): return
-        was_up,lasted = self._since<math.inf,time.monotonic()-self._since>=self.steady
+        was_up,lasted = self._since<math.inf,clock.monotonic()-self._since>=self.steady
         if was_up or why!=self.error: log.warning('%s:%s: %s', self.host, self.port, why)
         self.error,attempt = why,0 if lasted else attempt+1
         if was_up: self._tell(self.changed)
@@ -242,7 +243,7 @@ def _run(self:TCPClient):
 @patch
 def _hear_all(self:TCPClient):
     "We are connected: pass on what comes; raises `OSError` at the end"
-    self.error,self._since = None,time.monotonic()
+    self.error,self._since = None,clock.monotonic()
     self._set_up(True)
     log.info('connected to %s:%s', self.host, self.port)
     self._tell(self.changed)
@@ -289,18 +290,18 @@ def close(self:TCPClient):
     "Close it for good; may be called twice"
     self._closed.set()
     self.drop('closed')
-    if self._thread not in (None, threading.current_thread()): self._thread.join()
+    if self._thread not in (None, clock.current_thread()): self._thread.join()
     self.error = 'closed'
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #b66fbad3
 class LoopThread(Closes):
     "An asyncio loop in a thread, until `close`"
-    inside = property(lambda self: threading.current_thread() is self._thread, doc="Are we called from this thread?")
+    inside = property(lambda self: clock.current_thread() is self._thread, doc="Are we called from this thread?")
     closed = property(lambda self: self.loop.is_closed(), doc="Has `close` been called?")
     orphaned = property(lambda self: self.loop.is_running() and not self._thread.is_alive(),
         doc="Are we in a forked process? Its thread has stayed behind")
     def __init__(self, name:str='loop'): # Of the thread
-        self.loop,self._lock,self._ending = asyncio.new_event_loop(),threading.Lock(),False
+        self.loop,self._lock,self._ending = asyncio.new_event_loop(),clock.Lock(),False
         self._thread = _begin_thread(self.loop.run_forever, name)
 
     def __repr__(self):
@@ -325,7 +326,7 @@ class LoopClosed(RuntimeError): "The loop's thread has ended, or is about to"
 @patch
 def wait(self:LoopThread, start): # A function, called there, which gives something to await
     "Wait for its result; raises `LoopClosed`, also when `close` comes before the result"
-    result,ended,tasks = Future(),threading.Event(),[]
+    result,ended,tasks = Future(),clock.Event(),[]
     async def run(): return await start()
     def cancel(): tasks[0].cancel() if tasks else ended.set()
     def begin():
@@ -344,7 +345,7 @@ def wait(self:LoopThread, start): # A function, called there, which gives someth
         raise
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #5e5dad30
-def _hand_over(task, result:Future, ended:threading.Event):
+def _hand_over(task, result:Future, ended:clock.Event):
     "Pass on what came of a task"
     if task.cancelled(): result.set_exception(LoopClosed('the loop was closed'))
     elif task.exception() is not None: result.set_exception(task.exception())

@@ -6,10 +6,10 @@
 from __future__ import annotations
 from collections import deque
 from dataclasses import replace
-import threading, time
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import _begin_thread, av, Closes
 from ..utils.pictures import as_bgr
 from .units import (AccessUnit, byte_stream, Codec, codecs, _even, _is_hardware, is_key, _nal_type, nal_units,
@@ -49,7 +49,7 @@ class _Measured:
 
     def _lately(self)->tuple:
         "Pictures and bits in a second, since the first unit that counts"
-        now = time.monotonic()
+        now = clock.monotonic()
         (first,_),*later = [unit for unit in tuple(self._units) if unit[0]>now-self.span] or [(now,0)]
         return (len(later)/(now-first), 8*sum(size for _,size in later)/(now-first)) if later else (0.,0.)
 
@@ -89,7 +89,7 @@ class Encoder(Closes):
                  hardware:bool=True): # Use the graphics hardware where it works?
         if codec not in codecs: raise ValueError(f'codec {codec!r} is none of {", ".join(codecs)}')
         self.format,self.fault,self.measured = None,None,_Measured()     # last known; what is wrong now; what came out
-        self._sinks,self._changed,self._delivering = {},threading.Condition(),threading.RLock()
+        self._sinks,self._changed,self._delivering = {},clock.Condition(),clock.RLock()
         self._thread,self._codec,self._key_wanted,self._closed,self._number = None,None,False,False,-1
         store_attr()
 
@@ -187,11 +187,11 @@ def _take(self:Encoder, frame, now:float, pace:_Pace):
 @patch
 def _watch(self:Encoder):
     "Encode what the source shows, until no sink is left"
-    heard = time.monotonic()
+    heard = clock.monotonic()
     pace = _Pace(heard, self.rate)
     with self.source.watching():
         while self._sinks:
-            frame,now = self.source.next(self._number, .5),time.monotonic()
+            frame,now = self.source.next(self._number, .5),clock.monotonic()
             if frame is None: self._silent(now-heard)
             else:
                 heard = now
@@ -246,7 +246,7 @@ def remove(self:Encoder,
 @patch
 def _settle(self:Encoder, thread):
     "Wait until no unit is under way to a sink that has gone, and until a thread without sinks has ended"
-    if thread in (None,threading.current_thread()): return
+    if thread in (None,clock.current_thread()): return
     if self._delivering.acquire(timeout=self.patience): self._delivering.release()
     if not self._sinks: thread.join(self.patience)
 
@@ -323,12 +323,12 @@ class PassThrough(Encoder):
 @patch
 def _watch(self:PassThrough):
     "Have the source run until no sink is left"
-    began = time.monotonic()
+    began = clock.monotonic()
     self.run(True)
     try:
         while self._sinks:
             with self._changed: self._changed.wait_for(lambda: not self._sinks, self.silence/4)
-            silent = time.monotonic()-max(began, self._came)>self.silence
+            silent = clock.monotonic()-max(began, self._came)>self.silence
             if self._sinks: self._tell(TimeoutError(f'no picture for {self.silence:g} s') if silent else None)
     finally: self.run(False)
 
@@ -338,7 +338,7 @@ def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
          taken:float|None=None, # When the frame was taken, monotonic s; `None` is now
          **known): # What is known of the format: `width`, `height`, `rate`, `bitrate`
     "Hand an access unit to all sinks; nothing happens before the first key picture"
-    now = self._came = time.monotonic()
+    now = self._came = clock.monotonic()
     taken,key = now if taken is None else taken,is_key(data, self.codec)
     made = self.format
     if key:                             # complete it with its parameter sets; they may be new, and so the format
@@ -348,4 +348,4 @@ def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
         made = replace(made, headers=byte_stream(self._sets), **known)
     elif made is None: return
     self._number += 1
-    self._deliver(AccessUnit(data, key, taken, time.time()-now+taken, self._number, made))
+    self._deliver(AccessUnit(data, key, taken, clock.time()-now+taken, self._number, made))

@@ -9,10 +9,11 @@ from contextlib import closing, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property
 from urllib.parse import unquote, urlsplit
-import asyncio, atexit, os, re, selectors, socket, threading, time
+import asyncio, atexit, os, re, selectors, socket
 
 from fastcore.basics import GetAttr, patch, store_attr
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import _begin_thread, av, Closes, np
 from ..utils.pictures import contact_sheet, Thumbnail
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
@@ -151,7 +152,7 @@ def _listen_until(self:RTSPReceiver, until, silent_at):
     "Take what comes next; raises `TimeoutError` when it is `silent_at`"
     try: ready = self._wait({sock:selectors.EVENT_READ for sock in (self._sock,*(self._udp or ()))}, until)
     except TimeoutError:
-        if time.monotonic()>=silent_at: raise
+        if clock.monotonic()>=silent_at: raise
         return
     if ready==[self._sock]:         # else datagrams first: the connection may be at its end
         if not (data := self._sock.recv(1<<16)): raise ConnectionError('the server has closed the connection')
@@ -182,14 +183,14 @@ def _arrived(self:RTSPReceiver):
 def _play(self:RTSPReceiver, url):
     "The RTP packets"
     method = 'GET_PARAMETER' if 'GET_PARAMETER' in self._methods else 'OPTIONS'
-    silent_at,ping_at = time.monotonic()+self.timeout,time.monotonic()+self._alive
+    silent_at,ping_at = clock.monotonic()+self.timeout,clock.monotonic()+self._alive
     while True:
         for packet in self._arrived():
-            silent_at = time.monotonic()+self.timeout
+            silent_at = clock.monotonic()+self.timeout
             yield packet
-        if time.monotonic()>ping_at:
+        if clock.monotonic()>ping_at:
             self._send(method, url, {})
-            ping_at = time.monotonic()+self._alive
+            ping_at = clock.monotonic()+self._alive
         self._listen_until(min(silent_at, ping_at), silent_at)
 
 # %% ../../nbs/api/video/08_player.ipynb #cb011e52
@@ -283,7 +284,7 @@ class _FilePictures:
     "The pictures of a file"
     connects,port,lost = False,None,0
     def __init__(self, path:str, paced:bool):
-        self._paced,self._began,self._stopped = paced,None,threading.Event()
+        self._paced,self._began,self._stopped = paced,None,clock.Event()
         if not os.path.isfile(path): raise PlayerError(f'there is no file {path!r}')
         try: self._container = av.open(path)
         except av.FFmpegError as e: raise PlayerError(f'{path!r} is no video: {e.strerror}') from None
@@ -301,10 +302,10 @@ class _FilePictures:
 
     def pictures(self):
         "`(av.VideoFrame, time, time_utc)` of each; raises `_Stopped`"
-        began,began_utc = self._began = self._began or (time.monotonic(),time.time())
+        began,began_utc = self._began = self._began or (clock.monotonic(),clock.time())
         for picture in self._container.decode(video=0):
             due = picture.time or 0
-            if self._stopped.wait(max(0, began+due-time.monotonic()) if self._paced else 0): raise _Stopped
+            if self._stopped.wait(max(0, began+due-clock.monotonic()) if self._paced else 0): raise _Stopped
             yield picture,began+due,began_utc+due
 
 # %% ../../nbs/api/video/08_player.ipynb #c62616e2
@@ -325,7 +326,7 @@ class _Pictures:
     def __init__(self, newest:bool):
         self.newest,self.over = newest,False            # `over`: no picture will come any more
         self.last,self.count,self.given = None,0,-1     # the newest; how many came; the number that `take` gave last
-        self.frames,self.waiting,self.changed = deque(),[],threading.Condition()
+        self.frames,self.waiting,self.changed = deque(),[],clock.Condition()
 
     def wake(self):
         "Wake all who wait; inside `changed`"
@@ -399,7 +400,7 @@ class Player(Closes):
         self.url,self.fault,self.connected = url,None,False     # `fault`: why there are no pictures
         self.log = get_logger('video.player')
         self._source,self._pictures = _open_pictures(url, timeout, newest, transport),_Pictures(newest)
-        self._closing = threading.Event()
+        self._closing = clock.Event()
         self._thread = _begin_thread(self._run, f'player {_url_name(url)}')
         atexit.register(self.close)
 
@@ -423,7 +424,7 @@ class Player(Closes):
         self._closing.set()
         self._source.stop()
         self._pictures.end(forget=True)
-        if self._thread is not threading.current_thread(): self._thread.join(1)
+        if self._thread is not clock.current_thread(): self._thread.join(1)
 
     def watching(self):
         "For a `with`, as a source of frames has it: a player plays all the time"
@@ -514,6 +515,6 @@ def strip(player, # `Player`
 # %% ../../nbs/api/video/08_player.ipynb #ec973838
 def _picture_at(player, due, patience, like):
     "The first picture from `due` on; grey when none comes"
-    while (frame := player.read(max(0, due+patience-time.monotonic()) if player.newest else None)) is not None:
+    while (frame := player.read(max(0, due+patience-clock.monotonic()) if player.newest else None)) is not None:
         if frame.time>=due-1e-3: return frame.image
     return np.full_like(like, 128)

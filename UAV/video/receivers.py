@@ -9,9 +9,10 @@ from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import urlsplit
-import errno, os, re, selectors, socket, time
+import errno, os, re, selectors, socket
 
 from fastcore.basics import patch, store_attr
+from ..utils import clock
 from ..utils.general import Closes
 from .senders import is_group
 from .units import AccessUnit, byte_stream, clock_rate, codecs, is_key, parameter_sets, VideoFormat
@@ -35,7 +36,7 @@ class _UnitMaker:
         if key and self.headers and not parameter_sets(data, self.codec): data = self.headers+data
         self.number += 1
         form = VideoFormat(self.codec, 0, 0, 0, 0)              # what the decoder will find out
-        return [AccessUnit(data, key, time.monotonic(), taken or time.time(), self.number-1, form)]
+        return [AccessUnit(data, key, clock.monotonic(), taken or clock.time(), self.number-1, form)]
 
 # %% ../../nbs/api/video/03_receivers.ipynb #988cb569
 def _rtp_parts(packet:bytes)->tuple|None:
@@ -59,17 +60,17 @@ class _Reorder:
         ahead = (sequence-self.expected)&0xffff
         if ahead>=0x8000 and ahead<0x10000-500: self._early,self.expected = {},sequence      # the sender begins anew
         elif ahead>=0x8000: return []                       # too late, or twice
-        if not self._early: self._since = time.monotonic()
+        if not self._early: self._since = clock.monotonic()
         self._early[sequence] = packet
         return [*self._in_turn()]
 
     def _in_turn(self):
-        tired = len(self._early)>self.most or time.monotonic()-self._since>self.patience
+        tired = len(self._early)>self.most or clock.monotonic()-self._since>self.patience
         if self.expected not in self._early and tired:
             self.expected = min(self._early, key=lambda sequence: (sequence-self.expected)&0xffff)
         while self.expected in self._early:
             yield self.expected,self._early.pop(self.expected)
-            self.expected,self._since = (self.expected+1)&0xffff,time.monotonic()
+            self.expected,self._since = (self.expected+1)&0xffff,clock.monotonic()
 
 # %% ../../nbs/api/video/03_receivers.ipynb #12d2c7ea
 _start = b'\0\0\0\1'
@@ -309,7 +310,7 @@ class Receiver(Closes):
     def _wait(self, socks:dict, until:float|None=None)->list:
         "Those of `{socket: selectors.EVENT_…}` that are ready by then, monotonic s; raises `_Stopped`, `TimeoutError`"
         for sock,event in socks.items(): self._selector.register(sock, event)
-        try: ready = self._selector.select(self.timeout if until is None else max(0, until-time.monotonic()))
+        try: ready = self._selector.select(self.timeout if until is None else max(0, until-clock.monotonic()))
         finally:
             for sock in socks: self._selector.unregister(sock)
         if self._stopped: raise _Stopped
@@ -428,7 +429,7 @@ class _OneSender:
     def receive(self, sock)->bytes:
         "Read a packet; empty when it's from another sender. Raises `OSError`"
         data,address = sock.recvfrom(1<<16)
-        now = time.monotonic()
+        now = clock.monotonic()
         is_late = address!=self.address and now-self._heard<self.patience
         if is_late or not self.fits(data): return b''
         self.address,self._heard = address,now

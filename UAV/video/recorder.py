@@ -6,10 +6,11 @@
 from __future__ import annotations
 from datetime import datetime, timezone
 from pathlib import Path
-import errno, os, shutil, time
+import errno, os, shutil
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import av, Closes
 from .senders import _add_video, _as_packet
 from .units import AccessUnit, Sink, VideoFormat, clock_rate
@@ -98,7 +99,7 @@ class _MP4File(Closes):
         self.file,self._ticks,self._step = _SafeFile(path),-1,round(clock_rate/unit.format.rate)
         options = dict(movflags=self.flags, frag_duration=str(int(1e6*self.fragment)))
         self._container = av.open(self.file, 'w', format='mp4', options=options)
-        taken = datetime.fromtimestamp(unit.time_utc or time.time(), timezone.utc)
+        taken = datetime.fromtimestamp(unit.time_utc or clock.time(), timezone.utc)
         self._container.metadata['creation_time'] = taken.strftime('%Y-%m-%dT%H:%M:%SZ')
         self._stream = _add_video(self._container, unit)
         if unit.format.codec=='h265': self._stream.codec_context.codec_tag = 'hvc1'
@@ -180,12 +181,12 @@ def _shape(format:VideoFormat)->tuple: return format.codec,format.width,format.h
 @patch
 def _check(self:Recorder):
     "Look at the disk, once in a while"
-    if time.monotonic()-self._looked<self.interval: return
+    if clock.monotonic()-self._looked<self.interval: return
     file = self.videos[-1].file
     if not file.is_there(): raise FileNotFoundError(f'{file.path.name} was removed while it was written')
     self._check_room(file.path.parent)
     file.sync()
-    self._looked = time.monotonic()
+    self._looked = clock.monotonic()
 
 # %% ../../nbs/api/video/06_recorder.ipynb #46793bb2
 def _plainly(error:OSError)->OSError:

@@ -8,10 +8,11 @@ from base64 import b64encode
 from dataclasses import dataclass, field
 from urllib.parse import quote, unquote, urlsplit
 from zlib import crc32
-import hashlib, hmac, random, re, secrets, socket, struct, time
+import hashlib, hmac, random, re, secrets, socket, struct
 
 from fastcore.basics import basic_repr, patch, store_attr
 from fastcore.meta import delegates
+from ..utils import clock
 from .receivers import _SenderClock
 from .senders import is_group, UDPSink
 from .units import AccessUnit, clock_rate, _nal_type, nal_units, parameter_sets, VideoFormat
@@ -90,7 +91,7 @@ class _RTPStream:
     def __init__(self, size:int=1388):                                          # bytes a payload may have
         self.size,self.ssrc,self.packets_sent,self.octets_sent = size,secrets.randbits(32),0,0
         self.sequence,self.start = secrets.randbits(16),secrets.randbits(32)    # next number; time stamp at 0 s
-        self.utc_offset = time.time()-time.monotonic()                          # s from `unit.time` to UTC
+        self.utc_offset = clock.time()-clock.monotonic()                          # s from `unit.time` to UTC
         self.next_report = 0.                                                   # monotonic s
 
     __repr__ = basic_repr('ssrc,packets_sent,octets_sent')
@@ -114,7 +115,7 @@ class _RTPStream:
 
     def report(self, now:float|None=None)->bytes:
         "An RTCP sender report, with our name (SDES), of `now`, monotonic s"
-        now = time.monotonic() if now is None else now
+        now = clock.monotonic() if now is None else now
         ntp = int((now+self.utc_offset+_SenderClock.since_1900)*2**32)
         sent = self.packets_sent & 0xffff_ffff,self.octets_sent & 0xffff_ffff
         name = f'UAV-{self.ssrc:08x}'.encode()                      # 12 bytes
@@ -127,7 +128,7 @@ class _RTPStream:
 
     def due_report(self, now:float|None=None)->bytes:
         "A sender report, when it is time for one; else nothing"
-        now = time.monotonic() if now is None else now
+        now = clock.monotonic() if now is None else now
         if now<self.next_report: return b''
         self.next_report = now+5*random.uniform(.5, 1.5)
         return self.report(now)

@@ -6,10 +6,11 @@
 from __future__ import annotations
 from collections import deque
 from urllib.parse import quote
-import socket, threading, time
+import socket
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import Closes
 from .receivers import _listen_pair
 from .rtsp import _Digest, _Interleaved, _is_report, _Request, _RequestReader, _Response
@@ -72,7 +73,7 @@ class _InsideViewer(_Viewer):
         data = [bytes(_Interleaved(self.channels[0], packet)) for packet in packets]
         if report: data.append(bytes(_Interleaved(self.channels[1], report)))
         self.outbox.write(b''.join(data))
-        if self.outbox.wait_empty(): self.alive(time.monotonic())
+        if self.outbox.wait_empty(): self.alive(clock.monotonic())
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #d7d3af39
 class _Connection:
@@ -81,7 +82,7 @@ class _Connection:
     def __init__(self, server, sock, address:tuple):
         store_attr()
         self.session = _Session(server.videos, server.digest, server.udp_ports, server.timeout, server.wake)
-        self.session.heard = time.monotonic()
+        self.session.heard = clock.monotonic()
         self.outbox = _Outbox(sock, full=lambda: server.loop.call(self.watch))
         self.reader,self.asked,self.busy = _RequestReader(),deque(),False        # busy: what was `asked` must wait
         self.viewer,self.refused,self.host = None,0,plain_host(address[0])      # how often the password was wrong
@@ -131,7 +132,7 @@ def _reply(self:_Connection, response:_Response):
     "Send an answer, and do what the session says now: play, or stop; a 404 waits"
     if self.outbox.closed: return
     if response.status==404 and not self.late:          # after a pause, and nothing before it
-        self.busy,self.late = True,(response, time.monotonic()+self.pause)
+        self.busy,self.late = True,(response, clock.monotonic()+self.pause)
         return
     playing = self.session.state=='playing'
     if self.viewer and not playing: self._stop()
@@ -176,13 +177,13 @@ def _describe(self:_Connection, request:_Request):
     if len(helpers)>=self.server.most: return self._give_up(_Response(503))
     def work():
         response = self.session.answer(request)
-        helpers.discard(threading.current_thread())
+        helpers.discard(clock.current_thread())
         self.server.loop.call(lambda: described(response))
     def described(response):
         self.busy = False
         self._reply(response)
         self._go_on()
-    helper = threading.Thread(target=work, name='rtsp describe', daemon=True)
+    helper = clock.Thread(target=work, name='rtsp describe', daemon=True)
     self.busy = True
     helpers.add(helper)
     helper.start()
@@ -198,7 +199,7 @@ def _read(self:_Connection):
     if self.reader is None: return
     try:
         for item in self.reader.feed(data):
-            self.session.heard = time.monotonic()               # also a report is a sign of life
+            self.session.heard = clock.monotonic()               # also a report is a sign of life
             if isinstance(item, _Request): self.asked.append(item)
             if len(self.asked)>20: raise RTSPError(503)
             self._go_on()
@@ -300,8 +301,8 @@ def _turn_away(self:RTSPServer, sock):
 def _drop_lost(self:RTSPServer):
     "End what gives no sign of life, or has no encoder any more; send the answers that waited long enough"
     for connection in list(self.connections.values()):
-        connection.send_late(time.monotonic())
-        if connection.session.overdue(time.monotonic()): connection.close()
+        connection.send_late(clock.monotonic())
+        if connection.session.overdue(clock.monotonic()): connection.close()
         else: connection._check_viewer()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #e662357e
@@ -313,7 +314,7 @@ def _hear(self:RTSPServer, events:int):
     for connection in self.connections.values():
         viewer = connection.viewer
         if isinstance(viewer, _UDPViewer) and viewer.addresses[1]==address and _is_report(data):
-            connection.session.heard = time.monotonic()
+            connection.session.heard = clock.monotonic()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #110b6971
 @patch

@@ -6,11 +6,12 @@
 from __future__ import annotations
 from contextlib import suppress
 from fractions import Fraction
-import io, ipaddress, selectors, socket, threading, time
+import io, ipaddress, selectors, socket
 
 from fastcore.basics import patch, store_attr
 from fastcore.meta import delegates
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import av, Closes
 from ..utils.sockets import _shut, listen_tcp, Loop
 from .units import AccessUnit, clock_rate, Sink
@@ -31,7 +32,7 @@ class _Outbox:
     waiting = property(lambda self: len(self._data), doc="How many bytes wait")
     def __init__(self, sock, full=lambda: None):
         store_attr()
-        self._data,self._changed,self.closed = bytearray(),threading.Condition(),False
+        self._data,self._changed,self.closed = bytearray(),clock.Condition(),False
 
     def flush(self):
         "Send what waits, as far as the socket takes it"
@@ -207,7 +208,7 @@ class TSSender(UDPSink):
         packets = self._muxer.mux(unit)
         for n,at in enumerate(range(0, len(packets), self.size), 1):
             self.send_datagram(packets[at:at+self.size])
-            if n%self.burst==0: time.sleep(self.pause)
+            if n%self.burst==0: clock.sleep(self.pause)
 
 # %% ../../nbs/api/video/02_senders.ipynb #dd663894
 class _TSClient(Sink):
@@ -264,7 +265,7 @@ class TSServer(Closes):
                  each:int=4): # Players at a time from one address
         "Raises `OSError` when the port is taken"
         self.encoder,self.most,self.each,self.clients = encoder,most,each,[]
-        self._lock,self.listener = threading.RLock(),listen_tcp(host, port)
+        self._lock,self.listener = clock.RLock(),listen_tcp(host, port)
         self.port = self.listener.getsockname()[1]
         self._loop = Loop(f'mpegts {self.port}')
         self._loop.serve(self.listener, self._welcome)

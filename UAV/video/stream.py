@@ -5,10 +5,11 @@
 # %% ../../nbs/api/video/07_stream.ipynb #f86f46bc
 from __future__ import annotations
 from contextlib import suppress
-import math, os, re, threading
+import math, os, re
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import Closes, in_child
 from .rtsp import RTPSender
 from .rtsp_server import RTSPServer
@@ -24,7 +25,7 @@ default_ports = dict(rtsp=8554, rtp=5600, mpegts=5610, tcp=5620)
 senders = dict(rtp=RTPSender, mpegts=TSSender)
 
 # %% ../../nbs/api/video/07_stream.ipynb #d12a38c7
-_servers,_servers_lock = {},threading.Lock()        # `{(host, port): [server, how many use it]}`
+_servers,_servers_lock = {},clock.Lock()        # `{(host, port): [server, how many use it]}`
 
 # %% ../../nbs/api/video/07_stream.ipynb #5f66b242
 def _rtsp_server(host:str='', port:int=8554)->RTSPServer:
@@ -50,7 +51,7 @@ def _after_fork():
     "In a forked process: no server is ours"
     global _servers_lock
     _servers.clear()
-    _servers_lock = threading.Lock()        # a thread that is not here may have held it
+    _servers_lock = clock.Lock()        # a thread that is not here may have held it
 
 # %% ../../nbs/api/video/07_stream.ipynb #ce98a247
 def _port(kind:str, port:int|None)->int:
@@ -84,7 +85,7 @@ class VideoStream(Closes):
         if server and kind!='rtsp': raise ValueError(f'an RTSP server cannot serve a stream of kind {kind!r}')
         store_attr('encoder,kind,name,stream_id,host,server,hfov,size,on_change')
         self.port,self.told_uri,self.home = server.port if server else _port(kind, port),uri,host   # `home`: first host
-        self.running,self.sink,self._lock = False,None,threading.Lock()         # `sink`: a sender, or a `TSServer`
+        self.running,self.sink,self._lock = False,None,clock.Lock()         # `sink`: a sender, or a `TSServer`
         self._shared = self._closed = self._noted = False       # `_shared`: is `server` one that we must let go?
         self.path = _path_of(name, stream_id)       # on an RTSP server
 

@@ -9,10 +9,10 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 from types import SimpleNamespace
-import threading
 
 from fastcore.basics import patch
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import _begin_thread, _has_ended, av, Closes, cv2, np
 from ..utils.pictures import as_bgr
 
@@ -91,7 +91,7 @@ class Sink(Closes):
     def __init__(self, name:str='sink'): # For its thread and its log lines
         self.name,self.source = name,None           # `source`: the encoder, which is asked for a key picture
         self.dropped,self.fault = 0,None            # units that came too late; why it ended, if by an error
-        self._queue,self._changed = deque(),threading.Condition()
+        self._queue,self._changed = deque(),clock.Condition()
         self._thread,self._needs_key,self._closed = None,True,False
 
     def __repr__(self): return f'{type(self).__name__} {self.name}{f", {self.dropped} dropped" if self.dropped else ""}'

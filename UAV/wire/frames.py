@@ -8,10 +8,11 @@ from collections import Counter
 from functools import lru_cache
 from operator import attrgetter
 from struct import Struct
-import struct, threading
+import struct
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
+from ..utils import clock
 from .dialect import crc_extras
 
 # %% auto #0
@@ -180,7 +181,7 @@ def pack(msg, # A pymavlink message
 # %% ../../nbs/api/wire/01_frames.ipynb #a3c3c81c
 class Wanted:
     "Message ids that are wanted, counted; `None` means all of them"
-    def __init__(self, *msg_ids): self.counts,self._lock = dict(Counter(msg_ids)),threading.Lock()
+    def __init__(self, *msg_ids): self.counts,self._lock = dict(Counter(msg_ids)),clock.Lock()
     def __contains__(self, msg_id): return msg_id in self.counts or None in self.counts
 
     def add(self, *msg_ids):

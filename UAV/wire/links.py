@@ -7,11 +7,11 @@ from __future__ import annotations
 from collections import deque
 from contextlib import suppress
 from difflib import get_close_matches
-from queue import SimpleQueue
-import errno, os, re, selectors, socket, threading, time
+import errno, os, re, selectors, socket
 
 from fastcore.basics import patch
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import _begin_thread
 from .dialect import LinkError
 
@@ -49,10 +49,10 @@ class Link:
 # %% ../../nbs/api/wire/03_links.ipynb #acb83fc8
 class VirtualLink(Link):
     "Joins all in this process that open the same name"
-    prefixes,datagrams,_rooms,_lock = ('virtual:',),True,{},threading.Lock()
+    prefixes,datagrams,_rooms,_lock = ('virtual:',),True,{},clock.Lock()
 
     def __init__(self, name:str, baudrate:int=0):
-        self.name,self._inbox,self._closed = name,SimpleQueue(),False
+        self.name,self._inbox,self._closed = name,clock.SimpleQueue(),False
         with self._lock: self._rooms.setdefault(name, []).append(self)
 
     def recv(self): return self._inbox.get()
@@ -158,12 +158,12 @@ class _UDPIn(UDPLink):
         super().__init__(_net_address(name))
 
     def welcome(self, peer):
-        self.peers[peer] = time.monotonic()
+        self.peers[peer] = clock.monotonic()
         if len(self.peers)>self.most: del self.peers[min(self.peers, key=self.peers.get)]
 
     def write(self, data:bytes, peer=None):
         if peer is not None: return self._send(data, peer)
-        peers,now = dict(self.peers),time.monotonic()
+        peers,now = dict(self.peers),clock.monotonic()
         latest = max(peers.values(), default=0)
         for peer,heard in peers.items():
             if heard==latest or now-heard<self.forget: self._send(data, peer)
@@ -222,7 +222,7 @@ class _Backlog:
     most = 1<<17 # bytes kept for a slow reader
     def __init__(self, device, send):
         self.device,self.send = device,send     # has a `fileno`; sends some bytes, and says how many
-        self.kept,self._lock,self._closed = b'',threading.Lock(),False
+        self.kept,self._lock,self._closed = b'',clock.Lock(),False
         self._thread,self._ring = None,None     # of the thread that sends the rest, and what wakes it
 
     def _send(self):
@@ -321,7 +321,7 @@ class _Client:
     "One client of a TCP server"
     def __init__(self, sock:socket.socket):
         self.sock,self.outbox = sock,_tcp_outbox(sock)
-        self.heard,self.is_welcome = time.monotonic(),False
+        self.heard,self.is_welcome = clock.monotonic(),False
 
     def __repr__(self): return 'a TCP client'
 
@@ -368,7 +368,7 @@ def _accept(self:_TCPIn):
     except ConnectionError: return    # gone before we could greet it
     except OSError as e:              # no file descriptor is left: nothing to be gained by trying again at once
         log.warning('cannot accept a TCP client: %s', e)
-        return time.sleep(.1)
+        return clock.sleep(.1)
     if len(self.clients)>=self.most: self._drop(min(self.clients, key=lambda c: (c.is_welcome,c.heard)))
     client = _Client(sock)
     self.clients.add(client)
@@ -386,7 +386,7 @@ def recv(self:_TCPIn):
             elif client in self.clients:            # and not just dropped
                 try: data = client.sock.recv(65536)
                 except OSError: data = b''
-                client.heard = time.monotonic()
+                client.heard = clock.monotonic()
                 if data: self._inbox.append((data, client))
                 else: self._drop(client)
     return self._inbox.popleft()

@@ -6,10 +6,11 @@
 from __future__ import annotations
 from bisect import insort
 from random import Random
-import math, re, threading, time
+import math, re
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import _begin_thread
 from .frames import promised
 from .links import Link, open_link
@@ -65,7 +66,7 @@ class LossyLink(Link):
         self.link,self._name = (open_link(link),repr(link)) if isinstance(link, str) else (link,type(link).__name__)
         self._writer,self._reader,self._gone,self._rests = None,None,False,{}
         self.outgoing,self.incoming = Direction(self,'outgoing'),Direction(self,'incoming')
-        self.up,self.opened,self._closed,self.datagrams = True,time.monotonic(),False,self.link.datagrams
+        self.up,self.opened,self._closed,self.datagrams = True,clock.monotonic(),False,self.link.datagrams
 
     def __setattr__(self, name, value):
         if name=='outages': value = _periods(value)
@@ -89,7 +90,7 @@ class Direction:
         self.link,self.name,self.dice = link,name,Random(f'{link.seed} {name}').random
         for what in self.counted: setattr(self, what, 0)
         self.waiting,self.late = [],[]      # sorted (due, count, data, peer); those of them that may be overtaken
-        self.changed = threading.Condition()
+        self.changed = clock.Condition()
         self._count,self._free,self._last = 0,0.,0.       # the line is free at; the last frame in order is due at
 
     def __repr__(self):
@@ -98,7 +99,7 @@ class Direction:
 
     def wait(self):
         "Wait until the next frame is due, or something has changed; with `changed` held"
-        self.changed.wait(self.waiting[0][0]-time.monotonic() if self.waiting else None)
+        self.changed.wait(self.waiting[0][0]-clock.monotonic() if self.waiting else None)
 
     def pop(self, now:float)->tuple|None:
         "`(data, peer)` of the next frame that is due; `None` when there is none yet"
@@ -177,7 +178,7 @@ def write(self:LossyLink, data:bytes, peer=None):
     way = self.outgoing
     with way.changed:
         if self._closed: return
-        first,now = way.waiting[:1],time.monotonic()
+        first,now = way.waiting[:1],clock.monotonic()
         way.put(data, peer, now)
         self._flush(now)
         if not way.waiting or way.waiting[:1]==first: return
@@ -195,7 +196,7 @@ def _flush(self:LossyLink, now:float):
 def _write_late(self:LossyLink):
     with self.outgoing.changed:
         while not self._closed:
-            try: self._flush(time.monotonic())
+            try: self._flush(clock.monotonic())
             except Exception: log.exception('%s cannot write', self._name)
             self.outgoing.wait()
 
@@ -206,7 +207,7 @@ def recv(self:LossyLink):
     while True:
         with way.changed:
             while not self._closed:
-                if got := way.pop(time.monotonic()): return got
+                if got := way.pop(clock.monotonic()): return got
                 if way.waiting and not self._reader:
                     self._reader = _begin_thread(self._read_ahead, f'lossy reader of {self._name}')
                 if not self._reader: break
@@ -252,7 +253,7 @@ def _frames(self:LossyLink, data:bytes, peer)->list:
 # %% ../../nbs/api/wire/04_lossy.ipynb #4f8cf1f3
 @patch
 def _arrive(self:LossyLink, data:bytes, peer):
-    way,now = self.incoming,time.monotonic()
+    way,now = self.incoming,clock.monotonic()
     with way.changed:
         for frame in self._frames(data, peer): way.put(frame, peer, now)
         way.changed.notify()
@@ -268,7 +269,7 @@ def close(self:LossyLink):
             way.changed.notify_all()
     if not again: self.link.close()
     for thread in (self._writer,self._reader):
-        if thread and thread is not threading.current_thread(): thread.join()
+        if thread and thread is not clock.current_thread(): thread.join()
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #c8e3673c
 @patch

@@ -8,10 +8,10 @@ from collections import Counter, deque
 from fnmatch import fnmatchcase
 from functools import cached_property, lru_cache
 from pathlib import Path
-import threading, time
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
+from ..utils import clock
 from ..utils.general import Closes, Seen
 from ..utils.svg import one_line
 from .chart import Chart
@@ -139,7 +139,7 @@ class MessageLog(Closes):
     def __init__(self, file=None, # A `.tlog` to write as it goes; what is in it stays
                  most:int|None=100_000): # Frames to keep in memory; `None`: all
         self.total = 0                  # frames that were added, the forgotten ones too
-        self._kept,self._lock = deque(maxlen=most),threading.Lock()
+        self._kept,self._lock = deque(maxlen=most),clock.Lock()
         self._heartbeats = {}           # of components that `clear` must not forget
         self._writer = TlogWriter(file) if file else None
 
@@ -177,7 +177,7 @@ def add(self:MessageLog, frame:bytes, # A whole frame, its CRC checked
         frame = without_secrets(frame)
         if frame is None: return
     with self._lock:
-        if when is None: when = time.time()
+        if when is None: when = clock.time()
         self._kept.append((when,sent,frame))
         self.total += 1
         if self._writer: self._writer.add(when, frame)

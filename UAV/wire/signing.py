@@ -9,11 +9,12 @@ from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 from struct import Struct
-import hashlib, hmac, json, os, secrets, threading, time
+import hashlib, hmac, json, os, secrets
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger
+from ..utils import clock, clock as _clock
 from ..utils.general import Closes
 from .frames import crc
 
@@ -214,12 +215,12 @@ class Signing(Closes):
         key:bytes|str|Path, # 32 bytes, a passphrase, or the path of a file with the key
         state:Path|str|bool|None=None, # File for timestamps; `None`: one a key in the state folder; `False`: none
         accept_unsigned=(mavlink.MAVLINK_MSG_ID_RADIO_STATUS,), # Message ids, or a function of id and source
-        clock=time.time, # UNIX time
+        clock=clock.utc, # UNIX time
     ):
         key = secret_key(key)
         self._hash,self.fingerprint,self.clock = hashlib.sha256(key),hashlib.sha256(key).hexdigest()[:8],clock
         self.accept_unsigned = accept_unsigned if callable(accept_unsigned) else frozenset(accept_unsigned)
-        self.dropped,self._lock = Counter(),threading.Lock()
+        self.dropped,self._lock = Counter(),_clock.Lock()
         self.reserve = _Reserve(state, self.fingerprint, self.most)
         self.file = self.reserve.file       # where the reserved time is kept
         self.timestamp,self.streams = self.reserve.load()   # ours; the newest accepted of each stream

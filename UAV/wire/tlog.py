@@ -7,11 +7,12 @@ from __future__ import annotations
 from collections import deque
 from contextlib import suppress
 from pathlib import Path
-import atexit, math, os, re, struct, threading, time
+import atexit, math, os, re, struct
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger
+from ..utils import clock
 from ..utils.general import _begin_thread, Opened
 from .dialect import LinkError
 from .frames import crc
@@ -143,7 +144,7 @@ class TlogWriter:
 
     def __init__(self, file):
         self.path,self.lost,self._failed = Path(file),0,False
-        self._waiting,self._stop = deque(),threading.Event()
+        self._waiting,self._stop = deque(),clock.Event()
         keep = self.path.is_file() and next(read_tlog(self.path), None) is not None    # half a record is worth nothing
         self._file = open(file, 'ab', buffering=0)
         if not keep: self._file.truncate(0)
@@ -199,8 +200,8 @@ class ReplayLink(Link):
                  baudrate:int=0, # As all links have it; of no use here
                  speed:float|None=1.): # Times as fast as it was; 0 or `None`: as fast as it can be read
         if speed and not speed>0: raise ValueError(f'speed is {speed}, not positive')
-        self.name,self.speed,self.ended = str(name),speed,threading.Event()
-        self._closed,self._frames = threading.Event(),read_tlog(name)
+        self.name,self.speed,self.ended = str(name),speed,clock.Event()
+        self._closed,self._frames = clock.Event(),read_tlog(name)
         self._logged = self._due = None          # times of the frame before: in the file, and now
         try: self._next = next(self._frames, None)
         except (OSError, ValueError) as e: raise LinkError(f'cannot replay {name}: {e}') from e
@@ -218,7 +219,7 @@ def recv(self:ReplayLink):
         self.ended.set()
         self._closed.wait()
         return
-    (logged,frame),now = self._next,time.monotonic()
+    (logged,frame),now = self._next,clock.monotonic()
     if self._due is None: self._due = now
     else: self._due += min(max(logged-self._logged, 0), self.longest_silence)/(self.speed or math.inf)
     self._logged = logged
