@@ -1,7 +1,11 @@
 #!/usr/bin/env python
 """`nbdev_test` with a process of its own for each notebook, so that one that hangs, crashes, or leaves threads and log levels
 behind fails alone. It takes nbdev_test's options. Without `--flags`, the cells that need GStreamer or a browser run where these
-are installed. Nothing is tried twice. The last lines are how many passed, failed and were skipped, and why."""
+are installed. Nothing is tried twice.
+
+A notebook runs in simulated time (`UAV.testing.simulated`), where its verdict does not depend on the machine, unless one of its cells
+begins with `#| clock: real` and the reason. `--real` gives all of them the real clock, `--seed N` another order of their threads.
+`--all` adds those with a cell `#| tests: all`, which need more than the dev environment or more than a minute. The last lines are how many passed, failed and were skipped, and why."""
 import faulthandler, fcntl, gc, importlib, os, pkgutil, re, resource, signal, sys, tempfile, threading, time
 from multiprocessing import get_context
 from multiprocessing.connection import wait
@@ -13,6 +17,7 @@ from installed import NEEDS,in_browser,installed
 import av, cv2, hypothesis, matplotlib.pyplot, numpy, PIL.Image, pymavlink.dialects.v20.all, UAV # noqa: once here, and not in each process
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from tests import browser
+from UAV.testing import simulated
 drivers = [browser._Firefox]            # the classes whose objects are a running browser
 try: from selenium.webdriver.chromium.webdriver import ChromiumDriver
 except ImportError: pass                # there is no Chromium either
@@ -25,6 +30,7 @@ LONG = ('panel_in_a_browser panel_settings panel_in_jupyterlab 03_camera panel_u
         'examples 16_check_a_camera watch_in_qgroundcontrol_vlc_ffplay 07_files run_on_a_companion_computer 05_gui 02_serve programs hostile_files '
         'devices_conformance killed_while_capturing stray_acks 11_survey_by_distance serial_and_mavproxy').split()      # they need longest
 PASSED,FAILED = 60,61           # what `child` ends with; a notebook that ends its process itself, with 0 perhaps, has not passed
+ALL,SEED = False,0              # from the command line; a seed of `None`: the real clock
 results = {}                    # notebook: whether it passed, its seconds, and those of the processor
 
 
@@ -52,6 +58,15 @@ class Turn:
         if self.file and not self.browsers: self.file.close()
 
 
+def marked(notebook, mark):
+    "What stands behind a mark such as `#| clock: real` in a notebook; `None` without one"
+    found = re.search(rf'"#\| {mark}\b,? ?(.*?)(?:\\n)?"', notebook.read_text(encoding='utf-8'))
+    return found and found[1]
+
+
+def simulates(notebook): return SEED is not None and marked(notebook, 'clock: real') is None
+
+
 def load():
     "Import all of the package, once and not in each process"
     for module in pkgutil.walk_packages(UAV.__path__, 'UAV.'):
@@ -71,6 +86,7 @@ def child(test, notebook, options, turn, waited, used):
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     faulthandler.dump_traceback_later(LONGEST, exit=True)
     Turn(turn, waited)
+    if simulates(notebook): simulated(SEED).__enter__()         # it ends with the process
     passed,_ = test(notebook, **options)
     used.value = processor()
     sys.stdout.flush()
@@ -136,8 +152,10 @@ def parallel(test, notebooks, n_workers, pause, **options):
 
 
 def notebooks(path=None, **options):
-    "nbdev's `nbglob`; without a path the notebooks of `tests/` too"
-    return nbglob(path, **options)+([] if path else sorted((Path(__file__).parents[1]/'tests').glob('*.ipynb')))
+    "nbdev's `nbglob`; without a path the notebooks of `tests/` too, and those of `--all` only with it"
+    if path: return nbglob(path, **options)
+    found = [*nbglob(path, **options), *sorted((Path(__file__).parents[1]/'tests').glob('*.ipynb'))]
+    return [notebook for notebook in found if ALL or marked(notebook, 'tests: all') is None]
 
 
 def report(flags, began):
@@ -150,12 +168,22 @@ def report(flags, began):
     for flag in ('notest', 'slow', 'hardware', *NEEDS):
         marked = [re.findall(rf'"#\| {flag}\b', notebook.read_text(encoding='utf-8')) for notebook in results]
         if flag not in flags and any(marked): print(f'skipped: {sum(map(len, marked))} cells that begin with `#| {flag}`, of {sum(map(bool, marked))} notebooks')
+    real = sorted((notebook.stem, marked(notebook, 'clock: real') or '') for notebook in results if not simulates(notebook))
+    if SEED is not None: print(f'{len(results)-len(real)} in simulated time, {len(real)} in real time:', '; '.join(f'{name} ({why})' for name,why in real))
     if failed: print('failed:', *failed)
     print(f'{len(results)-len(failed)} notebooks passed, {len(failed)} failed', flush=True)
 
 
+def option(name, default=None, value=False):
+    "Take an option of ours off the command line: true if it stands there, or its value"
+    if name not in sys.argv: return default
+    at = sys.argv.index(name)
+    return sys.argv.pop(at) and (sys.argv.pop(at) if value else True)
+
+
 if __name__ == '__main__':
     signal.signal(signal.SIGTERM, lambda *_: sys.exit('ended from outside'))      # so that `run` ends its processes
+    ALL,SEED = option('--all', False),None if option('--real') else option('--seed', 0, value=True)
     load()
     assert threading.active_count() == len(os.listdir('/proc/self/task') if sys.platform == 'linux' else [0]) == 1, 'a fork needs one thread'
     nbdev.test.parallel,nbglob,nbdev.test.nbglob = parallel,nbdev.test.nbglob,notebooks
