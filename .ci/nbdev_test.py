@@ -165,11 +165,11 @@ def report(flags, began):
     seconds,used = time.time()-began,os.times()
     print('The longest:', '; '.join(f'{notebook.stem} {results[notebook][1]:.0f} s, {results[notebook][2]:.0f} of processor' for notebook in slow))
     print(f'{seconds/60:.1f} minutes, {(used.children_user+used.children_system)/60:.1f} of processor; the load is {os.getloadavg()[1]:.1f}')
+    real = sorted((notebook.stem, marked(notebook, 'clock: real') or '') for notebook in results if not simulates(notebook))
+    if SEED is not None: print(f'{len(results)-len(real)} in simulated time, {len(real)} in real time:', '; '.join(f'{name} ({why})' for name,why in real))
     for flag in ('notest', 'slow', 'hardware', *NEEDS):
         marked = [re.findall(rf'"#\| {flag}\b', notebook.read_text(encoding='utf-8')) for notebook in results]
         if flag not in flags and any(marked): print(f'skipped: {sum(map(len, marked))} cells that begin with `#| {flag}`, of {sum(map(bool, marked))} notebooks')
-    real = sorted((notebook.stem, marked(notebook, 'clock: real') or '') for notebook in results if not simulates(notebook))
-    if SEED is not None: print(f'{len(results)-len(real)} in simulated time, {len(real)} in real time:', '; '.join(f'{name} ({why})' for name,why in real))
     if failed: print('failed:', *failed)
     print(f'{len(results)-len(failed)} notebooks passed, {len(failed)} failed', flush=True)
 
