@@ -58,13 +58,13 @@ class Turn:
         if self.file and not self.browsers: self.file.close()
 
 
-def marked(notebook, mark):
+def mark_of(notebook, mark):
     "What stands behind a mark such as `#| clock: real` in a notebook; `None` without one"
     found = re.search(rf'"#\| {mark}\b,? ?(.*?)(?:\\n)?"', notebook.read_text(encoding='utf-8'))
     return found and found[1]
 
 
-def simulates(notebook): return SEED is not None and marked(notebook, 'clock: real') is None
+def simulates(notebook): return SEED is not None and mark_of(notebook, 'clock: real') is None
 
 
 def load():
@@ -155,7 +155,7 @@ def notebooks(path=None, **options):
     "nbdev's `nbglob`; without a path the notebooks of `tests/` too, and those of `--all` only with it"
     if path: return nbglob(path, **options)
     found = [*nbglob(path, **options), *sorted((Path(__file__).parents[1]/'tests').glob('*.ipynb'))]
-    return [notebook for notebook in found if ALL or marked(notebook, 'tests: all') is None]
+    return [notebook for notebook in found if ALL or mark_of(notebook, 'tests: all') is None]
 
 
 def report(flags, began):
@@ -165,7 +165,7 @@ def report(flags, began):
     seconds,used = time.time()-began,os.times()
     print('The longest:', '; '.join(f'{notebook.stem} {results[notebook][1]:.0f} s, {results[notebook][2]:.0f} of processor' for notebook in slow))
     print(f'{seconds/60:.1f} minutes, {(used.children_user+used.children_system)/60:.1f} of processor; the load is {os.getloadavg()[1]:.1f}')
-    real = sorted((notebook.stem, marked(notebook, 'clock: real') or '') for notebook in results if not simulates(notebook))
+    real = sorted((notebook.stem, mark_of(notebook, 'clock: real') or '') for notebook in results if not simulates(notebook))
     if SEED is not None: print(f'{len(results)-len(real)} in simulated time, {len(real)} in real time:', '; '.join(f'{name} ({why})' for name,why in real))
     for flag in ('notest', 'slow', 'hardware', *NEEDS):
         marked = [re.findall(rf'"#\| {flag}\b', notebook.read_text(encoding='utf-8')) for notebook in results]
