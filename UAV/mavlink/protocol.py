@@ -465,7 +465,7 @@ class Served:
         self._copies = Seen(remembered, self.most//self.most_alike, clock)     # latest copies, by sender and command
         self._numbers = Seen(shot_tries*remembered, self.most_senders, clock)   # shot numbers served, by sender
         self._frames = Seen(self.overtaken, self.most_frames, clock)
-        self._turns,self._latest = count(1),Seen(remembered, self.most, clock)  # latest execution, by sender and command
+        self._turns,self._latest = count(1),Seen(remembered, self.most, clock)  # latest execution of each
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #a7fbbb32
 def identity(msg)->tuple:
@@ -486,7 +486,8 @@ _rows = [_commands(row) for row in (
     'VIDEO_START_STREAMING VIDEO_STOP_STREAMING',
     'CAMERA_TRACK_POINT CAMERA_TRACK_RECTANGLE CAMERA_STOP_TRACKING',
     'RESET_CAMERA_SETTINGS SET_CAMERA_MODE SET_CAMERA_SOURCE',
-    'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_ZOOM', 'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_FOCUS',
+    'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_ZOOM',
+    'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_FOCUS',
     'DO_SET_ROI_LOCATION DO_SET_ROI_SYSID DO_SET_ROI_NONE DO_SET_ROI DO_GIMBAL_MANAGER_PITCHYAW '
     'DO_GIMBAL_MANAGER_CONFIGURE DO_MOUNT_CONTROL DO_MOUNT_CONFIGURE')]
 _contraries = {command: set().union(*(row for row in _rows if command in row)) for row in _rows for command in row}
@@ -517,7 +518,7 @@ def _store(self:Served, msg, outcome:Outcome, turn:int):
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #6c1f0e93
 @patch
 def _is_outdated(self:Served, msg, seq:int, turn:int)->bool:
-    "True if `msg` was sent after a later contrary of the command that was executed in its `turn`, last with number `seq`"
+    "True if `msg` was sent after a contrary of the command executed in `turn`, whose last copy is number `seq`"
     source,command = identity(msg)[0]
     rivals = (self._latest.find((source,c), (0,0,0.)) for c in _contraries.get(command, (command,)))
     latest,number,when = max(rivals)
