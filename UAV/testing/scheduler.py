@@ -8,18 +8,17 @@ from collections import deque
 from contextlib import contextmanager
 from pathlib import Path
 from random import Random
-import _thread, asyncio, heapq, itertools, linecache, math, os, sys
+import _thread, asyncio, heapq, itertools, linecache, math, os, sys, threading, time
 
 from fastcore.basics import patch
 from ..logging import get_logger
-from ..utils import clock
 
 # %% auto #0
 __all__ = ['log', 'Deadlock', 'World', 'here', 'Waiter', 'outside']
 
 # %% ../../nbs/api/testing/00_scheduler.ipynb #18714d32
 log = get_logger('simulated')
-_real_sleep,_real_monotonic,_get_ident,_allocate_lock = clock.sleep,clock.monotonic,_thread.get_ident,_thread.allocate_lock
+_real_sleep,_real_monotonic,_get_ident,_allocate_lock = time.sleep,time.monotonic,_thread.get_ident,_thread.allocate_lock
 
 # %% ../../nbs/api/testing/00_scheduler.ipynb #bdba0ae5
 class Deadlock(RuntimeError): "All threads of a simulation wait and nothing can wake one; the message says what each waits for"
@@ -285,8 +284,8 @@ def _keep_pace(self:World, due:float):
 
 # %% ../../nbs/api/testing/00_scheduler.ipynb #ea0492f9
 @patch
-def start(self:World, thread:clock.Thread, # One that wasn't started
-          begin=clock.Thread.start): # Starts it
+def start(self:World, thread:threading.Thread, # One that wasn't started
+          begin=threading.Thread.start): # Starts it
     "Start a thread in this world"
     me,task,run = here(),_Task(self, thread),thread.run
     def body():
@@ -332,7 +331,7 @@ def join(self:World, task:_Task, timeout:float|None=None)->bool:
 def __enter__(self:World):
     global _current
     if _current is not None: raise RuntimeError(f'time is simulated already, by {_current!r}')
-    self.main = self.tasks[_get_ident()] = _Task(self, clock.current_thread())
+    self.main = self.tasks[_get_ident()] = _Task(self, threading.current_thread())
     loop = asyncio._get_running_loop()
     self.host = asyncio.current_task() if loop else None
     _current = self
@@ -385,7 +384,7 @@ def outside():
     if me is None: return (yield)
     world = me.world
     world.outsiders += 1
-    if world.outsiders==1: world.start(clock.Thread(target=world._pace, name='pace', daemon=True))
+    if world.outsiders==1: world.start(threading.Thread(target=world._pace, name='pace', daemon=True))
     me.turn,me.outside,me.poll,me.error = me.turn+1,True,None,None
     task = world._next()
     task.gate.release()

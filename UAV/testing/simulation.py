@@ -7,11 +7,10 @@ from __future__ import annotations
 from collections import deque
 from random import Random
 from types import ModuleType, SimpleNamespace
-import _thread, asyncio, functools, logging, math, os, random, secrets, select, selectors, shutil, socket, subprocess, sys
+import _thread, asyncio, functools, logging, math, os, queue, random, secrets, select, selectors, shutil, socket, subprocess, sys, threading, time
 
 from . import scheduler
 from .scheduler import _real_monotonic, _real_sleep, here, outside, Waiter, World
-from ..utils import clock
 from ..utils import clock, general
 
 # %% auto #0
@@ -31,10 +30,10 @@ def _clock(real, begin:int, unit:int):
         return begin+task.world.now if unit==1 else int(begin*unit+task.world.now*unit)
     return read
 
-_time = _clock(clock.time, epoch, 1)
-_clocks = {clock.time: _time, clock.time_ns: _clock(clock.time_ns, epoch, 10**9),
-           clock.monotonic: _clock(clock.monotonic, _start, 1), clock.monotonic_ns: _clock(clock.monotonic_ns, _start, 10**9),
-           clock.perf_counter: _clock(clock.perf_counter, _start, 1),
+_time = _clock(time.time, epoch, 1)
+_clocks = {time.time: _time, time.time_ns: _clock(time.time_ns, epoch, 10**9),
+           time.monotonic: _clock(time.monotonic, _start, 1), time.monotonic_ns: _clock(time.monotonic_ns, _start, 10**9),
+           time.perf_counter: _clock(time.perf_counter, _start, 1),
            time.perf_counter_ns: _clock(time.perf_counter_ns, _start, 10**9)}
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #8755457a
@@ -44,8 +43,8 @@ def _of_now(real):
     def read(seconds=None): return real(_time() if seconds is None else seconds)
     return read
 
-_localtime = _of_now(clock.localtime)
-_real_strftime = clock.strftime
+_localtime = _of_now(time.localtime)
+_real_strftime = time.strftime
 
 def _strftime(form, of=None): return _real_strftime(form, _localtime() if of is None else of)
 
@@ -59,14 +58,14 @@ def _stamp(path):
     "Give a file the simulated time"
     if here() is not None: os.utime(path, (_time(),)*2)
 
-_clocks |= {clock.localtime: _localtime, clock.gmtime: _of_now(clock.gmtime), time.ctime: _of_now(time.ctime),
-            clock.strftime: _strftime, clock.sleep: _sleep, clock.stamp: _stamp}
+_clocks |= {time.localtime: _localtime, time.gmtime: _of_now(time.gmtime), time.ctime: _of_now(time.ctime),
+            time.strftime: _strftime, time.sleep: _sleep, clock.stamp: _stamp}
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #3ddb32cf
 class _Lock:
     "A lock for threads of a world and others"
     def __init__(self, lock=None): self._lock,self._waiting = lock or self._make(),deque()
-    _make = staticmethod(clock.Lock)
+    _make = staticmethod(threading.Lock)
 
     def acquire(self, blocking=True, timeout=-1):
         task = here()
@@ -130,7 +129,7 @@ class _SimpleQueue:
         while True:
             try: return self._items.popleft()
             except IndexError:
-                if not block or not self._wait(end): raise clock.Empty from None
+                if not block or not self._wait(end): raise queue.Empty from None
 
     def _wait(self, end:float)->bool:
         task = here()
@@ -148,7 +147,7 @@ class _SimpleQueue:
     def qsize(self): return len(self._items)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #17c2b8f0
-_real_condition_wait = clock.Condition.wait
+_real_condition_wait = threading.Condition.wait
 
 def _condition_wait(self, timeout=None):
     "`Condition.wait`, which is below events, semaphores, queues and futures"
@@ -164,15 +163,15 @@ def _condition_wait(self, timeout=None):
     return waiter.woken
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #459a4b89
-_real_is_set = clock.Event.is_set
+_real_is_set = threading.Event.is_set
 
 def _is_set(self):
     if task := here(): task.world.look(task)
     return _real_is_set(self)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #eaa7e7ef
-_real_start,_real_join,_real_is_alive = clock.Thread.start,clock.Thread.join,clock.Thread.is_alive
-_real_enumerate = clock.enumerate
+_real_start,_real_join,_real_is_alive = threading.Thread.start,threading.Thread.join,threading.Thread.is_alive
+_real_enumerate = threading.enumerate
 
 def _task_of(thread):
     "The task of a thread, for another thread of its world"
@@ -184,7 +183,7 @@ def _thread_start(self): _real_start(self) if here() is None else here().world.s
 def _thread_join(self, timeout=None):
     task = _task_of(self)
     if task is None: return _real_join(self, timeout)
-    if self is clock.current_thread(): raise RuntimeError('cannot join current thread')
+    if self is threading.current_thread(): raise RuntimeError('cannot join current thread')
     if task.world.join(task, timeout): _real_join(self)        # the system ends it now
 
 def _is_alive(self): return not task.done if (task := _task_of(self)) else _real_is_alive(self)
@@ -329,19 +328,19 @@ def _keep_real(swap):
         if name.startswith('av.') and vars(module).get('time') is time: swap.set(module, 'time', _real_clocks)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #e0bf5b6d
-_names = _clocks|{clock.Lock: _Lock, clock.RLock: _RLock, clock.SimpleQueue: _SimpleQueue,
-                  clock.enumerate: _enumerate, select.select: _select, os.read: _read, shutil.disk_usage: _disk_usage, **({os.fork: _fork} if _real_fork else {})}
+_names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, queue.SimpleQueue: _SimpleQueue,
+                  threading.enumerate: _enumerate, select.select: _select, os.read: _read, shutil.disk_usage: _disk_usage, **({os.fork: _fork} if _real_fork else {})}
 _kinds = [kind for kind in (getattr(selectors, f'{name}Selector', None) for name in 'Select Poll Epoll Kqueue Devpoll'.split()) if kind]
-_methods = [(clock.Condition, 'wait', _condition_wait), (clock.Event, 'is_set', _is_set),
-            (clock.Thread, 'start', _thread_start),
-            (clock.Thread, 'join', _thread_join), (clock.Thread, 'is_alive', _is_alive),
+_methods = [(threading.Condition, 'wait', _condition_wait), (threading.Event, 'is_set', _is_set),
+            (threading.Thread, 'start', _thread_start),
+            (threading.Thread, 'join', _thread_join), (threading.Thread, 'is_alive', _is_alive),
             (subprocess.Popen, '__init__', _popen), (subprocess.Popen, 'wait', _popen_wait),
             (socket.socket, 'sendall', _sendall), (socket.socket, 'send', _waiting('send', write=True)),
             *((socket.socket, name, _waiting(name)) for name in 'recv recvfrom recv_into recvfrom_into recvmsg accept'.split()
               if hasattr(socket.socket, name)),
             *((kind, 'select', _selects(kind)) for kind in _kinds)]
 
-_lock_types = type(clock.Lock()),type(clock.RLock())
+_lock_types = type(threading.Lock()),type(threading.RLock())
 
 _left_alone = __name__,'UAV.testing.scheduler'
 
