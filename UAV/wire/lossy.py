@@ -74,7 +74,8 @@ class LossyLink(Link):
             raise ValueError(f'seed is {value!r}, not a number or a text')
         super().__setattr__(name, value)
         if name=='seed':
-            for way in (self.outgoing,self.incoming): way.dice.clear()      # the new seed's, from the first frame on
+            for way in (self.outgoing,self.incoming):
+                with way.changed: way.dice.clear()      # the new seed's, from the first frame on
 
     def __getattr__(self, name):
         if name=='link': raise AttributeError(name)     # not there yet
