@@ -21,8 +21,8 @@ log = get_logger('simulated')
 _real_sleep,_real_monotonic = time.sleep,time.monotonic
 _get_ident,_allocate_lock = _thread.get_ident,_thread.allocate_lock
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #bdba0ae5
-class Deadlock(RuntimeError): "All threads of a simulation wait and nothing can wake one; the message says what each waits for"
+# %% ../../nbs/api/testing/00_scheduler.ipynb #419349db
+class Deadlock(RuntimeError): "All threads of a simulation wait, and nothing can wake one; says where each waits"
 
 class _Ended(SystemExit): "Ends the threads that are left when a simulation ends"
 
@@ -40,7 +40,7 @@ class _Task:
         self.done,self.joiners = False,[]
         self.outside = False            # true while it waits for the system itself
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #b6449042
+# %% ../../nbs/api/testing/00_scheduler.ipynb #a8d89b6b
 class World:
     "A clock and the threads that wait on it, one of which runs; the same seed gives the same order"
     switching = 1/8     # probability that a thread hands the baton on when it takes a lock
@@ -50,7 +50,8 @@ class World:
                  longest:float=86_400.): # Simulated seconds after which it raises `Deadlock`
         self.seed,self.longest,self.now = seed,longest,0.
         self.dice = Random(f'order {seed}')
-        self.tasks,self.ready,self.timed = {},[],[]     # by thread id; what could run; heap of `(due, count, task, turn)`
+        self.tasks,self.ready = {},[]       # by thread id; those that could run
+        self.timed = []                     # heap of `(due, count, task, turn)`
         self._count,self._woken = itertools.count(),deque()     # `_woken`: by threads of no world
         self.programs,self.outsiders,self._told = [],0,False    # process ids of programs that run; threads in `outside`
         self.host,self.error,self.ended = None,None,False   # `host`: the asyncio task that began it
@@ -191,11 +192,12 @@ def maybe_switch(self:World):
     self._make_ready(me)
     self._hand_on(me)
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #7c83361d
+# %% ../../nbs/api/testing/00_scheduler.ipynb #c082fd75
 _inside = str(Path(__file__).parent) if '__file__' in globals() else ''
 _library = str(Path(threading.__file__).parent)
 
-def _is_plumbing(path:str)->bool: return path.startswith((_inside, _library)) and 'site-packages' not in path[len(_library):]
+def _is_plumbing(path:str)->bool:
+    return path.startswith((_inside, _library)) and 'site-packages' not in path[len(_library):]
 
 def _place(frame)->str:
     "Where the innermost frame that isn't the scheduler's or the standard library's stands"
