@@ -58,6 +58,36 @@ def _standing_tag(bearing, distance, size):
     def at(right, up): return distance*c - right*s, distance*s + right*c, -up
     return [at(-size/2, size*1.2), at(size/2, size*1.2), at(size/2, size*.2), at(-size/2, size*.2)]
 
+# %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5531
+class _Stills:
+    "Copies of the pictures that were asked for twice; the longest unused is dropped first"
+    def __init__(self, most:int=32, # Keys, with or without a picture
+                 most_bytes:int=64_000_000): # Of all pictures together; two of 4K
+        self.most,self.most_bytes,self._pictures,self._lock = most,most_bytes,{},clock.Lock()
+
+    nbytes = property(lambda self: sum(p.nbytes for p in self._pictures.values() if p is not None),
+        doc="Size of all pictures together")
+
+    def _put(self, key, picture):
+        "Make this the last one used; `None`: asked for once"
+        self._pictures.pop(key, None)
+        self._pictures[key] = picture
+        while len(self._pictures) > self.most or self.nbytes > self.most_bytes:
+            del self._pictures[next(iter(self._pictures))]
+
+    def get(self, key, # All that the picture depends on
+            draw): # Returns a new picture; it is called without the lock, so threads draw at the same time
+        "Return the picture of `key`; it is the caller's own, to draw into"
+        with self._lock:
+            asked_before,kept = key in self._pictures,self._pictures.get(key)
+            self._put(key, kept)
+        if kept is not None: return kept.copy()
+        picture = draw()
+        if asked_before and picture.nbytes <= self.most_bytes:
+            copy = picture.copy()
+            with self._lock: self._put(key, copy)
+        return picture
+
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #7e80d3fa
 class SimWorld:
     "Flat ground with AprilTags at known places, a sky, and a car"
@@ -67,7 +97,15 @@ class SimWorld:
     boards = range(12)      # numbers of the tags that stand
 
     def __init__(self, seed:int=0): # The same seed gives the same world
-        self.seed,self._textures,self._lock = seed,{},clock.Lock()
+        self.seed,self._textures,self._lock,self._stills = seed,{},clock.Lock(),_Stills()
+
+    def __setattr__(self, name, value):
+        super().__setattr__(name, value)
+        vars(self)['_as_set'] = object()        # another sky or ground: none of the kept pictures is right now
+
+    def __delattr__(self, name):
+        super().__delattr__(name)
+        vars(self)['_as_set'] = object()
 
     def __repr__(self): return f'SimWorld(seed={self.seed}), {len(self.tags)} tags'
 
@@ -246,18 +284,30 @@ def _draw_car(self:SimWorld, image, view, t):
         sixteenths = np.round(pixels*16).astype(np.int32)         # `shift=4`: four bits after the point
         cv2.fillConvexPoly(image, sixteenths, (30,40,shade), cv2.LINE_AA, shift=4)
 
+# %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5533
+@patch
+def _still(self:SimWorld, view, numbers):
+    "A picture of the ground and of the tags of `numbers`, to draw into"
+    self.tile.flags.writeable = self.far_tile.flags.writeable = False
+    seen_from = type(view), *(np.asarray(value).tobytes() for value in vars(view).values())
+    key = self._as_set, seen_from, tuple((n, self.tags[n].tobytes()) for n in numbers)
+    def draw():
+        image = self.background(view)
+        for n in numbers: self._draw_tag(image, view, n, self.tags[n])
+        return image
+    return self._stills.get(key, draw)
+
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #62629ae5
 @patch
 def render(self:SimWorld, view:View, # From where
            t:float=0.): # s, for what moves
     "The picture of the world: BGR, height x width x 3, uint8"
-    image,visible,(north,east,_) = self.background(view),self.visible_tags(view),self.car(t)
+    visible,(north,east,_) = self.visible_tags(view),self.car(t)
     def distance(place): return np.linalg.norm(view.position-place)
-    def draw(numbers):
-        for n in numbers: self._draw_tag(image, view, n, self.tags[n])
     boards = [n for n in visible if n in self.boards]
     behind = [n for n in boards if distance(self.tags[n].mean(0)) >= distance((north,east,0))]
-    draw([n for n in visible if n not in self.boards] + behind)     # all that lies on the ground comes first
+    image = self._still(view, [n for n in visible if n not in self.boards] + behind)    # what lies comes first
     self._draw_car(image, view, t)
-    draw(n for n in boards if n not in behind)
+    for n in boards:
+        if n not in behind: self._draw_tag(image, view, n, self.tags[n])
     return image

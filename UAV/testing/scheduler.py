@@ -204,14 +204,19 @@ def _place(frame)->str:
     code,line = top.f_code,linecache.getline(top.f_code.co_filename, top.f_lineno).strip()
     return f'in {code.co_name}, {Path(code.co_filename).name}:{top.f_lineno}'+(f': {line}' if line else '')
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #5d84be94
+# %% ../../nbs/api/testing/00_scheduler.ipynb #5ae3b902
 def _coroutines(frame):
     "The tasks of the event loop that runs in a thread, with the places where they wait"
     while frame and frame.f_code.co_name!='run_forever': frame = frame.f_back
     loop = frame and frame.f_locals.get('self')
     if not isinstance(loop, asyncio.AbstractEventLoop): return
     for task in asyncio.all_tasks(loop):
-        if stack := task.get_stack(): yield f'{task.get_name()}, {_place(stack[-1])}'
+        waiting,frames = task.get_coro(),[]
+        while (frame := getattr(waiting, 'cr_frame', None)) is not None:
+            frames.append(frame)
+            waiting = waiting.cr_await
+        ours = [frame for frame in frames if not _is_plumbing(frame.f_code.co_filename)]
+        if frames: yield f'{task.get_name()}, {_place((ours or frames)[-1])}'
 
 @patch
 def report(self:World)->str:
