@@ -32,6 +32,7 @@ class _Task:
         self.world,self.thread,self.gate = world,thread,_allocate_lock()
         self.gate.acquire()             # it stands here while another one has the baton
         self.turn,self.spins = 0,0      # its waits so far; how many of the latest took no time
+        self.imports = 0                # under way; they draw no dice, or a run would differ once all is loaded
         self.looks = 0                  # at clocks, locks and events since it has waited
         self.waiting,self.late = False,False
         self.poll,self.found = None,None    # looks for what it waits for outside of the world; what that found
@@ -105,7 +106,7 @@ def _spin(self:World, me:_Task):
 def look(self:World, me:_Task):
     "A thread looks at something that others change"
     me.looks += 1
-    if me.looks%1000 or self.ended: return
+    if me.looks%(100_000 if me.imports else 1000) or self.ended: return
     self.now += 1e-3
     self.sleep(0)
 
@@ -184,7 +185,7 @@ def maybe_switch(self:World):
     "Let another thread run first, if one could, as the dice decide"
     me = self.tasks[_get_ident()]
     self.look(me)
-    if not self.ready or self.ended or self.dice.random()>=self.switching: return
+    if not self.ready or me.imports or self.ended or self.dice.random()>=self.switching: return
     me.turn += 1
     me.waiting,me.poll = True,None
     self._make_ready(me)

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections import deque
 from random import Random
 from types import ModuleType, SimpleNamespace
-import _thread, asyncio, functools, logging, math, os, queue, random, secrets, select, selectors, shutil, socket, subprocess, sys, threading, time
+import _thread, asyncio, functools, importlib, logging, math, os, queue, random, secrets, select, selectors, shutil, socket, subprocess, sys, threading, time
 
 from . import scheduler
 from .scheduler import _real_monotonic, _real_sleep, here, outside, Waiter, World
@@ -189,6 +189,26 @@ def _thread_join(self, timeout=None):
 def _is_alive(self): return not task.done if (task := _task_of(self)) else _real_is_alive(self)
 def _enumerate(): return [t for t in _real_enumerate() if not ((task := _task_of(t)) and task.done)]
 
+# %% ../../nbs/api/testing/00_simulation.ipynb #c10cf005
+_real_in_executor = asyncio.BaseEventLoop.run_in_executor
+
+def _run_in_executor(self, executor, f, *args):
+    "`asyncio.to_thread` of a loop that is older than the world must start threads of the world"
+    if executor is None and (task := here()) and self not in task.world.executors:
+        task.world.executors[self],self._default_executor = self._default_executor,None
+    return _real_in_executor(self, executor, f, *args)
+
+# %% ../../nbs/api/testing/00_simulation.ipynb #c10cf022
+_real_find_and_load = importlib._bootstrap._find_and_load
+
+def _find_and_load(name, import_):
+    "The first import of a module"
+    task = here()
+    if task is None: return _real_find_and_load(name, import_)
+    task.imports,looks = task.imports+1,task.looks
+    try: return _real_find_and_load(name, import_)
+    finally: task.imports,task.looks = task.imports-1,looks
+
 # %% ../../nbs/api/testing/00_simulation.ipynb #675f0210
 _real_select,_dont_wait = select.select,getattr(socket, 'MSG_DONTWAIT', 0)
 
@@ -332,7 +352,8 @@ _names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, queue.SimpleQu
                   threading.enumerate: _enumerate, select.select: _select, os.read: _read, shutil.disk_usage: _disk_usage, **({os.fork: _fork} if _real_fork else {})}
 _kinds = [kind for kind in (getattr(selectors, f'{name}Selector', None) for name in 'Select Poll Epoll Kqueue Devpoll'.split()) if kind]
 _methods = [(threading.Condition, 'wait', _condition_wait), (threading.Event, 'is_set', _is_set),
-            (threading.Thread, 'start', _thread_start),
+            (threading.Thread, 'start', _thread_start), (importlib._bootstrap, '_find_and_load', _find_and_load),
+            (asyncio.BaseEventLoop, 'run_in_executor', _run_in_executor),
             (threading.Thread, 'join', _thread_join), (threading.Thread, 'is_alive', _is_alive),
             (subprocess.Popen, '__init__', _popen), (subprocess.Popen, 'wait', _popen_wait),
             (socket.socket, 'sendall', _sendall), (socket.socket, 'send', _waiting('send', write=True)),
@@ -342,7 +363,7 @@ _methods = [(threading.Condition, 'wait', _condition_wait), (threading.Event, 'i
 
 _lock_types = type(threading.Lock()),type(threading.RLock())
 
-_left_alone = __name__,'UAV.testing.scheduler'
+_left_alone = __name__,'UAV.testing.scheduler','_pytest.timing'     # pytest's own durations are real
 
 def _namespaces():
     "The modules, with the classes of ours, as `(object, its names)`"
@@ -400,6 +421,7 @@ class simulated:
         loop = asyncio._get_running_loop()
         if loop and not hasattr(loop, '_selector'): raise RuntimeError(f"{loop!r} doesn't wait in Python: use asyncio's own event loop")
         self.world.__enter__()
+        self.world.executors = {}
         self._loop,self._state = loop,random.getstate()
         timers = general.Timers.__new__(general.Timers)
         self._swap = _Swap(_names|_media()|_seeded(self.world.seed)|{general.timers: timers})
@@ -408,9 +430,7 @@ class simulated:
         for owner,name,f in _methods: self._swap.set(owner, name, f)
         self._swap.set(clock, 'boot', _start)
         random.seed(f'random {self.world.seed}')
-        if loop:
-            self._shift(_start-_real_monotonic())
-            self._executor,loop._default_executor = loop._default_executor,None
+        if loop: self._shift(_start-_real_monotonic())
         return self.world
 
     def _shift(self, seconds:float):
@@ -418,10 +438,10 @@ class simulated:
         for handle in self._loop._scheduled: handle._when += seconds
 
     def __exit__(self, *error):
-        if self._loop:
-            self._shift(_real_monotonic()-_start-self.world.now)
-            if self._loop._default_executor: self._loop._default_executor.shutdown(wait=False)
-            self._loop._default_executor = self._executor
+        if self._loop: self._shift(_real_monotonic()-_start-self.world.now)
+        for loop,executor in self.world.executors.items():
+            if loop._default_executor: loop._default_executor.shutdown(wait=False)
+            loop._default_executor = executor
         try: self.world.__exit__(*error)
         finally:
             self._swap.undo()
