@@ -41,11 +41,12 @@ class _Task:
         self.done,self.joiners = False,[]
         self.outside = False            # true while it waits for the system itself
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #0bf68f34
+# %% ../../nbs/api/testing/00_scheduler.ipynb #f2463e1d
 class World:
     "A clock and the threads that wait on it, one of which runs; the same seed gives the same order"
     switching = 1/8     # probability that a thread hands the baton on when it takes a lock
     step = 1e-6         # s that a change of threads takes, so that no round trip takes none
+    busy_step = 1e-4    # s, after a thousand changes without a wait: threads that only ask each other move time, too
 
     def __init__(self, seed:int|str=0, # Of the order in which threads run
                  longest:float=86_400.): # Simulated seconds after which it raises `Deadlock`
@@ -56,6 +57,7 @@ class World:
         self._count,self._woken = itertools.count(),deque()     # `_woken`: by threads of no world
         self.programs,self.outsiders,self._told = [],0,False    # process ids of programs that run; threads in `outside`
         self.host,self.error,self.ended = None,None,False   # `host`: the asyncio task that began it
+        self.changes = 0                # of threads since time has jumped
         self.executors = {}             # of event loops that are older than the world
 
     def __repr__(self): return f'World(seed={self.seed!r}): {len(self.tasks)} threads, {self.now:.6g} s'
@@ -152,7 +154,7 @@ def _look(self:World):
 @patch
 def _is_stale(self:World, entry:tuple)->bool: return not entry[2].waiting or entry[2].turn!=entry[3]
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #254a4885
+# %% ../../nbs/api/testing/00_scheduler.ipynb #760fcc71
 @patch
 def _next(self:World)->_Task:
     "The task to run; raises `Deadlock`"
@@ -164,16 +166,17 @@ def _next(self:World)->_Task:
         if self._program_runs(): self._keep_pace(due)
         elif due==math.inf: self._wait_for_others()
         elif due>self.longest: raise Deadlock(f'it goes on after {self.longest:g} simulated seconds:\n{self.report()}')
-        else: self.now = due+1e-9       # no timer rings early, whatever floats round to
+        else: self.now,self.changes = due+1e-9,0       # no timer rings early, whatever floats round to
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #752b8470
+# %% ../../nbs/api/testing/00_scheduler.ipynb #aa526104
 @patch
 def _hand_on(self:World, me:_Task):
     "Let the next task run, and stand at the gate until it's our turn"
     try: task = self._next()
     except Exception as e: task = self._fail(e)
     if task is me: return
-    self.now += self.step
+    self.changes += 1
+    self.now += self.step if self.changes<1000 else self.busy_step
     task.gate.release()
     if me.done: return
     try: me.gate.acquire()
