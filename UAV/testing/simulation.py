@@ -8,7 +8,7 @@ from collections import deque
 from contextlib import suppress
 from random import Random
 from types import ModuleType, SimpleNamespace
-import _thread, asyncio, functools, logging, math, os, queue, random, secrets, select, selectors, shutil, socket
+import _thread, asyncio, functools, io, logging, math, os, queue, random, secrets, select, selectors, shutil, socket
 import subprocess, sys, threading, time
 
 from . import scheduler
@@ -330,9 +330,28 @@ def _fork():
     if pid and (task := here()): task.world.programs.append(pid)
     return pid
 
+class _Pipe(io.FileIO):
+    "What a program says; other threads go on while one reads"
+    def readinto(self, into):
+        if (task := here()) and not (ready := _looks(self.fileno(), False))(): task.world.wait(poll=ready)
+        return super().readinto(into)
+    read,readall = io.RawIOBase.read,io.RawIOBase.readall       # by `readinto`
+
+def _piped(pipe):
+    "A `_Pipe` in place of one of `Popen`'s pipes"
+    if pipe is None or not hasattr(select, 'poll'): return pipe
+    raw = _Pipe(os.dup(pipe.fileno()))
+    pipe.close()
+    if isinstance(pipe, io.RawIOBase): return raw
+    buffered = io.BufferedReader(raw)
+    if not isinstance(pipe, io.TextIOBase): return buffered
+    return io.TextIOWrapper(buffered, encoding=pipe.encoding, errors=pipe.errors)
+
 def _popen(self, *args, **kwargs):
     _real_popen(self, *args, **kwargs)
-    if task := here(): task.world.programs.append(self.pid)
+    if not (task := here()): return
+    task.world.programs.append(self.pid)
+    self.stdout,self.stderr = _piped(self.stdout),_piped(self.stderr)
 
 def _popen_wait(self, timeout=None):
     "`Popen.wait`, while other threads go on"
