@@ -9,7 +9,7 @@ from contextlib import suppress
 from random import Random
 from types import ModuleType, SimpleNamespace
 import _thread, asyncio, functools, io, logging, math, os, queue, random, secrets, select, selectors, shutil, socket
-import subprocess, sys, threading, time
+import stat, subprocess, sys, threading, time
 
 from . import scheduler
 from .scheduler import _real_monotonic, _real_sleep, here, outside, Waiter, World
@@ -380,7 +380,13 @@ def _each(items):
         if item is None: return
         yield item
 
-def _is_remote(source)->bool: return isinstance(source, str) and ('://' in source or source.endswith('.sdp'))
+def _is_remote(source)->bool:
+    "True for what FFmpeg and OpenCV wait for: an address, a pipe, a device or its number"
+    if not isinstance(source, str): return isinstance(source, int)
+    if '://' in source or source.endswith('.sdp'): return True
+    try: mode = os.stat(source).st_mode
+    except OSError: return False
+    return stat.S_ISFIFO(mode) or stat.S_ISCHR(mode)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #1002d86b
 def _media()->dict:
