@@ -243,7 +243,9 @@ def _thread_join(self, timeout=None):
     if task.world.join(task, timeout): _real_join(self)        # the system ends it now
 
 def _is_alive(self): return not task.done if (task := _task_of(self)) else _real_is_alive(self)
-def _enumerate(): return [t for t in _real_enumerate() if not ((task := _task_of(t)) and task.done)]
+def _enumerate():
+    pacer = here() and here().world.pacer           # ours, and nobody else's
+    return [t for t in _real_enumerate() if t is not pacer and not ((task := _task_of(t)) and task.done)]
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #bc39c24c
 _real_in_executor = asyncio.BaseEventLoop.run_in_executor
