@@ -55,6 +55,7 @@ class World:
         self.tasks,self.ready = {},[]       # by thread id; those that could run
         self.timed = []                     # heap of `(due, count, task, turn)`
         self._count,self._woken = itertools.count(),deque()     # `_woken`: by threads of no world
+        self.pacer = None                   # the thread that has the baton while all others are outside
         self.programs,self.outsiders,self._told = [],0,False    # process ids of programs that run; threads in `outside`
         self.host,self.error,self.ended = None,None,False   # `host`: the asyncio task that began it
         self.changes = 0                # of threads since time has jumped
@@ -384,6 +385,7 @@ def _leave(self:World, me:_Task)->bool:
 def _pace(self:World):
     "Keep the baton while threads are outside and all others wait"
     while self.outsiders: self.sleep(.002)
+    self.pacer = None
 
 @contextmanager
 def outside():
@@ -392,7 +394,9 @@ def outside():
     if me is None: return (yield)
     world = me.world
     world.outsiders += 1
-    if world.outsiders==1: world.start(threading.Thread(target=world._pace, name='pace', daemon=True))
+    if world.pacer is None:
+        world.pacer = threading.Thread(target=world._pace, name='pace', daemon=True)
+        world.start(world.pacer)
     me.turn,me.outside,me.poll,me.error = me.turn+1,True,None,None
     task = world._next()
     task.gate.release()
