@@ -329,7 +329,7 @@ _real_read = os.read
 
 def _read(fd, n):
     "`os.read`, of a pipe or a serial port too"
-    if (task := here()) and not (ready := _looks(fd, False))(): task.world.wait(poll=ready)
+    if (task := here()) and os.get_blocking(fd) and not (ready := _looks(fd, False))(): task.world.wait(poll=ready)
     return _real_read(fd, n)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #a7b13b18
