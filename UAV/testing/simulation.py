@@ -8,7 +8,7 @@ from collections import deque
 from contextlib import suppress
 from random import Random
 from types import ModuleType, SimpleNamespace
-import _thread, asyncio, functools, importlib, logging, math, os, queue, random, secrets, select, selectors
+import _thread, asyncio, functools, importlib, io, logging, math, os, queue, random, secrets, select, selectors
 import shutil, socket, subprocess, sys, threading, time
 
 from . import scheduler
@@ -340,6 +340,28 @@ def _disk_usage(path):
     real,gib = _real_disk_usage(path),2**30
     return real if here() is None else type(real)(64*gib, 16*gib, 48*gib)
 
+# %% ../../nbs/api/testing/00_simulation.ipynb #9be1d0c4
+class _Pipe(io.RawIOBase):
+    "What a program writes: other threads go on until something has come"
+    def __init__(self, inside): self._inside,self._ready = inside,_looks(inside.fileno(), False)
+    def readable(self): return True
+    def fileno(self): return self._inside.fileno()
+
+    def readinto(self, into):
+        if (task := here()) and not self._ready(): task.world.wait(poll=self._ready)
+        return self._inside.readinto(into)
+
+    def close(self):
+        self._inside.close()
+        super().close()
+
+def _piped(file):
+    "One of `Popen.stdout` and `Popen.stderr`, read through a `_Pipe`"
+    if isinstance(file, io.TextIOWrapper):
+        how = dict(encoding=file.encoding, errors=file.errors)
+        return io.TextIOWrapper(_piped(file.detach()), **how)
+    return io.BufferedReader(_Pipe(file.detach())) if isinstance(file, io.BufferedReader) else _Pipe(file)
+
 # %% ../../nbs/api/testing/00_simulation.ipynb #67aac676
 _real_fork,_real_popen,_real_popen_wait = getattr(os, 'fork', None),subprocess.Popen.__init__,subprocess.Popen.wait
 
@@ -350,7 +372,9 @@ def _fork():
 
 def _popen(self, *args, **kwargs):
     _real_popen(self, *args, **kwargs)
-    if task := here(): task.world.programs.append(self.pid)
+    if not (task := here()): return
+    task.world.programs.append(self.pid)
+    if hasattr(select, 'poll'): self.stdout,self.stderr = (file and _piped(file) for file in (self.stdout,self.stderr))
 
 def _popen_wait(self, timeout=None):
     "`Popen.wait`, while other threads go on"
