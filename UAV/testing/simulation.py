@@ -331,7 +331,7 @@ _real_read = os.read
 
 def _read(fd, n):
     "`os.read`, of a pipe or a serial port too"
-    if (task := here()) and not (ready := _looks(fd, False))(): task.world.wait(poll=ready)
+    if (task := here()) and os.get_blocking(fd) and not (ready := _looks(fd, False))(): task.world.wait(poll=ready)
     return _real_read(fd, n)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #a7b13b18
@@ -431,7 +431,7 @@ def _keep_real(swap):
         if name.startswith('av.') and vars(module).get('time') is time: swap.set(module, 'time', _real_clocks)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #899a155c
-_names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, queue.SimpleQueue: _SimpleQueue,
+_names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, _thread.RLock: _RLock, queue.SimpleQueue: _SimpleQueue,
                   threading.enumerate: _enumerate, select.select: _select, os.read: _read,
                   shutil.disk_usage: _disk_usage, **({os.fork: _fork} if _real_fork else {})}
 _kinds = [getattr(selectors, f'{name}Selector') for name in 'Select Poll Epoll Kqueue Devpoll'.split()
