@@ -420,7 +420,7 @@ def check_fetched(self:Flight, picture): # As `take_picture` returns it
     path = next(self.folder.rglob(name), None)
     if path and path.read_bytes()!=picture.data: self.fail(f'{name} was fetched with other bytes')
 
-# %% seeds.ipynb #649f0f13
+# %% seeds.ipynb #b152e833
 class _Errors(logging.Handler):
     "Errors that are logged, and those that end a thread, are failures"
     def __init__(self, flight):
@@ -441,7 +441,7 @@ class _Errors(logging.Handler):
 
 def _first_line(record)->str:
     text,error = record.getMessage().split('\n')[0],record.exc_info and record.exc_info[1]
-    return f'{text} ({type(error).__name__}: {error})' if error else text
+    return f"{text} ({type(error).__name__}: {str(error).partition(chr(10))[0]})" if error else text
 
 # %% seeds.ipynb #4db79ec6
 def run(name:str, # One of `scenarios`
