@@ -137,6 +137,7 @@ def _write_files(files:dict):
         for path,part in parts.items():
             os.replace(part, path)
             done.append(path)
+        for path in (*done, *{path.parent for path in done}): clock.stamp(path)      # `_FileSizes` reads the folder's
     except BaseException:
         for path in (*parts.values(), *done): path.unlink(missing_ok=True)
         raise

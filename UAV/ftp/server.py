@@ -58,7 +58,9 @@ class FtpSessions:
         session = self.open.pop(key, None)
         if session is None: return
         self._ended.note(key)
-        try: session.file.close()
+        try:
+            if session.writes: clock.stamp(session.file.fileno())
+            session.file.close()
         except OSError as e: self.log.info('closing a file: %s', e)
 
     def end_all(self, peer:tuple|None=None):

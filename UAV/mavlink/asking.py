@@ -16,12 +16,13 @@ from ..utils.general import Seen
 from ..wire.dialect import address, enum_name
 
 # %% auto #0
-__all__ = ['first_rto', 'least_rto', 'longest_back_off', 'late', 'latest', 'longest_late', 'in_progress_timeout', 'longest_work',
-           'noise', 'longest_stray', 'fence_tries', 'busy', 'RoundTrip', 'Remote', 'Remotes', 'Commands']
+__all__ = ['first_rto', 'least_rto', 'busy', 'longest_back_off', 'late', 'latest', 'longest_late', 'in_progress_timeout',
+           'longest_work', 'noise', 'longest_stray', 'fence_tries', 'RoundTrip', 'Remote', 'Remotes', 'Commands']
 
 # %% ../../nbs/api/mavlink/01_asking.ipynb #c9706371
 first_rto = .5 # s: timeout for a component that has not answered yet
 least_rto = .2 # s: shortest timeout, even if round trips are shorter
+busy = .02 # s that a busy computer adds to a round trip: no ack is dropped for that
 longest_back_off = 1.5 # s: timeouts double from copy to copy, up to this, or to the measured timeout if longer
 
 # %% ../../nbs/api/mavlink/01_asking.ipynb #cfabb8f8
@@ -36,6 +37,11 @@ class RoundTrip:
     def deaf(self)->bool:
         "True if it was asked three times or more and has never answered"
         return self.asked>=3 and not self.answers
+
+    @property
+    def usual(self)->float:
+        "Seconds within which an answer comes, by all round trips so far"
+        return (self.rto if self.largest is None else min(self.rto, 1.25*self.largest))+busy
 
     def __repr__(self):
         if self.srtt is None: return 'RoundTrip: not measured'
@@ -290,6 +296,7 @@ def offer(self:Commands, ack, # A COMMAND_ACK for us
         elif self._is_early(line, command, now):
             command.held = ack,now
             if not line.fence: self._ask_fence(line)
+            if not line.round_trip.answers: self._hold(line, command)
         else:
             if command.copies==1 and not command.in_progress: self._sample(line, source, now-command.first)
             self._end(line, ack, clean=command.copies==1 and command.held is None)
@@ -303,6 +310,23 @@ def _is_early(self:Commands, line:_Line, command:Command, now:float)->bool:
     "True if an ack at `now` comes sooner than this link allows"
     least = line.round_trip.least
     return least is not None and not command.in_progress and now-command.first<.8*least-noise
+
+# %% ../../nbs/api/mavlink/01_asking.ipynb #5e02b7a1
+@patch
+def _hold(self:Commands, line:_Line, command:Command):
+    "Look at the held ack again when its command's own one would have come: no fence may ever tell"
+    line.fence.due = min(line.fence.due, command.first+line.round_trip.usual)
+    self._alarm(line.fence.due)
+
+@patch
+def _take_held(self:Commands, line:_Line, now:float)->bool:
+    "End the command on the wire with its held ack, unless a fence may tell, or another ack may still come"
+    command,trip = line.on_wire,line.round_trip
+    if not command or not command.held or trip.answers or now<command.first+trip.usual: return False
+    ack,came = command.held
+    self._sample(line, address(ack), came-command.first)
+    self._end(line, ack, clean=command.copies==1)
+    return True
 
 # %% ../../nbs/api/mavlink/01_asking.ipynb #7aecef8b
 longest_stray = 5. # s: an ack that is late by more than this, or twice the largest round trip, is lost
@@ -338,10 +362,7 @@ def _due(line:_Line)->float:
 def _overdue(self:Commands, line:_Line, command:Command, now:float):
     "Retransmit `command`, or give it up"
     again = now<command.deadline if command.retries is None else command.copies<=command.retries
-    if command.held and line.round_trip.deaf:           # no other ack came in time, and no fence helps: this was it
-        ack,came = command.held
-        self._sample(line, address(ack), came-command.first)
-        return self._end(line, ack, clean=False)
+    if self._take_held(line, now): return
     if again and (command.in_progress or not command.dropped): return self._copy(line, command)
     self._end(line, None, clean=line.key[1:] not in self.remotes)       # one never seen sends no late acks
 
@@ -390,7 +411,7 @@ def _ask_fence(self:Commands, line:_Line):
     target,now = line.key[1:],self.clock()
     over = len(fence.asked)>=fence_tries and (not line.round_trip.answers or now>=line.last+remembered)
     fence.passing = over or line.is_broadcast
-    fence.due = line.hard if fence.passing else now+line.round_trip.wait(len(fence.asked)+1)
+    fence.due = max(line.hard, now) if fence.passing else now+line.round_trip.wait(len(fence.asked)+1)
     self._alarm(fence.due)
     if fence.passing: return
     self._number = max(self._number+1, int(now*1e6))
@@ -425,12 +446,9 @@ def answered(self:Commands, number:int, # Argument of `ask`
 @patch
 def _fence_due(self:Commands, line:_Line, now:float):
     "Repeat the fence or let the line pass, if it is due"
-    if now<line.fence.due: return
+    if now<line.fence.due or self._take_held(line, now): return
     if not line.fence.passing: return self._ask_fence(line)
     self._drop_fence(line)
     if line.on_wire: return             # it was for an ack that came too early
     line.dirty = False
     self._advance(line)
-
-# %% ../../nbs/api/mavlink/01_asking.ipynb #e9a39b0f
-busy = .02 # s that a busy computer adds to a round trip: no ack is dropped for that

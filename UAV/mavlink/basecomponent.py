@@ -329,7 +329,8 @@ def deliver(self:BaseComponent, msg):
     "Dispatch a received message; called by the link's reader"
     msg_id = msg.get_msgId()
     is_command = msg_id in _commands
-    if self._closed or (is_command or msg_id==_ack) and self.served.doubled(msg): return
+    if self._closed: return
+    if (is_command or msg_id==_ack) and self.served.doubled(msg): return is_command and self._answer_again(msg)
     self.count_message(msg)
     shown = self.log.isEnabledFor(LogLevels.DEBUG) and (is_command or msg_id==_ack)
     if shown and is_command: self._log_arrival(msg)
@@ -495,6 +496,7 @@ def send_ack(self:BaseComponent, msg, # The command
     "Send a COMMAND_ACK to the sender of a command"
     self.num_acks_sent += 1
     to = address(msg)
+    if ack_result!=mavlink.MAV_RESULT_IN_PROGRESS: self.served.answered(msg, Outcome(ack_result, value))
     if self.log.isEnabledFor(LogLevels.DEBUG):
         self._log_ack('→', to, msg.command, ack_result, getattr(msg, 'came_at', None))
     self.sender.send_now(mavlink.MAVLink_command_ack_message(msg.command, ack_result, progress, value, *to))
@@ -511,6 +513,11 @@ def _acknowledge(self:BaseComponent, msg, outcome:Outcome):
     if outcome.result==mavlink.MAV_RESULT_UNSUPPORTED and not self._is_for_us(msg): return
     self.send_ack(msg, outcome.result, value=outcome.value)
 
+@patch
+def _answer_again(self:BaseComponent, msg):
+    "Send the ack of a frame again that its sender repeats"
+    if (before := self.served.find_frame(msg)) is not None: self.send_ack(msg, before.result, value=before.value)
+
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #fbbe575c
 @patch
 def _answer_command(self:BaseComponent, handler, msg):
@@ -522,6 +529,7 @@ def _answer_command(self:BaseComponent, handler, msg):
         try: outcome = Outcome(Cancelled.result) if taken_back else self._run_command(handler, msg)
         finally: slow and timers.cancel(saying)
         if handler.options['once']: self.served.note(msg, outcome)
+        else: self.served.executed(msg)
         self._under_way.pop(msg.command, None)       # before the ack: the next one may follow it within a millisecond
         self._acknowledge(msg, outcome)
 

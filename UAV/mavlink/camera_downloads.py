@@ -325,6 +325,7 @@ async def _to_disk(self:RemoteFiles, path:str, to:Path, progress)->Path:
             raise
         if os.name=='nt': sink.close()      # there an open file keeps its name
         os.replace(part, to)                # while it is locked
+        clock.stamp(to)
     return to
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #70c34994

@@ -5,6 +5,7 @@
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #2e61d788
 from __future__ import annotations
 from collections import deque
+from itertools import count
 from numbers import Real
 from types import SimpleNamespace as ns
 from typing import NamedTuple
@@ -455,6 +456,7 @@ class Outcome(NamedTuple):
 class Served:
     "Recent answers to each sender"
     echo,overtaken = .3,1.5     # seconds in which an equal frame is a duplicate, by the same link; by another link
+    network = .05               # seconds in which it is the network that duplicates; later it's the sender
     most,most_senders = 1024,64 # commands, and shot numbers of a sender, that are stored; senders with shot numbers
     most_frames = 64            # far fewer than 256, after which sequence numbers wrap
     most_alike = 8              # commands of one sender with the same id and other parameters
@@ -464,6 +466,7 @@ class Served:
         self._copies = Seen(remembered, self.most//self.most_alike, clock)     # latest copies, by sender and command
         self._numbers = Seen(shot_tries*remembered, self.most_senders, clock)   # shot numbers served, by sender
         self._frames = Seen(self.overtaken, self.most_frames, clock)
+        self._turns,self._latest = count(1),Seen(remembered, self.most, clock)  # latest execution of each
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #a7fbbb32
 def identity(msg)->tuple:
@@ -472,30 +475,71 @@ def identity(msg)->tuple:
     if known is None: known = msg.identity = (address(msg),msg.command),tuple(parameters(msg))
     return known
 
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #6c1f0e91
+def _commands(names:str)->set: return {getattr(mavlink, f'MAV_CMD_{name}') for name in names.split()}
+
+_rows = [_commands(row) for row in (
+    'VIDEO_START_CAPTURE VIDEO_STOP_CAPTURE',
+    'IMAGE_START_CAPTURE IMAGE_STOP_CAPTURE',
+    'STORAGE_FORMAT IMAGE_START_CAPTURE', 'STORAGE_FORMAT DO_DIGICAM_CONTROL', 'STORAGE_FORMAT VIDEO_START_CAPTURE',
+    'STORAGE_FORMAT SET_STORAGE_USAGE',
+    'DO_SET_CAM_TRIGG_DIST DO_SET_CAM_TRIGG_INTERVAL DO_TRIGGER_CONTROL',
+    'VIDEO_START_STREAMING VIDEO_STOP_STREAMING',
+    'CAMERA_TRACK_POINT CAMERA_TRACK_RECTANGLE CAMERA_STOP_TRACKING',
+    'RESET_CAMERA_SETTINGS SET_CAMERA_MODE SET_CAMERA_SOURCE',
+    'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_ZOOM',
+    'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_FOCUS',
+    'DO_SET_ROI_LOCATION DO_SET_ROI_SYSID DO_SET_ROI_NONE DO_SET_ROI DO_GIMBAL_MANAGER_PITCHYAW '
+    'DO_GIMBAL_MANAGER_CONFIGURE DO_MOUNT_CONTROL DO_MOUNT_CONFIGURE')]
+_contraries = {command: set().union(*(row for row in _rows if command in row)) for row in _rows for command in row}
+
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #b528c611
 @patch
 def note(self:Served, msg, outcome:Outcome):
-    "Store the answer to the command `msg`; only the latest few of its kind are kept"
+    "Store the answer to the executed command `msg`; only the latest few of its kind are kept"
+    self._store(msg, outcome, self.executed(msg))
+
+@patch
+def executed(self:Served, msg)->int:
+    "Store that the command `msg` was executed, which outdates the answers to its contraries; returns its turn"
+    kind,values = identity(msg)
+    turn = next(self._turns)
+    self._latest.note(kind, (turn,msg.get_seq(),self.clock()))
+    return turn
+
+@patch
+def _store(self:Served, msg, outcome:Outcome, turn:int):
     kind,values = identity(msg)
     alike = self._copies.find(kind)
     if alike is None: alike = Seen(remembered, self.most_alike, self.clock)
     confirmation = getattr(msg,'confirmation',0)        # a COMMAND_INT has none
-    alike.note(values, (outcome,confirmation,msg.get_seq(),self.clock()))
+    alike.note(values, (outcome,confirmation,msg.get_seq(),self.clock(),turn))
     self._copies.note(kind, alike)
+
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #6c1f0e93
+@patch
+def _is_outdated(self:Served, msg, seq:int, turn:int)->bool:
+    "True if `msg` was sent after a contrary of the command executed in `turn`, whose last copy is number `seq`"
+    source,command = identity(msg)[0]
+    rivals = (self._latest.find((source,c), (0,0,0.)) for c in _contraries.get(command, (command,)))
+    latest,number,when = max(rivals)
+    if latest<=turn: return False
+    between = 0<(msg.get_seq()-seq)%256<(number-seq)%256
+    return not between or self.clock()-when>=self.overtaken
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #7cc197c3
 @patch
 def find(self:Served, msg)->Outcome|None:
-    "Return the stored answer to the command `msg`; `None` if it is new"
+    "Return the stored answer to the command `msg`; `None` if it is new, or its sender has gone on since"
     kind,values = identity(msg)
     alike = self._copies.find(kind)
     if alike is None or (latest := alike.find(values)) is None: return
-    outcome,confirmation,seq,when = latest
+    outcome,confirmation,seq,when,turn = latest
     higher,age = getattr(msg,'confirmation',0)-confirmation,self.clock()-when
     later = 0<(msg.get_seq()-seq)%256<128
     if higher<=0: return outcome if higher and not later and age<-higher*self.overtaken else None
-    if age>=higher*longest_rto: return
-    if later: self.note(msg, outcome)
+    if age>=higher*longest_rto or self._is_outdated(msg, seq, turn): return
+    if later: self._store(msg, outcome, turn)
     return outcome
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #de1d497d
@@ -518,17 +562,33 @@ def note_number(self:Served, msg, number:int, outcome:Outcome, seconds:float=sho
     self._numbers.note(source, numbers)
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #295cffb2
+def _frame(msg)->bytes:
+    "Return the bytes of a message, without a signature, which differs from link to link"
+    frame = bytes(msg.get_msgbuf())
+    return frame[:-13] if frame[0]==0xfd and frame[2]&1 else frame
+
 @patch
 def doubled(self:Served, msg)->bool:
     "True if the same frame arrived a moment ago"
-    frame,came = bytes(msg.get_msgbuf()),(getattr(msg, 'came_by', None),self.clock())
-    if frame[0]==0xfd and frame[2]&1: frame = frame[:-13]       # the signature differs from link to link
+    frame,came = _frame(msg),ns(way=getattr(msg, 'came_by', None), when=self.clock(), outcome=None)
     first = self._frames.setdefault(frame, came)
     if first is came: return False
-    (way,now),(first_way,when) = came,first
-    again = now-when<(self.echo if way==first_way else self.overtaken)
+    again = came.when-first.when<(self.echo if came.way==first.way else self.overtaken)
     if not again: self._frames.note(frame, came)
     return again
+
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #6c1f0e9a
+@patch
+def answered(self:Served, msg, outcome:Outcome):
+    "Store the final ack of `msg` for equal frames"
+    if (first := self._frames.find(_frame(msg))) is not None: first.outcome = outcome
+
+@patch
+def find_frame(self:Served, msg)->Outcome|None:
+    "Return the ack of a frame that its sender repeats; `None` if the network doubled it, or there's no ack yet"
+    first = self._frames.find(_frame(msg))
+    repeats = first and first.way==getattr(msg, 'came_by', None) and self.clock()-first.when>=self.network
+    return first.outcome if repeats else None
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #4378deb4
 class Presses:

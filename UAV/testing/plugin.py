@@ -38,8 +38,6 @@ def uav_radio(_uav_link):
         model = type(_uav_link)(_uav_link.link, **options)      # checks them all
         for name in options: setattr(_uav_link, name, getattr(model, name))
         if 'outages' in options: _uav_link.opened = model.opened
-        if 'seed' in options:
-            for way in ('incoming','outgoing'): getattr(_uav_link, way).dice = getattr(model, way).dice
         return _uav_link
     return set_radio
 

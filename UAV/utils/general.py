@@ -99,6 +99,7 @@ class _Job:
 
     def advance(self, now):
         "Move on to the next whole period after `now`; what was missed is skipped, not caught up"
+        if self.due==-math.inf: self.due = now          # as soon as possible: now
         self.due += self.period*max(1, math.ceil((now-self.due)/self.period))
 
 # %% ../../nbs/api/utils/00_general.ipynb #6638cb94
@@ -117,7 +118,8 @@ class Timers:
               f, # Called without arguments; must be quick, all jobs share one thread
               delay:float=0., # Seconds until the first call
              )->_Job:
-        "Call `f` every `period` seconds without drift, until `cancel`"
+        "Call `f` every `period` seconds without drift, until `cancel`; `ValueError` for times that are no times"
+        if not period>0 or math.isnan(delay): raise ValueError(f'not every {period} s, first after {delay} s')
         job = _Job(f, period, clock.monotonic()+delay)
         with self._changed:
             heapq.heappush(self._jobs, job)
@@ -138,10 +140,13 @@ def _next(self:Timers):
                 self._changed.notify_all()
                 return
             wait = self._jobs[0].due-clock.monotonic()
-            if wait<=0: break
+            if not wait>0: break
             self._changed.wait(min(wait, 3600.))      # a lock cannot wait for ages
         self._running = job = self._jobs[0]
-        job.advance(clock.monotonic())
+        try: job.advance(clock.monotonic())
+        except Exception:           # the others' thread goes on
+            job.due = math.inf
+            log.exception('a job of %s has no next time, and is not called again', self.name)
         heapq.heapreplace(self._jobs, job)
         return job
 
@@ -180,7 +185,8 @@ def alarm(self:Timers, f)->_Job:
 
 @patch
 def move(self:Timers, job:_Job, due:float):
-    "Have `job` called at `due` (monotonic time), or when it rings before that"
+    "Have `job` called at `due` (monotonic time; `-inf`: at once), or when it rings before that"
+    if math.isnan(due): raise ValueError('a job is due at a time, not at NaN')
     if due>=job.due: return
     with self._changed:
         job.due = min(due, job.due)

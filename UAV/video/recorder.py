@@ -81,6 +81,7 @@ def close(self:_SafeFile):
             os.fsync(self._file.fileno())
         except OSError:
             if self.fault is None: raise
+        finally: clock.stamp(self.path)
 
 # %% ../../nbs/api/video/06_recorder.ipynb #add00637
 @patch

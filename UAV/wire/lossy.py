@@ -9,10 +9,11 @@ from random import Random
 import math, re
 
 from fastcore.basics import patch, store_attr
+from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import _begin_thread
-from .frames import promised
+from .frames import promised, target
 from .links import Link, open_link
 
 # %% auto #0
@@ -60,34 +61,57 @@ class LossyLink(Link):
         bit_errors:float=0., # Probability that a bit is flipped
         seed:int|str=0, # For the dice
     ):
-        if not isinstance(seed, (int,str)): raise ValueError(f'seed is {seed!r}, not a number or a text')
         if not isinstance(link, (Link,str)): raise TypeError(f'{link!r} is no Link and no connection string')
+        self.outgoing,self.incoming = Direction(self,'outgoing'),Direction(self,'incoming')
         store_attr('loss,duplicate,reorder,bit_errors,latency,jitter,baudrate,outages,seed')
         self.link,self._name = (open_link(link),repr(link)) if isinstance(link, str) else (link,type(link).__name__)
         self._writer,self._reader,self._gone,self._rests = None,None,False,{}
-        self.outgoing,self.incoming = Direction(self,'outgoing'),Direction(self,'incoming')
         self.up,self.opened,self._closed,self.datagrams = True,clock.monotonic(),False,self.link.datagrams
 
     def __setattr__(self, name, value):
         if name=='outages': value = _periods(value)
         elif name in _ranges and not (name=='baudrate' and value is None): value = _number(name, value)
+        elif name=='seed' and not isinstance(value, (int,str)):
+            raise ValueError(f'seed is {value!r}, not a number or a text')
         super().__setattr__(name, value)
+        if name=='seed':
+            for way in (self.outgoing,self.incoming):
+                with way.changed: way.dice.clear()      # the new seed's, from the first frame on
 
     def __getattr__(self, name):
         if name=='link': raise AttributeError(name)     # not there yet
         return getattr(self.link, name)
 
-    def release(self): self.link.release()
-    def welcome(self, peer): self.link.welcome(peer)
-    def gone(self, peer)->bool: return self.link.gone(peer)
+# %% ../../nbs/api/wire/04_lossy.ipynb #70d9b5e6
+@patch
+def release(self:LossyLink): self.link.release()
+@patch
+def welcome(self:LossyLink, peer): self.link.welcome(peer)
+@patch
+def gone(self:LossyLink, peer)->bool: return self.link.gone(peer)
+
+# %% ../../nbs/api/wire/04_lossy.ipynb #5c1e7a40
+_command_at = dict.fromkeys((mavlink.MAVLINK_MSG_ID_COMMAND_LONG,mavlink.MAVLINK_MSG_ID_COMMAND_INT), 28)
+_command_at[mavlink.MAVLINK_MSG_ID_COMMAND_ACK] = 0      # bytes of the payload before the command
+
+def _kind(frame:bytes)->tuple:
+    "`(system, component, message id, target system, target component, command)` of a frame; `()` of other bytes"
+    if not frame or not 0<promised(frame, 0)<=len(frame): return ()
+    two = frame[0]==0xfd
+    head,sender,msg_id = (10,5,int.from_bytes(frame[7:10],'little')) if two else (6,3,frame[5])
+    to = target(frame) if msg_id in mavlink.mavlink_map else (0,0)
+    at = head+_command_at.get(msg_id, 255)
+    command = int.from_bytes(frame[at:min(at+2, head+frame[1])], 'little')      # zeros at the end aren't sent
+    return (frame[sender],frame[sender+1],msg_id,*to,command)
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #6394d155
 class Direction:
     "One direction's losses, duplicates and delays"
+    most_kinds = 4096 # of frames that have dice of their own
     counted = 'sent','lost','silenced','overflowed','damaged','duplicated','reordered','delivered'
 
     def __init__(self, link:LossyLink, name:str):
-        self.link,self.name,self.dice = link,name,Random(f'{link.seed} {name}').random
+        self.link,self.name,self.dice = link,name,{}       # {kind of frame: its generator}
         for what in self.counted: setattr(self, what, 0)
         self.waiting,self.late = [],[]      # sorted (due, count, data, peer); those of them that may be overtaken
         self.changed = clock.Condition()
@@ -115,6 +139,14 @@ class Direction:
         insort(self.waiting, entry)
         return entry
 
+# %% ../../nbs/api/wire/04_lossy.ipynb #e2c40a17
+@patch
+def _dice_of(self:Direction, kind:tuple):
+    "The generator for frames of this kind; those of too many kinds share that for other bytes"
+    if kind not in self.dice and len(self.dice)>=self.most_kinds: kind = ()
+    if kind not in self.dice: self.dice[kind] = Random(' '.join(map(str, (self.link.seed,self.name,*kind)))).random
+    return self.dice[kind]
+
 # %% ../../nbs/api/wire/04_lossy.ipynb #24fcb9c6
 @patch
 def __repr__(self:LossyLink):
@@ -136,7 +168,9 @@ def _flip(data:bytes, probability:float, seed:float)->bytes:
 @patch
 def put(self:Direction, data:bytes, peer, now:float):
     "Throw the dice for a frame that comes in at `now`, and line up what is left of it"
-    link,dice = self.link,[self.dice() for _ in range(5)]
+    link,kind = self.link,_kind(data)
+    throw = self.dice.get(kind) or self._dice_of(kind)
+    dice = [throw() for _ in range(5)]
     self.sent += 1
     silent = not link.up or any(start<=now-link.opened<end for start,end in link.outages)
     free = None if silent else self._occupy(len(data), now)

@@ -165,6 +165,7 @@ class TlogWriter:
         "Write what waits, and close the file; safe to call twice"
         self._stop.set()
         self._thread.join()
+        if not self._file.closed: clock.stamp(self.path)
         self._file.close()
         _open.discard(self)
 
