@@ -26,7 +26,7 @@ class Deadlock(RuntimeError): "All threads of a simulation wait, and nothing can
 
 class _Ended(SystemExit): "Ends the threads that are left when a simulation ends"
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #42b711bc
+# %% ../../nbs/api/testing/00_scheduler.ipynb #250f81ab
 class _Task:
     "A thread of a world"
     def __init__(self, world, thread):
@@ -34,13 +34,14 @@ class _Task:
         self.gate.acquire()             # it stands here while another one has the baton
         self.turn,self.spins = 0,0      # its waits so far; how many of the latest took no time
         self.looks = 0                  # at clocks, locks and events since it has waited
+        self.imports = 0                # under way; they draw no dice, or a run would differ once all is loaded
         self.waiting,self.late = False,False
         self.poll,self.found = None,None    # looks for what it waits for outside of the world; what that found
         self.error = None               # to be raised in it when it goes on
         self.done,self.joiners = False,[]
         self.outside = False            # true while it waits for the system itself
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #a8d89b6b
+# %% ../../nbs/api/testing/00_scheduler.ipynb #0bf68f34
 class World:
     "A clock and the threads that wait on it, one of which runs; the same seed gives the same order"
     switching = 1/8     # probability that a thread hands the baton on when it takes a lock
@@ -55,6 +56,7 @@ class World:
         self._count,self._woken = itertools.count(),deque()     # `_woken`: by threads of no world
         self.programs,self.outsiders,self._told = [],0,False    # process ids of programs that run; threads in `outside`
         self.host,self.error,self.ended = None,None,False   # `host`: the asyncio task that began it
+        self.executors = {}             # of event loops that are older than the world
 
     def __repr__(self): return f'World(seed={self.seed!r}): {len(self.tasks)} threads, {self.now:.6g} s'
 
@@ -95,7 +97,7 @@ def run_for(self:World, seconds:float):
     if here() is None: raise RuntimeError('call run_for in a thread of this world, inside of its `with`')
     self.sleep(seconds)
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #835a251b
+# %% ../../nbs/api/testing/00_scheduler.ipynb #58bdb6b6
 @patch
 def _spin(self:World, me:_Task):
     "A wait that takes no time takes a little"
@@ -107,7 +109,7 @@ def _spin(self:World, me:_Task):
 def look(self:World, me:_Task):
     "A thread looks at something that others change"
     me.looks += 1
-    if me.looks%1000 or self.ended: return
+    if me.looks%(100_000 if me.imports else 1000) or self.ended: return
     self.now += 1e-3
     self.sleep(0)
 
@@ -180,13 +182,13 @@ def _hand_on(self:World, me:_Task):
         me.gate.acquire()
         raise
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #6e3a40b2
+# %% ../../nbs/api/testing/00_scheduler.ipynb #cf926a45
 @patch
 def maybe_switch(self:World):
     "Let another thread run first, if one could, as the dice decide"
     me = self.tasks[_get_ident()]
     self.look(me)
-    if not self.ready or self.ended or self.dice.random()>=self.switching: return
+    if not self.ready or me.imports or self.ended or self.dice.random()>=self.switching: return
     me.turn += 1
     me.waiting,me.poll = True,None
     self._make_ready(me)
