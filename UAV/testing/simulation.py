@@ -74,22 +74,24 @@ def _forked():
 epoch = 1_767_225_600       # `time.time()` at the beginning: 2026-01-01 00:00 UTC
 _start = 1000               # `time.monotonic()` then
 
-def _clock(real, begin:int, unit:int):
-    "A clock in place of `real`: `begin` seconds are added, in `unit`s of a second"
-    @functools.wraps(real)
-    def read():
-        task = here()
-        if task is None: return real()
-        task.world.look(task)
-        return begin+task.world.now if unit==1 else int(begin*unit+task.world.now*unit)
-    return read
+class _Clock:
+    "A clock in place of a built-in function; like that, it isn't a method where a class has it"
+    def __init__(self, real, begin:int, # Seconds that are added
+                 unit:int=1): # How many make a second
+        self.real,self.begin,self.unit,self.__name__ = real,begin,unit,real.__name__
 
-_time = _clock(time.time, epoch, 1)
-_clocks = {time.time: _time, time.time_ns: _clock(time.time_ns, epoch, 10**9),
-           time.monotonic: _clock(time.monotonic, _start, 1),
-           time.monotonic_ns: _clock(time.monotonic_ns, _start, 10**9),
-           time.perf_counter: _clock(time.perf_counter, _start, 1),
-           time.perf_counter_ns: _clock(time.perf_counter_ns, _start, 10**9)}
+    def __call__(self):
+        task = here()
+        if task is None: return self.real()
+        task.world.look(task)
+        return self.begin+task.world.now if self.unit==1 else int(self.begin*self.unit+task.world.now*self.unit)
+
+_time = _Clock(time.time, epoch)
+_clocks = {time.time: _time, time.time_ns: _Clock(time.time_ns, epoch, 10**9),
+           time.monotonic: _Clock(time.monotonic, _start),
+           time.monotonic_ns: _Clock(time.monotonic_ns, _start, 10**9),
+           time.perf_counter: _Clock(time.perf_counter, _start),
+           time.perf_counter_ns: _Clock(time.perf_counter_ns, _start, 10**9)}
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #2d2d86ea
 def _of_now(real):
@@ -451,11 +453,11 @@ _lock_types = type(threading.Lock()),type(threading.RLock())
 _left_alone = __name__,'UAV.testing.scheduler','_pytest.timing'     # pytest's own durations are real
 
 def _namespaces():
-    "The modules, with the classes of ours, as `(object, its names)`"
+    "The modules, with the classes of ours and of pyserial, as `(object, its names)`"
     for name,module in list(sys.modules.items()):
         if not isinstance(module, ModuleType) or name in _left_alone: continue
         yield module,list(vars(module).items())
-        if not name.startswith('UAV.'): continue
+        if not name.startswith(('UAV.','serial.')): continue
         for kind in [v for v in vars(module).values() if isinstance(v, type) and v.__module__==name]:
             yield kind,list(vars(kind).items())
 
