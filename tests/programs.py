@@ -399,4 +399,4 @@ def run_pytest(
         command = [sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', '--color=no', *options]
         environ = os.environ|dict(PYTHONPATH=os.pathsep.join(map(str, places)), COLUMNS='120', PYTHONUTF8='1')
         done = subprocess.run(command, cwd=folder, env=environ, capture_output=True, encoding='utf-8', timeout=300)
-        return re.sub(r' in [\d.]+s\b', '', done.stdout) or done.stderr     # the same text on each run
+        return re.sub(r' in [\d.]+s\b( \([\d:]+\))?', '', done.stdout) or done.stderr     # the same text on each run

@@ -41,11 +41,12 @@ class _Task:
         self.done,self.joiners = False,[]
         self.outside = False            # true while it waits for the system itself
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #0bf68f34
+# %% ../../nbs/api/testing/00_scheduler.ipynb #f2463e1d
 class World:
     "A clock and the threads that wait on it, one of which runs; the same seed gives the same order"
     switching = 1/8     # probability that a thread hands the baton on when it takes a lock
     step = 1e-6         # s that a change of threads takes, so that no round trip takes none
+    busy_step = 1e-4    # s, after a thousand changes without a wait: threads that only ask each other move time, too
 
     def __init__(self, seed:int|str=0, # Of the order in which threads run
                  longest:float=86_400.): # Simulated seconds after which it raises `Deadlock`
@@ -54,8 +55,10 @@ class World:
         self.tasks,self.ready = {},[]       # by thread id; those that could run
         self.timed = []                     # heap of `(due, count, task, turn)`
         self._count,self._woken = itertools.count(),deque()     # `_woken`: by threads of no world
+        self.pacer = None                   # the thread that has the baton while all others are outside
         self.programs,self.outsiders,self._told = [],0,False    # process ids of programs that run; threads in `outside`
         self.host,self.error,self.ended = None,None,False   # `host`: the asyncio task that began it
+        self.changes = 0                # of threads since time has jumped
         self.executors = {}             # of event loops that are older than the world
 
     def __repr__(self): return f'World(seed={self.seed!r}): {len(self.tasks)} threads, {self.now:.6g} s'
@@ -152,7 +155,7 @@ def _look(self:World):
 @patch
 def _is_stale(self:World, entry:tuple)->bool: return not entry[2].waiting or entry[2].turn!=entry[3]
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #254a4885
+# %% ../../nbs/api/testing/00_scheduler.ipynb #760fcc71
 @patch
 def _next(self:World)->_Task:
     "The task to run; raises `Deadlock`"
@@ -164,16 +167,17 @@ def _next(self:World)->_Task:
         if self._program_runs(): self._keep_pace(due)
         elif due==math.inf: self._wait_for_others()
         elif due>self.longest: raise Deadlock(f'it goes on after {self.longest:g} simulated seconds:\n{self.report()}')
-        else: self.now = due+1e-9       # no timer rings early, whatever floats round to
+        else: self.now,self.changes = due+1e-9,0       # no timer rings early, whatever floats round to
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #752b8470
+# %% ../../nbs/api/testing/00_scheduler.ipynb #aa526104
 @patch
 def _hand_on(self:World, me:_Task):
     "Let the next task run, and stand at the gate until it's our turn"
     try: task = self._next()
     except Exception as e: task = self._fail(e)
     if task is me: return
-    self.now += self.step
+    self.changes += 1
+    self.now += self.step if self.changes<1000 else self.busy_step
     task.gate.release()
     if me.done: return
     try: me.gate.acquire()
@@ -381,6 +385,7 @@ def _leave(self:World, me:_Task)->bool:
 def _pace(self:World):
     "Keep the baton while threads are outside and all others wait"
     while self.outsiders: self.sleep(.002)
+    self.pacer = None
 
 @contextmanager
 def outside():
@@ -389,7 +394,9 @@ def outside():
     if me is None: return (yield)
     world = me.world
     world.outsiders += 1
-    if world.outsiders==1: world.start(threading.Thread(target=world._pace, name='pace', daemon=True))
+    if world.pacer is None:
+        world.pacer = threading.Thread(target=world._pace, name='pace', daemon=True)
+        world.start(world.pacer)
     me.turn,me.outside,me.poll,me.error = me.turn+1,True,None,None
     task = world._next()
     task.gate.release()

@@ -8,8 +8,8 @@ from collections import deque
 from contextlib import suppress
 from random import Random
 from types import ModuleType, SimpleNamespace
-import _thread, asyncio, functools, importlib, logging, math, os, queue, random, secrets, select, selectors
-import shutil, socket, subprocess, sys, threading, time
+import _thread, asyncio, functools, importlib, io, logging, math, os, queue, random, secrets, select, selectors
+import shutil, socket, stat, subprocess, sys, threading, time
 
 from . import scheduler
 from .scheduler import _real_monotonic, _real_sleep, here, outside, Waiter, World
@@ -243,7 +243,9 @@ def _thread_join(self, timeout=None):
     if task.world.join(task, timeout): _real_join(self)        # the system ends it now
 
 def _is_alive(self): return not task.done if (task := _task_of(self)) else _real_is_alive(self)
-def _enumerate(): return [t for t in _real_enumerate() if not ((task := _task_of(t)) and task.done)]
+def _enumerate():
+    pacer = here() and here().world.pacer           # ours, and nobody else's
+    return [t for t in _real_enumerate() if t is not pacer and not ((task := _task_of(t)) and task.done)]
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #bc39c24c
 _real_in_executor = asyncio.BaseEventLoop.run_in_executor
@@ -329,7 +331,7 @@ _real_read = os.read
 
 def _read(fd, n):
     "`os.read`, of a pipe or a serial port too"
-    if (task := here()) and not (ready := _looks(fd, False))(): task.world.wait(poll=ready)
+    if (task := here()) and os.get_blocking(fd) and not (ready := _looks(fd, False))(): task.world.wait(poll=ready)
     return _real_read(fd, n)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #a7b13b18
@@ -348,9 +350,28 @@ def _fork():
     if pid and (task := here()): task.world.programs.append(pid)
     return pid
 
+class _Pipe(io.FileIO):
+    "What a program says; other threads go on while one reads"
+    def readinto(self, into):
+        if (task := here()) and not (ready := _looks(self.fileno(), False))(): task.world.wait(poll=ready)
+        return super().readinto(into)
+    read,readall = io.RawIOBase.read,io.RawIOBase.readall       # by `readinto`
+
+def _piped(pipe):
+    "A `_Pipe` in place of one of `Popen`'s pipes"
+    if pipe is None or not hasattr(select, 'poll'): return pipe
+    raw = _Pipe(os.dup(pipe.fileno()))
+    pipe.close()
+    if isinstance(pipe, io.RawIOBase): return raw
+    buffered = io.BufferedReader(raw)
+    if not isinstance(pipe, io.TextIOBase): return buffered
+    return io.TextIOWrapper(buffered, encoding=pipe.encoding, errors=pipe.errors)
+
 def _popen(self, *args, **kwargs):
     _real_popen(self, *args, **kwargs)
-    if task := here(): task.world.programs.append(self.pid)
+    if not (task := here()): return
+    task.world.programs.append(self.pid)
+    self.stdout,self.stderr = _piped(self.stdout),_piped(self.stderr)
 
 def _popen_wait(self, timeout=None):
     "`Popen.wait`, while other threads go on"
@@ -379,7 +400,13 @@ def _each(items):
         if item is None: return
         yield item
 
-def _is_remote(source)->bool: return isinstance(source, str) and ('://' in source or source.endswith('.sdp'))
+def _is_remote(source)->bool:
+    "True for what FFmpeg and OpenCV wait for: an address, a pipe, a device or its number"
+    if not isinstance(source, str): return isinstance(source, int)
+    if '://' in source or source.endswith('.sdp'): return True
+    try: mode = os.stat(source).st_mode
+    except OSError: return False
+    return stat.S_ISFIFO(mode) or stat.S_ISCHR(mode)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #1002d86b
 def _media()->dict:
@@ -404,7 +431,7 @@ def _keep_real(swap):
         if name.startswith('av.') and vars(module).get('time') is time: swap.set(module, 'time', _real_clocks)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #899a155c
-_names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, queue.SimpleQueue: _SimpleQueue,
+_names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, _thread.RLock: _RLock, queue.SimpleQueue: _SimpleQueue,
                   threading.enumerate: _enumerate, select.select: _select, os.read: _read,
                   shutil.disk_usage: _disk_usage, **({os.fork: _fork} if _real_fork else {})}
 _kinds = [getattr(selectors, f'{name}Selector') for name in 'Select Poll Epoll Kqueue Devpoll'.split()
