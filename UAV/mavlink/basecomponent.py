@@ -522,6 +522,7 @@ def _answer_again(self:BaseComponent, msg):
 @patch
 def _answer_command(self:BaseComponent, handler, msg):
     "Run `handler`, send its ack, then its held messages; send IN_PROGRESS every second during a slow one"
+    if not handler.options['once'] and self.served.is_late(msg): return     # as if it were lost
     slow,say = handler.options['slow'],partial(self.send_ack, msg, mavlink.MAV_RESULT_IN_PROGRESS, progress=255)
     with self.sender.ack_first(own_thread=slow):
         taken_back = getattr(msg, 'cancelled', False)

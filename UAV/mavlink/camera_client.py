@@ -8,7 +8,7 @@ from datetime import datetime, timezone
 from functools import cached_property
 from pathlib import Path
 from types import SimpleNamespace as ns
-import asyncio, math, os, random
+import asyncio, math, os, secrets
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -88,7 +88,7 @@ class CameraClient(Component):
                  mav_type:int=mavlink.MAV_TYPE_GCS, loglevel:int=LogLevels.INFO):
         super().__init__(source_component, mav_type, loglevel)
         self._cameras,self.ftp_numbers = {},FtpNumbers()        # `{(system, component): RemoteCamera}`
-        self._shot,self._step = random.SystemRandom().randrange(self._last_shot),0   # numbers of the last ones
+        self._shot,self._step = secrets.randbelow(self._last_shot),0   # numbers of the last ones
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #600a3756
 @patch

@@ -542,6 +542,15 @@ def find(self:Served, msg)->Outcome|None:
     if later: self._store(msg, outcome, turn)
     return outcome
 
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #5eed0002
+@patch
+def is_late(self:Served, msg)->bool:
+    "True if the copy `msg` was overtaken by a contrary command, which was executed a moment ago"
+    source,command = identity(msg)[0]
+    if not getattr(msg,'confirmation',0): return False
+    rivals = (self._latest.find((source,c), (0,msg.get_seq(),-math.inf)) for c in _contraries.get(command, ()))
+    return any(0<(number-msg.get_seq())%256<128 and self.clock()-when<self.overtaken for _,number,when in rivals)
+
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #de1d497d
 @patch
 def find_number(self:Served, msg, number:int)->Outcome|None:

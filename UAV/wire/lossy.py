@@ -75,15 +75,20 @@ class LossyLink(Link):
             raise ValueError(f'seed is {value!r}, not a number or a text')
         super().__setattr__(name, value)
         if name=='seed':
-            for way in (self.outgoing,self.incoming): way.dice.clear()      # the new seed's, from the first frame on
+            for way in (self.outgoing,self.incoming):
+                with way.changed: way.dice.clear()      # the new seed's, from the first frame on
 
     def __getattr__(self, name):
         if name=='link': raise AttributeError(name)     # not there yet
         return getattr(self.link, name)
 
-    def release(self): self.link.release()
-    def welcome(self, peer): self.link.welcome(peer)
-    def gone(self, peer)->bool: return self.link.gone(peer)
+# %% ../../nbs/api/wire/04_lossy.ipynb #70d9b5e6
+@patch
+def release(self:LossyLink): self.link.release()
+@patch
+def welcome(self:LossyLink, peer): self.link.welcome(peer)
+@patch
+def gone(self:LossyLink, peer)->bool: return self.link.gone(peer)
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #5c1e7a40
 _command_at = dict.fromkeys((mavlink.MAVLINK_MSG_ID_COMMAND_LONG,mavlink.MAVLINK_MSG_ID_COMMAND_INT), 28)
@@ -116,12 +121,6 @@ class Direction:
         counts = (f'{n} {what}' for what in self.counted if (n := getattr(self, what)) or what=='sent')
         return f'{self.name} '+', '.join(counts)
 
-    def _dice_of(self, kind:tuple):
-        "The generator for frames of this kind; those of too many kinds share that for other bytes"
-        if kind not in self.dice and len(self.dice)>=self.most_kinds: kind = ()
-        if kind not in self.dice: self.dice[kind] = Random(' '.join(map(str, (self.link.seed,self.name,*kind)))).random
-        return self.dice[kind]
-
     def wait(self):
         "Wait until the next frame is due, or something has changed; with `changed` held"
         self.changed.wait(self.waiting[0][0]-clock.monotonic() if self.waiting else None)
@@ -139,6 +138,14 @@ class Direction:
         entry = due,self._count,data,peer
         insort(self.waiting, entry)
         return entry
+
+# %% ../../nbs/api/wire/04_lossy.ipynb #e2c40a17
+@patch
+def _dice_of(self:Direction, kind:tuple):
+    "The generator for frames of this kind; those of too many kinds share that for other bytes"
+    if kind not in self.dice and len(self.dice)>=self.most_kinds: kind = ()
+    if kind not in self.dice: self.dice[kind] = Random(' '.join(map(str, (self.link.seed,self.name,*kind)))).random
+    return self.dice[kind]
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #24fcb9c6
 @patch
