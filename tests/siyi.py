@@ -13,6 +13,7 @@ from fastcore.basics import patch, store_attr
 from UAV.gimbals.sim import Motor
 from UAV.gimbals.siyi_link import Cmd, MODELS, siyi_frame, SiyiFrame, SiyiReader
 from UAV.gimbals.values import Axis, known
+from UAV.utils import clock
 from UAV.utils.general import cv2, np, Timers
 from UAV.utils.geo import moved, wrap
 from UAV.utils.sockets import listen_tcp, Loop
@@ -35,7 +36,7 @@ class SiyiDevice:
     step,photo_takes = .01,.3       # s of one step; s from an order to the picture
     def __init__(self, model:str='A8 mini', # A name of `MODELS`
                  vehicle=None, # A `SimVehicle` that it hangs on; `None`: as `Cmd.vehicle` tells it
-                 clock=time.monotonic): # Gives seconds
+                 clock=clock.now): # Gives seconds
         self.code,self.model = next((code, m) for code,m in MODELS.items() if m.name==model)
         store_attr('vehicle,clock')
         how = dict(speed=142., acceleration=700.)

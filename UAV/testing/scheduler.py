@@ -57,6 +57,7 @@ class World:
         self._count,self._woken = itertools.count(),deque()     # `_woken`: by threads of no world
         self.pacer = None                   # the thread that has the baton while all others are outside
         self.programs,self.outsiders,self._told = [],0,False    # process ids of programs that run; threads in `outside`
+        self.on_the_way,self._awaited = 0,0.    # bytes that the system has not delivered; really, until when they're due
         self.host,self.error,self.ended = None,None,False   # `host`: the asyncio task that began it
         self.changes = 0                # of threads since time has jumped
         self.executors = {}             # of event loops that are older than the world
@@ -165,6 +166,7 @@ def _next(self:World)->_Task:
         if self.ready: return self.ready.pop(self.dice.randrange(len(self.ready)))
         due = self.timed[0][0] if self.timed else math.inf
         if self._program_runs(): self._keep_pace(due)
+        elif self._delivers(): pass
         elif due==math.inf: self._wait_for_others()
         elif due>self.longest: raise Deadlock(f'it goes on after {self.longest:g} simulated seconds:\n{self.report()}')
         else: self.now,self.changes = due+1e-9,0       # no timer rings early, whatever floats round to
@@ -246,6 +248,20 @@ def _raise(self:World, me:_Task)->bool:
     if not between or asyncio.current_task(): raise error
     self.host.cancel()          # `__exit__` raises the error in its place
     return False
+
+@patch
+def under_way(self:World, count:int): # Bytes written to a pseudo-terminal; negative: that were read
+    "Have time stand still until the system has delivered them, or for 50 ms"
+    self.on_the_way = max(0, self.on_the_way+count)
+    if count>0: self._awaited = _real_monotonic()+.05
+
+@patch
+def _delivers(self:World)->bool:
+    "The system may still deliver something: look again"
+    if not self.on_the_way: return False
+    if _real_monotonic()>self._awaited: self.on_the_way = 0         # nobody reads it
+    else: _real_sleep(.0005)
+    return True
 
 @patch
 def _wait_for_others(self:World):

@@ -329,12 +329,21 @@ def _select(r, w, x, timeout=None):
     return _polled(look, timeout) or ([],[],[])
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #989f7724
-_real_read = os.read
+_real_read,_real_write = os.read,os.write
 
 def _read(fd, n):
     "`os.read`, of a pipe or a serial port too"
-    if (task := here()) and os.get_blocking(fd) and not (ready := _looks(fd, False))(): task.world.wait(poll=ready)
-    return _real_read(fd, n)
+    if (task := here()) is None: return _real_read(fd, n)
+    if os.get_blocking(fd) and not (ready := _looks(fd, False))(): task.world.wait(poll=ready)
+    data = _real_read(fd, n)
+    if os.isatty(fd): task.world.under_way(-len(data))
+    return data
+
+def _write(fd, data):
+    "`os.write`; a pseudo-terminal's bytes are at its other end a moment later"
+    count = _real_write(fd, data)
+    if (task := here()) and os.isatty(fd): task.world.under_way(count)
+    return count
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #a7b13b18
 _real_disk_usage = shutil.disk_usage
@@ -434,7 +443,7 @@ def _keep_real(swap):
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #899a155c
 _names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, _thread.RLock: _RLock, queue.SimpleQueue: _SimpleQueue,
-                  threading.enumerate: _enumerate, select.select: _select, os.read: _read,
+                  threading.enumerate: _enumerate, select.select: _select, os.read: _read, os.write: _write,
                   shutil.disk_usage: _disk_usage, **({os.fork: _fork} if _real_fork else {})}
 _kinds = [getattr(selectors, f'{name}Selector') for name in 'Select Poll Epoll Kqueue Devpoll'.split()
           if hasattr(selectors, f'{name}Selector')]

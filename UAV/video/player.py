@@ -188,7 +188,7 @@ def _play(self:RTSPReceiver, url):
         for packet in self._arrived():
             silent_at = clock.monotonic()+self.timeout
             yield packet
-        if clock.monotonic()>ping_at:
+        if clock.monotonic()>=ping_at:
             self._send(method, url, {})
             ping_at = clock.monotonic()+self._alive
         self._listen_until(min(silent_at, ping_at), silent_at)

@@ -65,7 +65,7 @@ class _Reorder:
         return [*self._in_turn()]
 
     def _in_turn(self):
-        tired = len(self._early)>self.most or clock.monotonic()-self._since>self.patience
+        tired = len(self._early)>self.most or clock.monotonic()-self._since>=self.patience
         if self.expected not in self._early and tired:
             self.expected = min(self._early, key=lambda sequence: (sequence-self.expected)&0xffff)
         while self.expected in self._early:
