@@ -17,6 +17,7 @@ from UAV.cameras.sim import SimCamera
 from UAV.gimbals.onvif import _envelope, _OnvifLine
 from UAV.gimbals.sim import SimGimbal
 from UAV.gimbals.values import GimbalError
+from UAV.utils import clock
 from UAV.utils.general import cv2
 from UAV.video.rtsp_server import RTSPServer
 
@@ -34,7 +35,7 @@ class Fault(Exception):
 class OnvifDevice:
     "What an ONVIF camera does with a message"
     def __init__(self,
-        clock=time.monotonic, # Gives seconds
+        clock=clock.now, # Gives seconds
         user:str='admin', password:str='tiger',
         skew:float=0., # s that its clock is ahead
         moves:bool=True, turns:bool=True, # Has it a PTZ service, and does that more than zoom?

@@ -12,6 +12,7 @@ from fastcore.basics import patch, store_attr
 from UAV.gimbals.sim import Motor
 from UAV.gimbals.topotek import TopotekReader, topotek_frame
 from UAV.gimbals.values import Axis
+from UAV.utils import clock
 from UAV.utils.general import Closes, timers
 from UAV.utils.geo import wrap
 from UAV.utils.sockets import Loop
@@ -23,7 +24,7 @@ __all__ = ['TopotekDevice', 'DirectLine', 'TopotekSimulator']
 class TopotekDevice:
     "A Topotek gimbal camera made of arithmetic"
     step,told_for,most = .01,1.2,4096    # s of one step; s that it sends its attitude after GIA01; frames remembered
-    def __init__(self, clock=time.monotonic, # Gives seconds
+    def __init__(self, clock=clock.now, # Gives seconds
                  letter:str='P'): # Of the port that we are at: 'P' network, 'U' UART
         store_attr()
         self.motors = dict(pitch=Motor(-90., 45., 80., 2000.), yaw=Motor(-150., 150., 80., 2000.))

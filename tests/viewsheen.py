@@ -13,6 +13,7 @@ from fastcore.meta import delegates
 from UAV.gimbals.sim import Motor
 from UAV.gimbals.values import Axis
 from UAV.gimbals.viewsheen import _sealed, AIRFRAME, IDENTITY, MAIN, Report, ViewsheenReader
+from UAV.utils import clock
 from UAV.utils.general import timers
 from UAV.utils.geo import wrap
 from UAV.utils.sockets import listen_tcp, Loop
@@ -66,7 +67,7 @@ class ViewsheenDevice:
     step,rate_lasts = .01,.15       # s of one step; s that it turns after a rate
     most = 4096                     # commands that are remembered
     def __init__(self,
-        clock=time.monotonic, # Gives seconds
+        clock=clock.now, # Gives seconds
         fed:bool=False, # Does it hear the autopilot's attitude? Then it can measure yaw from north
         zoom:float=3.5, # Greatest magnification
     ):
