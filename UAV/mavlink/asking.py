@@ -11,7 +11,7 @@ import math
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from .protocol import _AfterLock, Command, longest_rto, Lost, remembered
-from ..utils import clock
+from ..utils import clock, clock as _clock
 from ..utils.general import Seen
 from ..wire.dialect import address, enum_name
 
@@ -206,7 +206,7 @@ class Commands:
                  ask, # Called with `(target, number)`: send a TIMESYNC and a PING with this number
                  alarm=lambda due: None, # Called with the time at which `tick` must be called
                  clock=clock.now): # Returns seconds
-        self.remotes,self.clock = remotes,clock
+        self.remotes,self.clock = remotes,_clock.direct(clock)
         self._send,self._ask,self._alarm = send,ask,alarm
         self._lines,self._fences = {},{}        # lines by key, and by the numbers that their fences have asked with
         self._outbox,self._number = _AfterLock(),0

@@ -14,7 +14,7 @@ from ..logging import get_logger, LogLevels, _set_level
 from .asking import Commands
 from .mavcom import MAVCom
 from UAV.mavlink.protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
-    CommandError, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives, _Seconds, Served,
+    CommandError, contraries, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives, _Seconds, Served,
     _Tables)
 from ..utils import clock
 from ..utils.general import time_UTC_usec, timers, Worker
@@ -530,7 +530,7 @@ def _answer_command(self:BaseComponent, handler, msg):
         try: outcome = Outcome(Cancelled.result) if taken_back else self._run_command(handler, msg)
         finally: slow and timers.cancel(saying)
         if handler.options['once']: self.served.note(msg, outcome)
-        else: self.served.executed(msg)
+        elif msg.command in contraries: self.served.executed(msg)
         self._under_way.pop(msg.command, None)       # before the ack: the next one may follow it within a millisecond
         self._acknowledge(msg, outcome)
 

@@ -62,7 +62,7 @@ class Streams:
     most_more = 4                   # short answers queued behind another one
 
     def __init__(self, component, clock=clock.now):
-        store_attr()
+        self.component,self.clock = component,_clock.direct(clock)
         self._streams,self._askers,self._closed = {},{},False
         self._lock,self._pacer,self._credit = _clock.Lock(),None,0.
         self._answers = {}      # by asker: pending messages with receivers: a long answer, short ones, or both

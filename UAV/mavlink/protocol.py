@@ -11,7 +11,7 @@ from types import SimpleNamespace as ns
 from typing import NamedTuple
 import inspect, math, re, sys
 
-from fastcore.basics import patch, store_attr
+from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..utils import clock, clock as _clock
 from ..utils.general import Seen
@@ -20,9 +20,10 @@ from ..wire.dialect import (address, Busy, Cancelled, CommandError, Denied, enum
 from ..wire.links import Link, open_link
 
 # %% auto #0
-__all__ = ['patience', 'longest_rto', 'remembered', 'shot_tries', 'accepts', 'comes_from', 'Answer', 'Command', 'Expected',
-           'Expectations', 'opened', 'check_id', 'check_seconds', 'check_count', 'Found', 'Handler', 'arguments',
-           'command', 'message', 'receives', 'announced', 'marked', 'Outcome', 'Served', 'identity', 'Presses']
+__all__ = ['patience', 'longest_rto', 'remembered', 'shot_tries', 'contraries', 'accepts', 'comes_from', 'Answer', 'Command',
+           'Expected', 'Expectations', 'opened', 'check_id', 'check_seconds', 'check_count', 'Found', 'Handler',
+           'arguments', 'command', 'message', 'receives', 'announced', 'marked', 'Outcome', 'Served', 'identity',
+           'Presses']
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #0020fd1f
 def accepts(msg, # Any MAVLink message
@@ -462,7 +463,7 @@ class Served:
     most_alike = 8              # commands of one sender with the same id and other parameters
 
     def __init__(self, clock=clock.now): # Returns seconds
-        store_attr()
+        self.clock = _clock.direct(clock)
         self._copies = Seen(remembered, self.most//self.most_alike, clock)     # latest copies, by sender and command
         self._numbers = Seen(shot_tries*remembered, self.most_senders, clock)   # shot numbers served, by sender
         self._frames = Seen(self.overtaken, self.most_frames, clock)
@@ -491,7 +492,7 @@ _rows = [_commands(row) for row in (
     'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_FOCUS',
     'DO_SET_ROI_LOCATION DO_SET_ROI_SYSID DO_SET_ROI_NONE DO_SET_ROI DO_GIMBAL_MANAGER_PITCHYAW '
     'DO_GIMBAL_MANAGER_CONFIGURE DO_MOUNT_CONTROL DO_MOUNT_CONFIGURE')]
-_contraries = {command: set().union(*(row for row in _rows if command in row)) for row in _rows for command in row}
+contraries = {command: set().union(*(row for row in _rows if command in row)) for row in _rows for command in row}
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #b528c611
 @patch
@@ -521,7 +522,7 @@ def _store(self:Served, msg, outcome:Outcome, turn:int):
 def _is_outdated(self:Served, msg, seq:int, turn:int)->bool:
     "True if `msg` was sent after a contrary of the command executed in `turn`, whose last copy is number `seq`"
     source,command = identity(msg)[0]
-    rivals = (self._latest.find((source,c), (0,0,0.)) for c in _contraries.get(command, (command,)))
+    rivals = (self._latest.find((source,c), (0,0,0.)) for c in contraries.get(command, (command,)))
     latest,number,when = max(rivals)
     if latest<=turn: return False
     between = 0<(msg.get_seq()-seq)%256<(number-seq)%256
@@ -546,9 +547,9 @@ def find(self:Served, msg)->Outcome|None:
 @patch
 def is_late(self:Served, msg)->bool:
     "True if the copy `msg` was overtaken by a contrary command, which was executed a moment ago"
-    source,command = identity(msg)[0]
     if not getattr(msg,'confirmation',0): return False
-    rivals = (self._latest.find((source,c), (0,msg.get_seq(),-math.inf)) for c in _contraries.get(command, ()))
+    source,command = identity(msg)[0]
+    rivals = (self._latest.find((source,c), (0,msg.get_seq(),-math.inf)) for c in contraries.get(command, ()))
     return any(0<(number-msg.get_seq())%256<128 and self.clock()-when<self.overtaken for _,number,when in rivals)
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #de1d497d
@@ -571,32 +572,34 @@ def note_number(self:Served, msg, number:int, outcome:Outcome, seconds:float=sho
     self._numbers.note(source, numbers)
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #295cffb2
-def _frame(msg)->bytes:
-    "Return the bytes of a message, without a signature, which differs from link to link"
-    frame = bytes(msg.get_msgbuf())
-    return frame[:-13] if frame[0]==0xfd and frame[2]&1 else frame
+class _Arrival:
+    "When and by which link a frame came, and its final ack"
+    def __init__(self, way, when): self.way,self.when,self.outcome = way,when,None
 
 @patch
 def doubled(self:Served, msg)->bool:
-    "True if the same frame arrived a moment ago"
-    frame,came = _frame(msg),ns(way=getattr(msg, 'came_by', None), when=self.clock(), outcome=None)
+    "True if the same frame arrived a moment ago; `msg.arrival` is then that of the first"
+    frame = bytes(msg.get_msgbuf())
+    if frame[0]==0xfd and frame[2]&1: frame = frame[:-13]       # the signature differs from link to link
+    came = msg.arrival = _Arrival(getattr(msg, 'came_by', None), self.clock())
     first = self._frames.setdefault(frame, came)
     if first is came: return False
     again = came.when-first.when<(self.echo if came.way==first.way else self.overtaken)
-    if not again: self._frames.note(frame, came)
+    if again: msg.arrival = first
+    else: self._frames.note(frame, came)
     return again
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #6c1f0e9a
 @patch
 def answered(self:Served, msg, outcome:Outcome):
     "Store the final ack of `msg` for equal frames"
-    if (first := self._frames.find(_frame(msg))) is not None: first.outcome = outcome
+    if arrival := getattr(msg, 'arrival', None): arrival.outcome = outcome
 
 @patch
 def find_frame(self:Served, msg)->Outcome|None:
     "Return the ack of a frame that its sender repeats; `None` if the network doubled it, or there's no ack yet"
-    first = self._frames.find(_frame(msg))
-    repeats = first and first.way==getattr(msg, 'came_by', None) and self.clock()-first.when>=self.network
+    first = msg.arrival
+    repeats = first.way==getattr(msg, 'came_by', None) and self.clock()-first.when>=self.network
     return first.outcome if repeats else None
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #4378deb4

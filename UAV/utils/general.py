@@ -290,8 +290,8 @@ class Seen:
     def __init__(self, window:float, # Seconds that it is remembered
                  most:int=64, # How many are remembered; the oldest are forgotten first
                  clock=clock.now): # Gives seconds
-        store_attr()
-        self._noted,self._lock = {},_clock.RLock()
+        store_attr('window,most')
+        self.clock,self._noted,self._lock = _clock.direct(clock),{},_clock.RLock()
 
     def __len__(self): return len(self._noted)
     def __repr__(self): return f'Seen: {len(self)} in the last {self.window:g} s'
