@@ -183,6 +183,7 @@ def option(name, default=None, value=False):
 
 if __name__ == '__main__':
     signal.signal(signal.SIGTERM, lambda *_: sys.exit('ended from outside'))      # so that `run` ends its processes
+    if path := option('--path', value=True): sys.argv.insert(1, path)
     ALL,SEED = option('--all', False),None if option('--real') else option('--seed', 0, value=True)
     load()
     assert threading.active_count() == len(os.listdir('/proc/self/task') if sys.platform == 'linux' else [0]) == 1, 'a fork needs one thread'
