@@ -19,7 +19,6 @@ from pathlib import Path
 
 import IPython.core.history, pypandoc, yaml
 from nbdev.config import get_config
-from nbdev.quarto import refresh_quarto_yml
 from nbdev.serve import proc_nbs
 
 class HistoryThread(IPython.core.history.HistorySavingThread):
@@ -262,7 +261,6 @@ def main():
     folder = tempfile.TemporaryDirectory()
     out,proc = Path(args.keep or folder.name).absolute(),Path('_proc').absolute()
     if not args.as_is:
-        refresh_quarto_yml()
         proc_nbs(n_workers=2, force=True)
     for kind in ('*.png','*.jpg','*.jpeg','*.svg','*.gif','*.webp','*.mp4','*.woff2'):
         for file in proc.rglob(kind):

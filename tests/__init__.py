@@ -1,6 +1,14 @@
 """What only our own tests need: ground stations and autopilots played in pymavlink, a broken camera, Chromium, JupyterLab.
 Not in the wheel. The notebooks of this folder export here: `python -c 'import tests; tests.export()'`"""
+from configparser import ConfigParser
 from pathlib import Path
+
+
+def settings():
+    "What stands in settings.ini"
+    parser = ConfigParser(delimiters=['='])
+    parser.read(Path(__file__).parents[1]/'settings.ini', encoding='utf-8')
+    return parser['DEFAULT']
 
 
 def export():
