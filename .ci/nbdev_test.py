@@ -1,6 +1,6 @@
 #!/usr/bin/env python
-"""`nbdev_test` with a process of its own for each notebook, so that one that hangs, crashes, or leaves threads and log levels
-behind fails alone. It takes nbdev_test's options. Without `--flags`, the cells that need GStreamer or a browser run where these
+"""`nbdev-test` with a process of its own for each notebook, so that one that hangs, crashes, or leaves threads and log levels
+behind fails alone. It takes nbdev-test's options, and `--path NOTEBOOK`. Without `--flags`, the cells that need GStreamer or a browser run where these
 are installed. Nothing is tried twice.
 
 A notebook runs in simulated time (`UAV.testing.simulated`), where its verdict does not depend on the machine, unless one of its cells
@@ -146,7 +146,7 @@ def order(notebook):
 
 
 def parallel(test, notebooks, n_workers, pause, **options):
-    "fastcore's `parallel`, as nbdev_test calls it: what `test` gives for each notebook, in their order"
+    "fastcore's `parallel`, as nbdev-test calls it: what `test` gives for each notebook, in their order"
     run(test, sorted(notebooks, key=order), max(WORKERS, n_workers), options)
     return [results[notebook][:2] for notebook in notebooks]
 
