@@ -18,7 +18,7 @@ def export():
     for notebook in sorted(folder.glob('*.ipynb')): nb_export(notebook, lib_path=folder)
 
 
-def in_main_thread(cells):
+def in_main_thread(cells=()):
     "nbdev's `test_setup`: cells run in the main thread, which handlers of signals and `asyncio.run` need; execnb has another for them"
     import nbdev.test, signal
     from execnb.shell import CaptureShell, _out_nb

@@ -25,13 +25,14 @@ from nbdev.process import Processor
 from nbdev.showdoc import showdoc_nm
 from UAV._modidx import d as _modidx
 from UAV.wire.dialect import enum_name
-from . import settings
+from . import in_main_thread, settings
 
 # %% reference.ipynb #b7e4096d
 def site_address()->str:
     "Where the site is"
     return settings()['doc_host']+settings()['doc_baseurl']
 
+in_main_thread()
 _modidx['settings'].update({name:settings()[name] for name in ('doc_host','doc_baseurl','git_url')})
 
 # %% reference.ipynb #d84e7bba
