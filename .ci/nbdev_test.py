@@ -1,11 +1,13 @@
 #!/usr/bin/env python
 """`nbdev-test` with a process of its own for each notebook, so that one that hangs, crashes, or leaves threads and log levels
-behind fails alone. It takes nbdev-test's options, and `--path NOTEBOOK`. Without `--flags`, the cells that need GStreamer or a browser run where these
-are installed. Nothing is tried twice.
+behind fails alone. It takes nbdev-test's options, and `--path NOTEBOOK`. Nothing is tried twice.
 
-A notebook runs in simulated time (`UAV.testing.simulated`), where its verdict does not depend on the machine, unless one of its cells
-begins with `#| clock: real` and the reason. `--real` gives all of them the real clock, `--seed N` another order of their threads.
-`--all` adds those with a cell `#| tests: all`, which need more than the dev environment or more than a minute. The last lines are how many passed, failed and were skipped, and why."""
+A notebook runs in simulated time (`UAV.testing.simulated`), where its verdict doesn't depend on the machine, unless it has a line
+`#| clock: real, REASON`. `--real` gives all of them the real clock, `--seed N` another order of their threads.
+
+The first group is what runs without options: it needs nothing but the dev environment. `--rest` runs the second group: notebooks
+with a line `#| tests: all` and cells that begin with `#| slow`, `#| gst`, `#| browser`, … where these are installed. `--all` runs both.
+The last lines are how many passed, failed and were skipped, and why."""
 import faulthandler, fcntl, gc, importlib, os, pkgutil, re, resource, signal, sys, tempfile, threading, time
 from multiprocessing import get_context
 from multiprocessing.connection import wait
@@ -30,7 +32,7 @@ LONG = ('panel_in_a_browser panel_settings panel_in_jupyterlab 03_camera panel_u
         'examples 16_check_a_camera watch_in_qgroundcontrol_vlc_ffplay 07_files run_on_a_companion_computer 05_gui 02_serve programs hostile_files '
         'devices_conformance killed_while_capturing stray_acks 11_survey_by_distance serial_and_mavproxy').split()      # they need longest
 PASSED,FAILED = 60,61           # what `child` ends with; a notebook that ends its process itself, with 0 perhaps, has not passed
-ALL,SEED = False,0              # from the command line; a seed of `None`: the real clock
+GROUP,FLAGS,SEED = '',[],0      # from the command line: '', --rest or --all; cells to run; a seed of `None` is the real clock
 results = {}                    # notebook: whether it passed, its seconds, and those of the processor
 
 
@@ -151,11 +153,16 @@ def parallel(test, notebooks, n_workers, pause, **options):
     return [results[notebook][:2] for notebook in notebooks]
 
 
+def is_second(notebook): return mark_of(notebook, 'tests: all') is not None
+def has_cells(notebook): return any(mark_of(notebook, flag) is not None for flag in FLAGS)
+
+
 def notebooks(path=None, **options):
-    "nbdev's `nbglob`; without a path the notebooks of `tests/` too, and those of `--all` only with it"
+    "nbdev's `nbglob`; without a path the notebooks of `tests/` too, and of all these our group"
     if path: return nbglob(path, **options)
     found = [*nbglob(path, **options), *sorted((Path(__file__).parents[1]/'tests').glob('*.ipynb'))]
-    return [notebook for notebook in found if ALL or mark_of(notebook, 'tests: all') is None]
+    if GROUP=='--all': return found
+    return [notebook for notebook in found if (is_second(notebook) or has_cells(notebook) if GROUP else not is_second(notebook))]
 
 
 def report(flags, began):
@@ -184,12 +191,13 @@ def option(name, default=None, value=False):
 if __name__ == '__main__':
     signal.signal(signal.SIGTERM, lambda *_: sys.exit('ended from outside'))      # so that `run` ends its processes
     if path := option('--path', value=True): sys.argv.insert(1, path)
-    ALL,SEED = option('--all', False),None if option('--real') else option('--seed', 0, value=True)
+    GROUP = option('--rest') and '--rest' or option('--all') and '--all' or ''
+    SEED = None if option('--real') else option('--seed', 0, value=True)
     load()
     assert threading.active_count() == len(os.listdir('/proc/self/task') if sys.platform == 'linux' else [0]) == 1, 'a fork needs one thread'
     nbdev.test.parallel,nbglob,nbdev.test.nbglob = parallel,nbdev.test.nbglob,notebooks
-    if '--flags' not in sys.argv: sys.argv += ['--flags', ' '.join(installed())]
-    flags,began = sys.argv[sys.argv.index('--flags')+1].split(),time.time()
+    if '--flags' not in sys.argv: sys.argv += ['--flags', ' '.join(['slow', *installed()] if GROUP or '--path' in sys.argv else [])]
+    FLAGS,began = sys.argv[sys.argv.index('--flags')+1].split(),time.time()
     try: nbdev.test.nbdev_test()
-    finally: report(flags, began)
+    finally: report(FLAGS, began)
     sys.exit(not results)       # a path that does not exist is not a success

@@ -387,15 +387,16 @@ def _entry_points()->tempfile.TemporaryDirectory:
 def run_pytest(
     files:dict, # `{name: text}`
     *options:str, # Of `pytest`
-    version:int=9, # Of pytest: with the newest pytest-asyncio, anyio and pytest-xdist that it allows
+    version:int|None=None, # Of pytest, with the newest pytest-asyncio, anyio and pytest-xdist that it allows; `None`: what is installed
 )->str:
     "Return the output of `pytest` on these files, in a folder and a process of its own"
-    environment = own_environment(f'pytest{version}', f'pytest=={version}.* pytest-asyncio pytest-xdist anyio')
-    packages, = environment.parent.glob('[Ll]ib/**/site-packages')
-    path = os.pathsep.join(map(str, (packages, Path(UAV.__file__).parents[1], _entry_points().name)))
+    places = [Path(UAV.__file__).parents[1], _entry_points().name]
+    if version:
+        environment = own_environment(f'pytest{version}', f'pytest=={version}.* pytest-asyncio pytest-xdist anyio')
+        places[:0] = environment.parent.glob('[Ll]ib/**/site-packages')
     with tempfile.TemporaryDirectory() as folder:
         for name,text in files.items(): (Path(folder)/name).write_text(textwrap.dedent(text), encoding='utf-8')
         command = [sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', '--color=no', *options]
-        environ = os.environ|dict(PYTHONPATH=path, COLUMNS='120', PYTHONUTF8='1')
+        environ = os.environ|dict(PYTHONPATH=os.pathsep.join(map(str, places)), COLUMNS='120', PYTHONUTF8='1')
         done = subprocess.run(command, cwd=folder, env=environ, capture_output=True, encoding='utf-8', timeout=300)
         return re.sub(r' in [\d.]+s\b', '', done.stdout) or done.stderr     # the same text on each run
