@@ -1,5 +1,5 @@
-"""The package's metadata, read from settings.ini, which nbdev reads too."""
-import sys
+"""The package's metadata, read from settings.ini."""
+import re, sys
 from configparser import ConfigParser
 from pathlib import Path
 from setuptools import find_packages, setup
@@ -14,7 +14,13 @@ class BuildWithStubs(build_py):
     "The package and a stub beside each module: in the wheel, or here for an editable install"
     def run(self):
         super().run()
-        _stubs.write(here/'UAV', None if getattr(self, 'editable_mode', False) else Path(self.build_lib)/'UAV')
+        editable = getattr(self, 'editable_mode', False)
+        _stubs.write(here/'UAV', None if editable else Path(self.build_lib)/'UAV')
+        if editable: return
+        index = Path(self.build_lib)/'UAV'/'_modidx.py'     # other projects' nbdev links to our site by it, and ours leaves these empty
+        addresses = {name: cfg[name] for name in ('doc_host', 'doc_baseurl', 'git_url', 'branch', 'lib_path')}
+        text = re.sub(r"'settings': \{.*?\}", f"'settings': {addresses}", index.read_text(encoding='utf-8'), count=1, flags=re.S)
+        index.write_text(text, encoding='utf-8')
 
 
 parser = ConfigParser(delimiters=['='])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python
-"""`nbdev_test` with a process of its own for each notebook, so that one that hangs, crashes, or leaves threads and log levels
-behind fails alone. It takes nbdev_test's options. Nothing is tried twice.
+"""`nbdev-test` with a process of its own for each notebook, so that one that hangs, crashes, or leaves threads and log levels
+behind fails alone. It takes nbdev-test's options, and `--path NOTEBOOK`. Nothing is tried twice.
 
 A notebook runs in simulated time (`UAV.testing.simulated`), where its verdict doesn't depend on the machine, unless it has a line
 `#| clock: real, REASON`. `--real` gives all of them the real clock, `--seed N` another order of their threads.
@@ -148,7 +148,7 @@ def order(notebook):
 
 
 def parallel(test, notebooks, n_workers, pause, **options):
-    "fastcore's `parallel`, as nbdev_test calls it: what `test` gives for each notebook, in their order"
+    "fastcore's `parallel`, as nbdev-test calls it: what `test` gives for each notebook, in their order"
     run(test, sorted(notebooks, key=order), max(WORKERS, n_workers), options)
     return [results[notebook][:2] for notebook in notebooks]
 
@@ -190,12 +190,13 @@ def option(name, default=None, value=False):
 
 if __name__ == '__main__':
     signal.signal(signal.SIGTERM, lambda *_: sys.exit('ended from outside'))      # so that `run` ends its processes
+    if path := option('--path', value=True): sys.argv.insert(1, path)
     GROUP = option('--rest') and '--rest' or option('--all') and '--all' or ''
     SEED = None if option('--real') else option('--seed', 0, value=True)
     load()
     assert threading.active_count() == len(os.listdir('/proc/self/task') if sys.platform == 'linux' else [0]) == 1, 'a fork needs one thread'
     nbdev.test.parallel,nbglob,nbdev.test.nbglob = parallel,nbdev.test.nbglob,notebooks
-    if '--flags' not in sys.argv: sys.argv += ['--flags', ' '.join(['slow', *installed()] if GROUP or '--path' in sys.argv else [])]
+    if '--flags' not in sys.argv: sys.argv += ['--flags', ' '.join(['slow', *installed()] if GROUP or path else [])]
     FLAGS,began = sys.argv[sys.argv.index('--flags')+1].split(),time.time()
     try: nbdev.test.nbdev_test()
     finally: report(FLAGS, began)

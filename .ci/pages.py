@@ -19,8 +19,11 @@ from pathlib import Path
 
 import IPython.core.history, pypandoc, yaml
 from nbdev.config import get_config
-from nbdev.quarto import refresh_quarto_yml
 from nbdev.serve import proc_nbs
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from tests import settings
+from tests.reference import site_address
 
 class HistoryThread(IPython.core.history.HistorySavingThread):
     "IPython 9.18 means this thread to be a daemon, and hides `Thread.daemon` by an attribute: processes of `proc_nbs` never ended"
@@ -201,13 +204,13 @@ class Anchors(HTMLParser):
 
 def dead_links(pages, out):
     "Links to pages, anchors and source files that are not there"
-    cfg,seen,findings = get_config(),{path:Anchors(path.read_text()) for path in pages},[]
-    blob,site = f'{cfg.git_url}/blob/{cfg.branch}/',f'{cfg.doc_host}{cfg.doc_baseurl}/'
+    ours,seen,findings = settings(),{path:Anchors(path.read_text()) for path in pages},[]
+    blob,site = f'{ours["git_url"]}/blob/{ours["branch"]}/',f'{site_address()}/'
     for path,page in seen.items():
         for link in page.links:
             where,_,anchor = link.partition('#')
             if where.startswith(blob):
-                if not (cfg.config_path/where.removeprefix(blob)).exists(): findings.append((path, 0, 'link', 1, link))
+                if not (get_config().config_path/where.removeprefix(blob)).exists(): findings.append((path, 0, 'link', 1, link))
                 continue
             if where.startswith(site): target = out/(where.removeprefix(site) or 'index.html')
             elif re.match(r'\w+:', where): continue
@@ -242,10 +245,10 @@ def readable():
 
 def configuration(config):
     "What `_quarto.yml` names and is not there"
-    cfg,said = get_config(),json.dumps(config)
-    missing = [name for name in re.findall(r'"((?:api/\w+/|\w+/)?[\w.]+\.(?:ipynb|svg|jpg|png|s?css))"', said) if not (cfg.nbs_path/name).exists()]
+    address,said = settings()['git_url'],json.dumps(config)
+    missing = [name for name in re.findall(r'"((?:api/\w+/|\w+/)?[\w.]+\.(?:ipynb|svg|jpg|png|s?css))"', said) if not (get_config().nbs_path/name).exists()]
     findings = [('_quarto.yml', 0, 'link', 1, name) for name in missing]
-    if f'"{cfg.git_url}"' not in said: findings.append(('_quarto.yml', 0, 'link', 1, f'no link to {cfg.git_url}, the repository of settings.ini'))
+    if f'"{address}"' not in said: findings.append(('_quarto.yml', 0, 'link', 1, f'no link to {address}, the repository of settings.ini'))
     return findings
 
 
@@ -262,7 +265,6 @@ def main():
     folder = tempfile.TemporaryDirectory()
     out,proc = Path(args.keep or folder.name).absolute(),Path('_proc').absolute()
     if not args.as_is:
-        refresh_quarto_yml()
         proc_nbs(n_workers=2, force=True)
     for kind in ('*.png','*.jpg','*.jpeg','*.svg','*.gif','*.webp','*.mp4','*.woff2'):
         for file in proc.rglob(kind):

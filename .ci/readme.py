@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Write README.md from nbs/index.ipynb as `nbdev_readme` does, without needing Quarto.
+"""Write README.md from nbs/index.ipynb as `nbdev-readme` does, without needing Quarto.
 
 Its links and pictures are relative, so they work in a bare clone and on any git host: `nbs/images/panel.webp`, and the
 notebook in place of its page on the site. A link to a file that is not there is an error.
@@ -13,9 +13,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 import pypandoc, yaml
 from nbdev import serve_drv
-from nbdev.config import get_config
 from nbdev.processors import FilterDefaults
-from nbdev.quarto import refresh_quarto_yml
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from tests.reference import site_address
 
 READER = "markdown-implicit_figures+emoji-yaml_metadata_block"
 WRITER = ("commonmark+autolink_bare_uris+emoji+footnotes+gfm_auto_identifiers+pipe_tables+strikeout+task_lists+tex_math_dollars")
@@ -35,7 +36,7 @@ def split_options(source):
 
 def pages():
     "Address on the site, and the notebook in the clone that it is made of"
-    site = get_config().doc_host.rstrip("/")+"/"+get_config().doc_baseurl.strip("/")+"/"
+    site = site_address()+"/"
     for nb in sorted(Path("nbs").rglob("*.ipynb")):
         page = re.sub(r"^\d+[a-zA-Z0-9]*_", "", nb.stem)+".html"
         yield site+nb.relative_to("nbs").with_name(page).as_posix(), nb.as_posix()
@@ -77,7 +78,6 @@ def readme(index):
 
 
 def main():
-    refresh_quarto_yml()
     with TemporaryDirectory() as folder:        # `proc_nbs` would do all notebooks, and takes minutes
         processed = Path(folder)/"index.ipynb"
         serve_drv.main((Path("nbs/index.ipynb"), processed, FilterDefaults))

@@ -116,7 +116,7 @@ def _failures(self:Siyi, there:SiyiAttitude):
         pressing = target.turning and (target.rate<0 and angle<=low+.5 or target.rate>0 and angle>=high-.5)
         if pressing or self._is_beyond(axis, goal): yield f'AT_{axis.upper()}_LIMIT'
 
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #8bce7501
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #02dd525a
 @patch
 def attitude(self:Siyi)->GimbalAttitude:
     "Return where it points now"

@@ -351,7 +351,7 @@ def _hear(self:SiyiLink, data:bytes):
             try: listener(frame.data)
             except Exception: self.log.exception('command %02x', frame.cmd)
 
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #9bc6f984
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #323e8f66
 @patch
 def subscribe(self:SiyiLink, cmd:int, # One of `Cmd`
               callback, # Called with the data of each such frame; must be quick, and must not `ask`
