@@ -189,7 +189,7 @@ class TCPClient(Closes):
                  changed=lambda: None): # Called when it is there, and when it is lost
         inside('port', port, 1, 65535)          # the system would take another one, without a word
         store_attr()
-        self.error,self.up,self._lock = 'not connected yet',False,clock.Condition()
+        self.error,self.up,self._told,self._lock = 'not connected yet',False,False,clock.Condition()
         self._sock,self._why,self._thread,self._closed = None,None,None,clock.Event()
 
     def start(self):
@@ -200,12 +200,12 @@ class TCPClient(Closes):
 
     def _set_up(self, up:bool):
         with self._lock:                            # no thread is sending now
-            self.up = up
+            self.up,self._told = up,False           # has `changed` been called since?
             self._lock.notify_all()
 
     def wait_up(self, up:bool=True, timeout:float=10.)->bool:
-        "Wait until it is connected, or is not, `timeout` seconds at most"
-        with self._lock: return self._lock.wait_for(lambda: self.up==up, timeout)
+        "Wait until it is connected and `changed` knows, or until it is not, `timeout` seconds at most"
+        with self._lock: return self._lock.wait_for(lambda: self.up==up and (self._told or not up), timeout)
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #30335218
 @patch
@@ -247,6 +247,9 @@ def _hear_all(self:TCPClient):
     self._set_up(True)
     log.info('connected to %s:%s', self.host, self.port)
     self._tell(self.changed)
+    with self._lock:
+        self._told = True
+        self._lock.notify_all()
     with selectors.DefaultSelector() as ready:
         ready.register(self._sock, selectors.EVENT_READ)
         while ready.select():
