@@ -249,7 +249,7 @@ def places_in(
 # %% reference.ipynb #75ed157e
 def _empty(cell)->bool:
     "Does an entry say nothing?"
-    return not any(''.join(o.get('data', {}).get('text/markdown', '')).strip() for o in cell.get('outputs', []))
+    return not any(''.join(o.get('data', {}).get('text/markdown') or '').strip() for o in cell.get('outputs', []))
 
 # %% reference.ipynb #e6b017b0
 def sorted_run(
