@@ -14,6 +14,7 @@ from multiprocessing.connection import wait
 from pathlib import Path
 
 os.environ['OPENBLAS_NUM_THREADS'] = '1'       # its threads would begin with the imports below, before the forks
+os.environ.pop('PYTHONDONTWRITEBYTECODE', None)     # or each program that a test starts would compile the package anew
 import nbdev.test
 from installed import NEEDS,in_browser,installed
 import av, cv2, hypothesis, matplotlib.pyplot, numpy, PIL.Image, pymavlink.dialects.v20.all, UAV # noqa: once here, and not in each process
