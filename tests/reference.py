@@ -323,7 +323,7 @@ class NearLinks(Processor):
         "Change the links in its text and its outputs"
         if not self.wanted: return
         if cell.cell_type=='markdown': cell.source = near_links(cell.source, self.home, self.site)
-        for data in (o['data'] for o in cell.get('outputs', []) if 'text/markdown' in o.get('data', {})):
+        for data in (o['data'] for o in cell.get('outputs', []) if o.get('data', {}).get('text/markdown')):
             data['text/markdown'] = near_links(''.join(data['text/markdown']), self.home, self.site)
 
 # %% reference.ipynb #7f442191
