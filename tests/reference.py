@@ -212,7 +212,7 @@ def ours(self:ReferenceEntry)->bool:
 def words(self:ReferenceEntry)->str:
     "The docstring, and the command of a verb"
     f = _plain(self.sym)
-    first,_,more = inspect.cleandoc(f.__doc__ or '').partition('\n')
+    first,_,more = inspect.cleandoc(str(f.__doc__ or '')).partition('\n')
     sends = getattr(f, 'verb', None)
     says = [f'*{first}*' if first else '', more.strip(), f'Sends `{enum_name("MAV_CMD", sends)}`.' if sends else '']
     return '\n\n'.join(filter(None, says))
