@@ -29,6 +29,7 @@ else: drivers.append(ChromiumDriver)
 LONGEST = 1200                          # s for one notebook; then it says where it hangs, and ends
 BROWSING = 2                            # notebooks with browsers: while one has its browser open, the next one does the rest, or waits
 WORKERS = 2*(os.cpu_count() or 1)       # for half of its time a notebook waits; more make each one late, and all no faster
+CORES = sorted(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else []
 LONG = ('panel_in_a_browser panel_settings panel_in_jupyterlab 03_camera panel_under_siege camera_conformance hostile_bytes 04_gimbal 06_check '
         'examples 16_check_a_camera watch_in_qgroundcontrol_vlc_ffplay 07_files run_on_a_companion_computer 05_gui 02_serve programs hostile_files '
         'devices_conformance killed_while_capturing stray_acks 11_survey_by_distance serial_and_mavproxy').split()      # they need longest
@@ -83,12 +84,13 @@ def processor():
     return sum(r.ru_utime+r.ru_stime for r in map(resource.getrusage, (resource.RUSAGE_SELF,resource.RUSAGE_CHILDREN)))
 
 
-def child(test, notebook, options, turn, waited, used):
+def child(test, notebook, options, turn, core, waited, used):
     "Test one notebook in this process, and leave with `PASSED` or `FAILED`; threads it left are not waited for"
     os.setpgid(0, 0)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     faulthandler.dump_traceback_later(LONGEST, exit=True)
     Turn(turn, waited)
+    if core is not None: os.sched_setaffinity(0, [core])
     if simulates(notebook): simulated(SEED).__enter__()         # it ends with the process
     passed,_ = test(notebook, **options)
     used.value = processor()
@@ -97,13 +99,20 @@ def child(test, notebook, options, turn, waited, used):
     os._exit(PASSED if passed else FAILED)
 
 
-def start(test, notebook, options, turn):
-    "The process that tests `notebook`, when it was started, its seconds of waiting for a browser, and of the processor"
+def core_for(notebook, busy):
+    "The core with the fewest notebooks of simulated time: one thread runs at a time, and a change of cores costs a quarter of it"
+    if not CORES or not simulates(notebook): return
+    taken = [core for *_,core in busy.values()]
+    return min(CORES, key=taken.count)
+
+
+def start(test, notebook, options, turn, core):
+    "The process that tests `notebook`, when it was started, its seconds of waiting for a browser, and of the processor; its core"
     fork = get_context('fork')
     waited,used = fork.Value('d', 0.),fork.Value('d', 0.)
-    process = fork.Process(target=child, args=(test, notebook, options, turn, waited, used))
+    process = fork.Process(target=child, args=(test, notebook, options, turn, core, waited, used))
     process.start()
-    return process,notebook,time.time(),waited,used
+    return process,notebook,time.time(),waited,used,core
 
 
 def end(process):
@@ -112,7 +121,7 @@ def end(process):
     except ProcessLookupError: process.kill()
 
 
-def finish(process, notebook, began, waited, used):
+def finish(process, notebook, began, waited, used, core):
     "Whether `notebook` passed, its seconds without those that it waited for a browser, and of the processor; its processes end with it"
     process.join()
     end(process)
@@ -132,7 +141,7 @@ def run(test, waiting, workers, options):
                     ready = next((notebook for notebook in waiting if not (full and in_browser(notebook))), None)
                     if ready is None: break
                     waiting.remove(ready)
-                    started = start(test, ready, options, f'{folder}/browser')
+                    started = start(test, ready, options, f'{folder}/browser', core_for(ready, busy))
                     busy[started[0].sentinel] = started
                 for sentinel in wait(list(busy)):
                     started = busy.pop(sentinel)

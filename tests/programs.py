@@ -396,7 +396,7 @@ def run_pytest(
         places[:0] = environment.parent.glob('[Ll]ib/**/site-packages')
     with tempfile.TemporaryDirectory() as folder:
         for name,text in files.items(): (Path(folder)/name).write_text(textwrap.dedent(text), encoding='utf-8')
-        command = [sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', '--color=no', *options]
+        command = [sys.executable, '-m', 'pytest', '-q', *'-p no:cacheprovider -p no:hypothesispytest --color=no'.split(), *options]
         environ = os.environ|dict(PYTHONPATH=os.pathsep.join(map(str, places)), COLUMNS='120', PYTHONUTF8='1')
         done = subprocess.run(command, cwd=folder, env=environ, capture_output=True, encoding='utf-8', timeout=300)
         return re.sub(r' in [\d.]+s\b( \([\d:]+\))?', '', done.stdout) or done.stderr     # the same text on each run

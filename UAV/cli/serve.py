@@ -210,7 +210,7 @@ def _gimbal_of(com)->tuple:
 def _status_of(camera, com)->tuple:
     "Return the status as `(line, the part that is news)`"
     ours = {(com.source_system, number) for number in com.component}
-    heard = [r.name for r in list(com.remotes.values()) if r.type is not None and not r.lost and r.address not in ours]
+    heard = [r.name for r in com.remotes.values() if r.type is not None and not r.lost and r.address not in ours]
     films = sum(len(storage.recordings) for storage in camera.storages)
     steady = [f'FAULT: {camera.fault}'] if camera.fault else []
     steady += [*map(_viewers, camera.streams), _count(len(camera.pictures), 'picture'), _count(films, 'recording')]

@@ -59,7 +59,7 @@ class Gui(Panel):
 # %% ../../nbs/api/manager/11_gui.ipynb #3c865782
 def _beating(client)->list:
     "Return address and MAV_TYPE of the components that are not lost"
-    return sorted((a, r.type) for a,r in list(client.remotes.items()) if r.heard and not r.lost)
+    return sorted((a, r.type) for a,r in client.remotes.items() if r.heard and not r.lost)
 
 # %% ../../nbs/api/manager/11_gui.ipynb #57d6e3ba
 async def _next_beat(client, is_new):

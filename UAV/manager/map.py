@@ -153,7 +153,7 @@ class Fleet:
 def _silent(self:Fleet, client)->list:
     "Return the autopilots that are due for a request"
     now,found = clock.monotonic(),[]
-    for a,r in list(client.remotes.items()):
+    for a,r in client.remotes.items():
         told = a[0] in self.vehicles and self.vehicles[a[0]].is_fresh(self.patience)
         if not r.heard or r.lost or told or not self._is_pilot(a): self._asked.pop(a, None)
         elif self._asked.setdefault(a, (0, now+self.patience))[1]<=now: found.append(a)

@@ -99,12 +99,18 @@ class Remotes(dict):
     lost_after = 5. # s of silence after which a component is lost
     most = 1024     # components that are stored
 
+    # copies, because a reader may store a new component while somebody loops over them
+    def __iter__(self): return iter(self.keys())
+    def keys(self)->list: return list(super().keys())
+    def values(self)->list: return list(super().values())
+    def items(self)->list: return list(super().items())
+
     def known(self, address:tuple)->Remote:
         "Return the `Remote` of `address`, a new one if necessary"
         if address not in self and len(self)>=self.most:
             # forget lost ones, then those that never answered us, then the oldest
             def worth(r): return not r.lost, r.round_trip.srtt is not None, max(r.heard, r.alive)
-            for remote in sorted(list(self.values()), key=worth)[:self.most//16]: self.pop(remote.address, None)
+            for remote in sorted(self.values(), key=worth)[:self.most//16]: self.pop(remote.address, None)
         return self.get(address) or self.setdefault(address, Remote(address))
 
 # %% ../../nbs/api/mavlink/01_asking.ipynb #8bd1e1bd
@@ -127,7 +133,7 @@ def silent(self:Remotes, now:float, # Monotonic time, s
           )->list:
     "Return the remotes that are lost from now on"
     found = []
-    for remote in list(self.values()):
+    for remote in self.values():
         count = frames(remote.address)
         if count!=remote.frames: remote.frames,remote.alive,remote.lost = count,now,False
         if remote.lost or remote.type is None: continue

@@ -403,7 +403,7 @@ async def wait_heartbeat(self:BaseComponent, remote_mav_type:int|None=None, # On
         wanted = remote_mav_type,target_system or None,target_component or None
         return all(w in (None,is_) for w,is_ in zip(wanted, (mav_type,*address)))
     with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: fits(address(m), m.type)) as heartbeat:
-        for remote in list(self.remotes.values()):
+        for remote in self.remotes.values():
             recent = clock.monotonic()-remote.heard<1.5*self.mav_com.beat_period
             if remote.type is not None and recent and fits(remote.address, remote.type): return remote.address
         msg = await heartbeat.wait(timeout)

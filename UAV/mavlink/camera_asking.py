@@ -133,7 +133,7 @@ def cameras_heard(client, # A `Component` of ours
                  )->list:
     "Return the addresses of cameras with a heartbeat after `since`"
     us = client.source_system,client.source_component
-    return sorted(s for s,r in list(client.remotes.items()) if r.heard>=since and is_camera(s, r.type) and s!=us)
+    return sorted(s for s,r in client.remotes.items() if r.heard>=since and is_camera(s, r.type) and s!=us)
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #c7c590f5
 @patch

@@ -245,7 +245,7 @@ def _video_news(self:VideoPart, event:VideoStatus)->list|None:
     try: [stream] = self._streams(event.stream_id)
     except CommandError: return                             # it has gone meanwhile
     com,news = self.component.mav_com,self._is_news(stream)
-    there = {tuple(com.where(*a)): a for a in list(self.component.remotes) if news and not com.lost(a)}
+    there = {tuple(com.where(*a)): a for a in self.component.remotes if news and not com.lost(a)}
     for ways,to in there.items():
         way = ways[0] if ways else None
         if way or to in com._here: self.component.send_message(self._encode_stream(stream, self.host_for(way)), to)

@@ -166,7 +166,7 @@ def at(self:GimbalClient, system:int|None=None, component:int|None=None, # The g
 @patch
 def _to_ask(self:GimbalClient, since:float, asked:dict)->list:
     "Return the components to ask: each with a heartbeat after `since`, and silent ones again at each heartbeat"
-    beat = {s: r.heard for s,r in list(self.remotes.items()) if r.heard>=since and r.type!=mavlink.MAV_TYPE_GCS}
+    beat = {s: r.heard for s,r in self.remotes.items() if r.heard>=since and r.type!=mavlink.MAV_TYPE_GCS}
     def told(source): return self._about(source, [GIMBAL_MANAGER_INFORMATION])
     return sorted(s for s,heard in beat.items() if s not in asked or heard>asked[s] and not told(s))
 
@@ -192,7 +192,7 @@ async def _meet(self:GimbalClient, count:int|None, timeout:float)->list:
 @patch
 def _heard_instead_of_managers(self:GimbalClient)->str:
     "List the components that were received; a gimbal device without a manager is pointed out"
-    devices = [self.mav_com.name_of(s) for s,r in list(self.remotes.items())
+    devices = [self.mav_com.name_of(s) for s,r in self.remotes.items()
                if r.type==mavlink.MAV_TYPE_GIMBAL and not r.lost]
     alone = f'; no gimbal manager answers for the gimbal device {" and ".join(devices)}' if devices else ''
     return self.mav_com.who_was_heard()+alone

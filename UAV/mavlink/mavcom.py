@@ -98,7 +98,7 @@ def lost(self:Heart, address:tuple)->str:
 @patch
 def watch(self:Heart):
     "Report components that fell silent or are back"
-    were = [r for r in list(self.remotes.values()) if r.lost]
+    were = [r for r in self.remotes.values() if r.lost]
     for remote in self.remotes.silent(clock.monotonic(), self.frames):
         if remote.address in self.com._here: remote.lost = False
         else: self.lose(remote.address)
@@ -550,7 +550,7 @@ class LinkQuality:
 @patch(as_prop=True)
 def round_trips(self:MAVCom)->dict:
     "Smoothed round trips in seconds by `(system, component)`, of components that have answered"
-    return {a:r.round_trip.srtt for a,r in list(self.remotes.items()) if r.round_trip.srtt is not None}
+    return {a:r.round_trip.srtt for a,r in self.remotes.items() if r.round_trip.srtt is not None}
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #9753d1d7
 @patch(as_prop=True)

@@ -136,7 +136,7 @@ def _may_be(self:Vehicle, source:tuple)->bool:
 @patch(as_prop=True)
 def autopilot(self:Vehicle)->tuple|None:
     "Address of the trusted autopilot: component 1, else the first of our system; `None` without a heartbeat"
-    there = [a for a,r in list(self.component.remotes.items()) if not r.lost and self._may_be(a)]
+    there = [a for a,r in self.component.remotes.items() if not r.lost and self._may_be(a)]
     first = self.component.source_system,mavlink.MAV_COMP_ID_AUTOPILOT1
     return first if first in there else next(iter(there), None)
 

@@ -471,20 +471,23 @@ def _namespaces():
             yield kind,list(vars(kind).items())
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #6bf404a0
+_with_locks = frozenset([*_lock_types, functools.cached_property])     # the latter until Python 3.11
+
 class _Swap:
     "New objects in place of old ones, until `undo`"
     def __init__(self, names:dict): # New ones by old ones
         self.names,self.done = {id(old): new for old,new in names.items()},[]
         self.olds = {id(new): old for old,new in names.items()}
         for owner,inside in _namespaces():
-            for name,value in inside: self._look_at(owner, name, value)
+            for name,value in inside:       # half a million
+                if id(value) in self.names or type(value) in _with_locks: self._look_at(owner, name, value)
         for handler in [ref() for ref in logging._handlerList]: handler and self._look_at(handler, 'lock', handler.lock)
 
     def _look_at(self, owner, name, value):
         wrapped = isinstance(value, _lock_types) and getattr(owner, '__name__', '')!='threading'
         new = self.names.get(id(value)) or wrapped and (_Lock if isinstance(value, _lock_types[0]) else _RLock)(value)
         if new: self.set(owner, name, new)
-        elif isinstance(value, functools.cached_property) and hasattr(value, 'lock'):       # until Python 3.11
+        elif isinstance(value, functools.cached_property) and hasattr(value, 'lock'):
             self._look_at(value, 'lock', value.lock)
 
     def set(self, owner, name:str, new):
