@@ -175,13 +175,13 @@ def notebooks(path=None, **options):
     return [notebook for notebook in found if (is_second(notebook) or has_cells(notebook) if GROUP else not is_second(notebook))]
 
 
-def report(flags, began):
+def report(flags, began, used):
     "Print how long it took, how many passed and failed, and which cells were not run"
     failed = sorted(notebook.stem for notebook,(passed,*_) in results.items() if not passed)
     slow = sorted(results, key=lambda notebook: -results[notebook][1])[:10]
-    seconds,used = time.time()-began,os.times()
+    seconds,used = time.time()-began,processor()-used
     print('The longest:', '; '.join(f'{notebook.stem} {results[notebook][1]:.0f} s, {results[notebook][2]:.0f} of processor' for notebook in slow))
-    print(f'{seconds/60:.1f} minutes, {(used.children_user+used.children_system)/60:.1f} of processor; the load is {os.getloadavg()[1]:.1f}')
+    print(f'{seconds/60:.1f} minutes, {used/60:.1f} of processor; the load is {os.getloadavg()[1]:.1f}')
     real = sorted((notebook.stem, mark_of(notebook, 'clock: real') or '') for notebook in results if not simulates(notebook))
     if SEED is not None: print(f'{len(results)-len(real)} in simulated time, {len(real)} in real time:', '; '.join(f'{name} ({why})' for name,why in real))
     for flag in ('notest', 'slow', 'hardware', *NEEDS):
@@ -207,7 +207,7 @@ if __name__ == '__main__':
     assert threading.active_count() == len(os.listdir('/proc/self/task') if sys.platform == 'linux' else [0]) == 1, 'a fork needs one thread'
     nbdev.test.parallel,nbglob,nbdev.test.nbglob = parallel,nbdev.test.nbglob,notebooks
     if '--flags' not in sys.argv: sys.argv += ['--flags', ' '.join(['slow', *installed()] if GROUP or path else [])]
-    FLAGS,began = sys.argv[sys.argv.index('--flags')+1].split(),time.time()
+    FLAGS,began,used = sys.argv[sys.argv.index('--flags')+1].split(),time.time(),processor()
     try: nbdev.test.nbdev_test()
-    finally: report(FLAGS, began)
+    finally: report(FLAGS, began, used)
     sys.exit(not results)       # a path that does not exist is not a success

@@ -204,7 +204,7 @@ class TCPClient(Closes):
             self._lock.notify_all()
 
     def wait_up(self, up:bool=True, timeout:float=10.)->bool:
-        "Wait until it is connected and `changed` knows, or until it is not, `timeout` seconds at most"
+        "Wait until it is connected and `changed` was called, or until it is not, `timeout` seconds at most"
         with self._lock: return self._lock.wait_for(lambda: self.up==up and (self._told or not up), timeout)
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #30335218
