@@ -472,6 +472,7 @@ class Health:
     def __init__(self, component:Component, device): # A device with `information.model` and an optional `fault`
         store_attr()
         self.fault,self.said,self._lock = None,'',clock.Lock()      # `said`: the last text sent
+        self._beating = clock.Lock()        # no heartbeat with an older state comes after one with a newer
 
     @property
     def now(self):
@@ -499,8 +500,9 @@ class Health:
 @patch
 def beat(self:Health):
     "Send the component's heartbeat with the device's state, then a text after a change"
-    news = self.look()
-    Component.beat(self.component)
+    with self._beating:
+        news = self.look()
+        Component.beat(self.component)
     if news: self.tell(*news)
 
 @patch
