@@ -510,7 +510,7 @@ def fly_apart(name:str, seed:int, minutes:float=10.)->ns:
     finally: process.join()
 
 # %% seeds.ipynb #a7d5bf9f
-kept = [('gimbal',0,1.), ('mute',13,.5), ('mute',25,.5)]       # `(scenario, seed, simulated minutes)` that once failed
+kept = [('gimbal',0,1.), ('mute',13,.5), ('mute',25,.5), ('two',0,1.6)]       # `(scenario, seed, simulated minutes)` that once failed
 
 def _arguments(argv)->argparse.Namespace:
     reader = argparse.ArgumentParser(prog='python -m tests.seeds', description=__doc__)

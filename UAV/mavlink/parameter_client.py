@@ -15,7 +15,7 @@ from ..utils.sockets import get_web
 from ..wire.dialect import MAVError
 from ..ftp.frames import read_ftp_url
 from .protocol import Answer, Lost, NoAnswer, Unsupported, comes_from
-from .asking import in_progress_timeout, longest_work
+from .asking import in_progress_timeout, longest_stray, longest_work
 from .settings import *
 from .camera_asking import CAMERA_INFORMATION, CameraAsking
 from .camera_downloads import RemoteFiles
@@ -29,6 +29,7 @@ class RemoteSettings(RemoteParameters):
     def __init__(self, camera:CameraAsking): # The camera
         super().__init__(camera.address)
         self.camera,self.client = camera,camera.client
+        self._late = {}         # by name: when its last SET ended, and how many of its acks may still come
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #4573b689
 def _definition_uri(info)->str: return info.cam_definition_uri.split('\0')[0].strip() if info else ''
@@ -213,7 +214,11 @@ async def _final_ack(self:RemoteSettings, request:SetRequest, wait:float):
     while (left := min(end, longest)-clock.monotonic())>0:
         ack = await request.next(left)
         if ack is None: continue
+        if ack.param_result!=mavlink.PARAM_ACK_IN_PROGRESS: request.late -= 1
         if request.is_ours(ack): return ack
+        if request.strays and ack.param_result==mavlink.PARAM_ACK_ACCEPTED:
+            request.strays -= 1
+            continue
         now = clock.monotonic()
         if ack.param_result==mavlink.PARAM_ACK_IN_PROGRESS: end,found = now+in_progress_timeout,None
         else: found,end = ack,min(end, now+self.camera._soon())
@@ -225,10 +230,14 @@ async def _send_set(self:RemoteSettings, request:SetRequest):
     "Send a SET until its PARAM_EXT_ACK, or `None`; raises `Lost`"
     msg,rounded = request.encode(self.client.mav, self.target),None
     def note(msg): return comes_from(msg, *self.target) and request.note(msg)
+    ended,late = self._late.get(request.name, (-longest_stray,0))
+    if clock.monotonic()-ended<longest_stray: request.strays = request.late = max(0, late)
     with self.client.expecting(PARAM_EXT_ACK, note, self.target) as lost:
         for wait in self._tries():
             self.client.send_message(msg)
+            request.late += 1               # each copy is answered
             ack = await self._final_ack(request, wait)
+            self._late[request.name] = clock.monotonic(),request.late
             if ack and (request.is_ours(ack) or ack.param_result!=mavlink.PARAM_ACK_ACCEPTED or rounded): return ack
             rounded = ack
             if lost.there: await lost.wait(0)       # raises

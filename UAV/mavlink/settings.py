@@ -367,6 +367,7 @@ class SetRequest:
     "A pending SET, and the acks that may answer it"
     def __init__(self, name:str, kind:str, raw:bytes):
         self.name,self.kind,self.raw,self.acks,self.news = name,kind,raw,deque(),Answer()
+        self.late = self.strays = 0     # acks that may still come; of these, answers to the SET before
 
     def encode(self, mav, target:tuple):
         "Encode the PARAM_EXT_SET"
