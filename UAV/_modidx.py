@@ -5746,6 +5746,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                  'UAV/testing/simulation.py'),
                                         'UAV.testing.simulation._waiting': ( 'api/testing/simulation.html#_waiting',
                                                                              'UAV/testing/simulation.py'),
+                                        'UAV.testing.simulation._waitpid': ( 'api/testing/simulation.html#_waitpid',
+                                                                             'UAV/testing/simulation.py'),
                                         'UAV.testing.simulation._write': ( 'api/testing/simulation.html#_write',
                                                                            'UAV/testing/simulation.py'),
                                         'UAV.testing.simulation.simulated': ( 'api/testing/simulation.html#simulated',

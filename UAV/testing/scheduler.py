@@ -60,6 +60,7 @@ class World:
         self.on_the_way,self._awaited = 0,0.    # bytes that the system has not delivered; really, until when they're due
         self.host,self.error,self.ended = None,None,False   # `host`: the asyncio task that began it
         self.changes = 0                # of threads since time has jumped
+        self.running = None             # the task that has the baton, once it was handed on
         self.executors = {}             # of event loops that are older than the world
 
     def __repr__(self): return f'World(seed={self.seed!r}): {len(self.tasks)} threads, {self.now:.6g} s'
@@ -113,7 +114,8 @@ def _spin(self:World, me:_Task):
 def look(self:World, me:_Task):
     "A thread looks at something that others change"
     me.looks += 1
-    if me.looks%(100_000 if me.imports else 1000) or self.ended: return
+    if me.looks%(100_000 if me.imports else 1000): return
+    if self.ended: return self._leave(me)
     self.now += 1e-3
     self.sleep(0)
 
@@ -180,12 +182,13 @@ def _hand_on(self:World, me:_Task):
     if task is me: return
     self.changes += 1
     self.now += self.step if self.changes<1000 else self.busy_step
+    self.running = task
     task.gate.release()
     if me.done: return
     try: me.gate.acquire()
-    except BaseException:               # Ctrl-C, while another one runs
-        self._woken.append((me, me.turn))
-        me.gate.acquire()
+    except BaseException:               # Ctrl-C, while another one runs, or just when it's our turn
+        if self.running is not me: self._woken.append((me, me.turn))
+        me.gate.acquire(self.running is not me)
         raise
 
 # %% ../../nbs/api/testing/00_scheduler.ipynb #cf926a45
@@ -414,7 +417,7 @@ def outside():
         world.pacer = threading.Thread(target=world._pace, name='pace', daemon=True)
         world.start(world.pacer)
     me.turn,me.outside,me.poll,me.error = me.turn+1,True,None,None
-    task = world._next()
+    task = world.running = world._next()
     task.gate.release()
     try: yield
     finally:

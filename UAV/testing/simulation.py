@@ -384,6 +384,15 @@ def _popen(self, *args, **kwargs):
     task.world.programs.append(self.pid)
     self.stdout,self.stderr = _piped(self.stdout),_piped(self.stderr)
 
+_real_waitpid = getattr(os, 'waitpid', None)
+
+def _waitpid(pid, options):
+    "`os.waitpid`, while other threads go on"
+    while (task := here()) and not options&os.WNOHANG:
+        if (found := _real_waitpid(pid, options|os.WNOHANG))!=(0,0): return found
+        task.world.sleep(.01)
+    return _real_waitpid(pid, options)
+
 def _popen_wait(self, timeout=None):
     "`Popen.wait`, while other threads go on"
     while timeout is None and (task := here()) and self.poll() is None: task.world.sleep(.01)
@@ -444,7 +453,8 @@ def _keep_real(swap):
 # %% ../../nbs/api/testing/00_simulation.ipynb #899a155c
 _names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, _thread.RLock: _RLock, queue.SimpleQueue: _SimpleQueue,
                   threading.enumerate: _enumerate, select.select: _select, os.read: _read, os.write: _write,
-                  shutil.disk_usage: _disk_usage, **({os.fork: _fork} if _real_fork else {})}
+                  shutil.disk_usage: _disk_usage,
+                  **({os.fork: _fork, os.waitpid: _waitpid} if _real_fork else {})}
 _kinds = [getattr(selectors, f'{name}Selector') for name in 'Select Poll Epoll Kqueue Devpoll'.split()
           if hasattr(selectors, f'{name}Selector')]
 _receives = 'recv recvfrom recv_into recvfrom_into recvmsg accept'.split()
