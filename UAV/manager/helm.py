@@ -298,7 +298,8 @@ async def _steer(self:_Follow, gimbal):
             now,came = self._target()
             fov,pitch = self.row.aim.field_of_view(),(gimbal.client.attitude or GimbalAttitude()).pitch
             if now.status=='active' and now.point and came!=middle.when and fov:
-                seen,rates = clock.monotonic(),middle.rates(_errors(now.point, fov, pitch if known(pitch) else 0.), came)
+                errors = _errors(now.point, fov, pitch if known(pitch) else 0.)
+                seen,rates = clock.monotonic(),middle.rates(errors, came)
             elif clock.monotonic()-seen>self.old: rates = 0.,0.
             n += 1
             await self.helm.hold(*rates, self.hold, n)

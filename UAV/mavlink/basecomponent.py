@@ -13,9 +13,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, LogLevels, _set_level
 from .asking import Commands
 from .mavcom import MAVCom
-from UAV.mavlink.protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
-    CommandError, contraries, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives, _Seconds, Served,
-    _Tables)
+from .protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
+    CommandError, contraries, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives,
+    _Seconds, Served, _Tables)
 from ..utils import clock
 from ..utils.general import time_UTC_usec, timers, Worker
 from ..wire.dialect import Ack, address, command_cancel, enum_name, LinkError, timesync

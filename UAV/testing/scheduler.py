@@ -57,7 +57,7 @@ class World:
         self._count,self._woken = itertools.count(),deque()     # `_woken`: by threads of no world
         self.pacer = None                   # the thread that has the baton while all others are outside
         self.programs,self.outsiders,self._told = [],0,False    # process ids of programs that run; threads in `outside`
-        self.on_the_way,self._awaited = 0,0.    # bytes that the system has not delivered; really, until when they're due
+        self.on_the_way,self._awaited = 0,0.    # bytes not delivered yet; really, until when they're due
         self.host,self.error,self.ended = None,None,False   # `host`: the asyncio task that began it
         self.changes = 0                # of threads since time has jumped
         self.running = None             # the task that has the baton, once it was handed on

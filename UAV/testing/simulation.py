@@ -451,8 +451,9 @@ def _keep_real(swap):
         if name.startswith('av.') and vars(module).get('time') is time: swap.set(module, 'time', _real_clocks)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #899a155c
-_names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, _thread.RLock: _RLock, queue.SimpleQueue: _SimpleQueue,
-                  threading.enumerate: _enumerate, select.select: _select, os.read: _read, os.write: _write,
+_names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, _thread.RLock: _RLock,
+                  queue.SimpleQueue: _SimpleQueue, threading.enumerate: _enumerate, select.select: _select,
+                  os.read: _read, os.write: _write,
                   shutil.disk_usage: _disk_usage,
                   **({os.fork: _fork, os.waitpid: _waitpid} if _real_fork else {})}
 _kinds = [getattr(selectors, f'{name}Selector') for name in 'Select Poll Epoll Kqueue Devpoll'.split()
