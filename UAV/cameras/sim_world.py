@@ -83,9 +83,11 @@ class _Stills:
             self._put(key, kept)
         if kept is not None: return kept.copy()
         picture = draw()
-        if asked_before and picture.nbytes <= self.most_bytes:
-            copy = picture.copy()
-            with self._lock: self._put(key, copy)
+        if not asked_before or picture.nbytes>self.most_bytes: return picture
+        copy = picture.copy()
+        if self._lock.acquire(False):       # without a wait: in simulated time what is kept must not change the order of threads
+            try: self._put(key, copy)
+            finally: self._lock.release()
         return picture
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #7e80d3fa
@@ -97,7 +99,7 @@ class SimWorld:
     boards = range(12)      # numbers of the tags that stand
 
     def __init__(self, seed:int=0): # The same seed gives the same world
-        self.seed,self._textures,self._lock,self._stills = seed,{},clock.Lock(),_Stills()
+        self.seed,self._stills = seed,_Stills()
 
     def __setattr__(self, name, value):
         super().__setattr__(name, value)
@@ -197,16 +199,17 @@ def background(self:SimWorld, view:View):
     return np.concatenate([self._strip(view.rows(*rows)) for rows in zip(edges, edges[1:])])
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #40eddc31
+@lru_cache(maxsize=1024)
+def _painted_tag(number, px, py):
+    family = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_APRILTAG_36h11)
+    cells = cv2.aruco.generateImageMarker(family, number, 8)//255*215 + 20
+    enlarged = np.kron(np.pad(cells, 1, constant_values=235), np.ones((py,px), np.uint8)).astype(np.uint8)
+    return np.repeat(enlarged[:,:,None], 3, axis=2)
+
 @patch
 def _texture(self:SimWorld, number, px, py):
     "The tag with a white rim, `10*px` pixels wide and `10*py` high"
-    with self._lock:
-        if (number,px,py) not in self._textures:
-            family = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_APRILTAG_36h11)
-            cells = cv2.aruco.generateImageMarker(family, number, 8)//255*215 + 20
-            enlarged = np.kron(np.pad(cells, 1, constant_values=235), np.ones((py,px), np.uint8)).astype(np.uint8)
-            self._textures[number,px,py] = np.repeat(enlarged[:,:,None], 3, axis=2)
-        return self._textures[number,px,py]
+    return _painted_tag(number, px, py)
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5520
 def _nearest_scale(length:float)->int:

@@ -441,7 +441,7 @@ class _Tables:
         "Register more message ids until `leave`; `None`: all"
         new = set(msg_ids)-self._ids
         self._ids |= new
-        self.wanted.add(*new)
+        if new: self.wanted.add(*new)
 
     def leave(self):
         "Unregister all ids; safe to call twice"

@@ -18,6 +18,7 @@ __all__ = ['log', 'Deadlock', 'World', 'here', 'Waiter', 'outside']
 
 # %% ../../nbs/api/testing/00_scheduler.ipynb #1956d010
 log = get_logger('simulated')
+__tracebackhide__ = True        # pytest shows the lines of a test, not ours
 _real_sleep,_real_monotonic = time.sleep,time.monotonic
 _get_ident,_allocate_lock = _thread.get_ident,_thread.allocate_lock
 
@@ -193,9 +194,9 @@ def _hand_on(self:World, me:_Task):
 
 # %% ../../nbs/api/testing/00_scheduler.ipynb #cf926a45
 @patch
-def maybe_switch(self:World):
+def maybe_switch(self:World, me:_Task|None=None): # The calling thread's task
     "Let another thread run first, if one could, as the dice decide"
-    me = self.tasks[_get_ident()]
+    me = me or self.tasks[_get_ident()]
     self.look(me)
     if not self.ready or me.imports or self.ended or self.dice.random()>=self.switching: return
     me.turn += 1

@@ -8,8 +8,9 @@ from collections import deque
 from contextlib import suppress
 from random import Random
 from types import ModuleType, SimpleNamespace
-import _thread, asyncio, functools, importlib, io, logging, math, os, queue, random, secrets, select, selectors
+import _thread, asyncio, functools, importlib, io, logging, math, os, queue, random, select, selectors
 import shutil, socket, stat, subprocess, sys, threading, time
+import numpy.random     # NumPy loads it late: inside of a world it would take our locks
 
 from . import scheduler
 from .scheduler import _real_monotonic, _real_sleep, here, outside, Waiter, World
@@ -19,13 +20,13 @@ from ..utils import clock, general
 __all__ = ['epoch', 'simulated']
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #33a323d7
+_real_urandom = os.urandom
+__tracebackhide__ = True        # pytest shows the lines of a test, not ours
+
 def _seeded(seed)->dict:
-    "Random numbers of a world in place of the system's"
+    "Random numbers of a world in place of the system's: below `secrets`, `uuid4` and NumPy's generators"
     dice = Random(f'secrets {seed}')
-    def of(real, drawn): return functools.wraps(real)(lambda *args: real(*args) if here() is None else drawn(*args))
-    return {secrets.randbelow: of(secrets.randbelow, dice.randrange),
-            secrets.token_bytes: of(secrets.token_bytes, lambda n=None: dice.randbytes(n or 32)),
-            secrets.token_hex: of(secrets.token_hex, lambda n=None: dice.randbytes(n or 32).hex())}
+    return {os.urandom: lambda size: _real_urandom(size) if here() is None else dice.randbytes(size)}
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #0219579f
 class simulated:
@@ -122,13 +123,14 @@ _clocks |= {time.localtime: _localtime, time.gmtime: _of_now(time.gmtime), time.
 # %% ../../nbs/api/testing/00_simulation.ipynb #3ddb32cf
 class _Lock:
     "A lock for threads of a world and others"
-    def __init__(self, lock=None): self._lock,self._waiting = lock or self._make(),deque()
+    def __init__(self, lock=None, quiet:bool=False): # `quiet`: taking it never lets another thread run first
+        self._lock,self._waiting,self._quiet = lock or self._make(),deque(),quiet
     _make = staticmethod(threading.Lock)
 
     def acquire(self, blocking=True, timeout=-1):
         task = here()
         if task is None: return self._lock.acquire(blocking, timeout)
-        if blocking: task.world.maybe_switch()
+        if blocking and not self._quiet: task.world.maybe_switch(task)
         if self._lock.acquire(False): return True
         return blocking and self._wait(task, math.inf if timeout in (-1,None) else task.world.now+timeout)
 
@@ -142,11 +144,10 @@ class _Lock:
 
     def release(self):
         self._lock.release()
-        self._let_in()
+        if self._waiting: _release_first(self._waiting)
 
-    def _let_in(self): _release_first(self._waiting)
     def locked(self): return self._lock.locked()
-    def __enter__(self): return self.acquire()
+    __enter__ = acquire
     def __exit__(self, *args): self.release()
     def _at_fork_reinit(self): self.__init__()
 
@@ -162,12 +163,12 @@ class _RLock(_Lock):
 
     def release(self):
         self._lock.release()
-        if not self._lock._is_owned(): self._let_in()
+        if self._waiting and not self._lock._is_owned(): _release_first(self._waiting)
 
     def _is_owned(self): return self._lock._is_owned()
     def _release_save(self):        # for `Condition.wait`
         state = self._lock._release_save()
-        self._let_in()
+        if self._waiting: _release_first(self._waiting)
         return state
 
     def _acquire_restore(self, state):
@@ -183,6 +184,7 @@ class _SimpleQueue:
         _release_first(self._waiting)
 
     def get(self, block=True, timeout=None):
+        if task := here(): task.world.look(task)
         end = math.inf if timeout is None else clock.monotonic()+timeout
         while True:
             try: return self._items.popleft()
@@ -284,7 +286,7 @@ def _until_ready(sock, write:bool):
     task = here()
     if task is None or sock.fileno()<0 or (timeout := sock.gettimeout())==0: return
     ready,world = _looks(sock.fileno(), write),task.world
-    if ready(): world.maybe_switch()
+    if ready(): world.maybe_switch(task)
     elif not world.wait(math.inf if timeout is None else world.now+timeout, ready): raise TimeoutError('timed out')
 
 def _waiting(name:str, write:bool=False):
@@ -309,10 +311,11 @@ def _sendall(self, data, flags=0):
 # %% ../../nbs/api/testing/00_simulation.ipynb #459d05dd
 def _polled(real, timeout):
     "What `real()` finds, at once or within `timeout` seconds; `None`: nothing"
-    world = here().world
-    if found := real(): return world.maybe_switch() or found
+    task = here()
+    world = task.world
+    if found := real(): return world.maybe_switch(task) or found
     world.wait(math.inf if timeout is None else world.now+max(timeout, 0), real)
-    return real() or here().found
+    return real() or task.found
 
 def _selects(kind):
     "The method `select` of a class of selectors"
@@ -470,12 +473,13 @@ _methods = [(threading.Condition, 'wait', _condition_wait), (threading.Event, 'i
 
 _lock_types = type(threading.Lock()),type(threading.RLock())
 
-_left_alone = __name__,'UAV.testing.scheduler','_pytest.timing'     # pytest's own durations are real
+# pytest's own durations are real; NumPy's generators never wait while they hold a lock, and what they give may be kept for later worlds
+_left_alone = __name__,'UAV.testing.scheduler','_pytest.timing','numpy'
 
 def _namespaces():
     "The modules, with the classes of ours and of pyserial, as `(object, its names)`"
     for name,module in list(sys.modules.items()):
-        if not isinstance(module, ModuleType) or name in _left_alone: continue
+        if not isinstance(module, ModuleType) or name.startswith(_left_alone): continue
         yield module,list(vars(module).items())
         if not name.startswith(('UAV.','serial.')): continue
         for kind in [v for v in vars(module).values() if isinstance(v, type) and v.__module__==name]:
@@ -492,11 +496,13 @@ class _Swap:
         for owner,inside in _namespaces():
             for name,value in inside:       # half a million
                 if id(value) in self.names or type(value) in _with_locks: self._look_at(owner, name, value)
+        self.set(threading, '_CRLock', _RLock._make)        # below the function `RLock` of modules that are left alone
         for handler in [ref() for ref in logging._handlerList]: handler and self._look_at(handler, 'lock', handler.lock)
 
     def _look_at(self, owner, name, value):
-        wrapped = isinstance(value, _lock_types) and getattr(owner, '__name__', '')!='threading'
-        new = self.names.get(id(value)) or wrapped and (_Lock if isinstance(value, _lock_types[0]) else _RLock)(value)
+        module = 'logging' if isinstance(owner, logging.Handler) else getattr(owner, '__module__', None) or owner.__name__
+        kind,quiet = _Lock if isinstance(value, _lock_types[0]) else _RLock,module.partition('.')[0] in sys.stdlib_module_names
+        new = self.names.get(id(value)) or isinstance(value, _lock_types) and module!='threading' and kind(value, quiet)
         if new: self.set(owner, name, new)
         elif isinstance(value, functools.cached_property) and hasattr(value, 'lock'):
             self._look_at(value, 'lock', value.lock)
