@@ -71,6 +71,11 @@ def mark_of(notebook, mark):
 def simulates(notebook): return SEED is not None and mark_of(notebook, 'clock: real') is None
 
 
+def one_at_a_time(notebook):
+    "Whether one thread runs at a time in a notebook: in simulated time, or in worlds that it begins itself"
+    return simulates(notebook) or 'worlds' in (mark_of(notebook, 'clock: real') or '')
+
+
 def load():
     "Import all of the package, once and not in each process"
     for module in pkgutil.walk_packages(UAV.__path__, 'UAV.'):
@@ -100,8 +105,8 @@ def child(test, notebook, options, turn, core, waited, used):
 
 
 def core_for(notebook, busy):
-    "The core with the fewest notebooks of simulated time: one thread runs at a time, and a change of cores costs a quarter of it"
-    if not CORES or not simulates(notebook): return
+    "The core with the fewest notebooks of simulated time: where one thread runs at a time, a change of cores costs a quarter of it"
+    if not CORES or not one_at_a_time(notebook): return
     taken = [core for *_,core in busy.values()]
     return min(CORES, key=taken.count)
 
