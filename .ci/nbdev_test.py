@@ -3,12 +3,12 @@
 behind fails alone. It takes nbdev-test's options, and `--path NOTEBOOK`. Nothing is tried twice.
 
 A notebook runs in simulated time (`UAV.testing.simulated`), where its verdict doesn't depend on the machine, unless it has a line
-`#| clock: real, REASON`. `--real` gives all of them the real clock, `--seed N` another order of their threads.
+`#| clock: real, REASON`. On Linux it has a network of its own, unless it has a line `#| network: real, REASON`. `--real` gives all of them the real clock, `--seed N` another order of their threads.
 
 The first group is what runs without options: it needs nothing but the dev environment. `--rest` runs the second group: notebooks
 with a line `#| tests: all` and cells that begin with `#| slow`, `#| gst`, `#| browser`, … where these are installed. `--all` runs both.
 The last lines are how many passed, failed and were skipped, and why."""
-import faulthandler, fcntl, gc, importlib, os, pkgutil, re, resource, signal, sys, tempfile, threading, time
+import ctypes, faulthandler, fcntl, gc, importlib, os, pkgutil, re, resource, signal, socket, struct, sys, tempfile, threading, time
 from multiprocessing import get_context
 from multiprocessing.connection import wait
 from pathlib import Path
@@ -89,6 +89,20 @@ def processor():
     return sum(r.ru_utime+r.ru_stime for r in map(resource.getrusage, (resource.RUSAGE_SELF,resource.RUSAGE_CHILDREN)))
 
 
+def own_network():
+    "Where Linux allows it, give this process a network of its own with only a loopback: its ports are free, whatever runs beside it"
+    user,network,uid,gid = 0x10000000,0x40000000,os.getuid(),os.getgid()        # CLONE_NEWUSER and CLONE_NEWNET of sched.h
+    unshare = getattr(ctypes.CDLL(None), 'unshare', None)
+    if unshare is None: return
+    if unshare(network):                                # without the right to do so, in a name space of users as well
+        if unshare(user|network): return
+        for name,said in (('setgroups', 'deny'),('uid_map', f'{uid} {uid} 1'),('gid_map', f'{gid} {gid} 1')):
+            Path('/proc/self', name).write_text(said)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as s:
+        up = 0x1|0x40|0x1000        # IFF_UP, IFF_RUNNING and IFF_MULTICAST of if.h
+        fcntl.ioctl(s, 0x8914, struct.pack('16sh22x', b'lo', up))   # SIOCSIFFLAGS
+
+
 def child(test, notebook, options, turn, core, waited, used):
     "Test one notebook in this process, and leave with `PASSED` or `FAILED`; threads it left are not waited for"
     os.setpgid(0, 0)
@@ -96,6 +110,7 @@ def child(test, notebook, options, turn, core, waited, used):
     faulthandler.dump_traceback_later(LONGEST, exit=True)
     Turn(turn, waited)
     if core is not None: os.sched_setaffinity(0, [core])
+    if mark_of(notebook, 'network: real') is None: own_network()
     if simulates(notebook): simulated(SEED).__enter__()         # it ends with the process
     passed,_ = test(notebook, **options)
     used.value = processor()
