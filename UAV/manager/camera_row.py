@@ -138,10 +138,11 @@ async def _ask(self:CameraRow, question:int):
 @patch
 def soon(self:CameraRow,
     *questions, # Message ids; all if there are none
+    now:bool=True, # False: within half a second
 ):
     "Request these messages next; on the panel's loop"
     for question in questions or self.questions: self.due.pop(question, None)
-    self._wake.set()
+    if now: self._wake.set()
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #df1b2b53
 @patch

@@ -332,4 +332,4 @@ async def follow_target(self:_Follow, on:bool):
 @patch
 async def watch(self:_Follow):
     "Request the field of view while following, as it changes with the zoom"
-    if self.task and not self.task.done(): self.row.soon(CAMERA_FOV_STATUS)
+    if self.task and not self.task.done(): self.row.soon(CAMERA_FOV_STATUS, now=False)

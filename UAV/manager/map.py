@@ -246,7 +246,7 @@ class _CameraGround(RowPart):
         "Request CAMERA_FOV_STATUS while a map is open, if the camera has sent its position before"
         msg = self.row.told.newest.get(CAMERA_FOV_STATUS)
         knows,is_open = msg and known(from_int32(msg.lat_camera, 1e7)),clock.monotonic()-self.looked<self.open_for
-        if knows and is_open and not self.by_gimbal(): self.row.soon(CAMERA_FOV_STATUS)
+        if knows and is_open and not self.by_gimbal(): self.row.soon(CAMERA_FOV_STATUS, now=False)
 
 # %% ../../nbs/api/manager/05_map.ipynb #d11a153f
 @patch
