@@ -3,7 +3,7 @@
 behind fails alone. It takes nbdev-test's options, and `--path NOTEBOOK`. Nothing is tried twice.
 
 A notebook runs in simulated time (`UAV.testing.simulated`), where its verdict doesn't depend on the machine, unless it has a line
-`#| clock: real, REASON`. On Linux it has a network of its own, unless it has a line `#| network: real, REASON`. `--real` gives all of them the real clock, `--seed N` another order of their threads.
+`#| clock: real, REASON`. As root on Linux it has a network of its own, unless it has a browser or a line `#| network: real, REASON`. `--real` gives all of them the real clock, `--seed N` another order of their threads.
 
 The first group is what runs without options: it needs nothing but the dev environment. `--rest` runs the second group: notebooks
 with a line `#| tests: all` and cells that begin with `#| slow`, `#| gst`, `#| browser`, … where these are installed. `--all` runs both.
@@ -35,6 +35,7 @@ LONG = ('panel_in_a_browser panel_settings panel_in_jupyterlab 03_camera panel_u
         'devices_conformance killed_while_capturing stray_acks 11_survey_by_distance serial_and_mavproxy').split()      # they need longest
 PASSED,FAILED = 60,61           # what `child` ends with; a notebook that ends its process itself, with 0 perhaps, has not passed
 GROUP,FLAGS,SEED = '',[],0      # from the command line: '', --rest or --all; cells to run; a seed of `None` is the real clock
+NETWORK = False                 # each notebook can have a network of its own
 results = {}                    # notebook: whether it passed, its seconds, and those of the processor
 
 
@@ -90,17 +91,25 @@ def processor():
 
 
 def own_network():
-    "Where Linux allows it, give this process a network of its own with only a loopback: its ports are free, whatever runs beside it"
-    user,network,uid,gid = 0x10000000,0x40000000,os.getuid(),os.getgid()        # CLONE_NEWUSER and CLONE_NEWNET of sched.h
+    "Give this process a network of its own with only a loopback: its ports are free, whatever runs beside it. Linux, as root"
     unshare = getattr(ctypes.CDLL(None), 'unshare', None)
-    if unshare is None: return
-    if unshare(network):                                # without the right to do so, in a name space of users as well
-        if unshare(user|network): return
-        for name,said in (('setgroups', 'deny'),('uid_map', f'{uid} {uid} 1'),('gid_map', f'{gid} {gid} 1')):
-            Path('/proc/self', name).write_text(said)
+    if not unshare or unshare(0x40000000): return               # CLONE_NEWNET of sched.h
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as s:
-        up = 0x1|0x40|0x1000        # IFF_UP, IFF_RUNNING and IFF_MULTICAST of if.h
-        fcntl.ioctl(s, 0x8914, struct.pack('16sh22x', b'lo', up))   # SIOCSIFFLAGS
+        up = struct.pack('16sh22x', b'lo', 0x1|0x40|0x1000)     # IFF_UP, IFF_RUNNING and IFF_MULTICAST of if.h
+        fcntl.ioctl(s, 0x8914, up)                              # SIOCSIFFLAGS
+
+
+def has_own_network():
+    "Whether `own_network` works here: tried in a child, since there's no way back"
+    if pid := os.fork(): return os.waitpid(pid, 0)[1] == 0
+    try:
+        own_network()
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as s:
+            s.settimeout(60)
+            s.bind(('127.0.0.1', 0))
+            s.sendto(b'heard', s.getsockname())
+            os._exit(s.recv(9) != b'heard')
+    finally: os._exit(1)
 
 
 def child(test, notebook, options, turn, core, waited, used):
@@ -110,7 +119,7 @@ def child(test, notebook, options, turn, core, waited, used):
     faulthandler.dump_traceback_later(LONGEST, exit=True)
     Turn(turn, waited)
     if core is not None: os.sched_setaffinity(0, [core])
-    if mark_of(notebook, 'network: real') is None: own_network()
+    if NETWORK and not in_browser(notebook) and mark_of(notebook, 'network: real') is None: own_network()    # with a loopback only, Chromium is offline
     if simulates(notebook): simulated(SEED).__enter__()         # it ends with the process
     passed,_ = test(notebook, **options)
     used.value = processor()
@@ -225,6 +234,7 @@ if __name__ == '__main__':
     SEED = None if option('--real') else option('--seed', 0, value=True)
     load()
     assert threading.active_count() == len(os.listdir('/proc/self/task') if sys.platform == 'linux' else [0]) == 1, 'a fork needs one thread'
+    NETWORK = has_own_network()
     nbdev.test.parallel,nbglob,nbdev.test.nbglob = parallel,nbdev.test.nbglob,notebooks
     if '--flags' not in sys.argv: sys.argv += ['--flags', ' '.join(['slow', *installed()] if GROUP or path else [])]
     FLAGS,began,used = sys.argv[sys.argv.index('--flags')+1].split(),time.time(),processor()
