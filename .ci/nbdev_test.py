@@ -3,7 +3,9 @@
 behind fails alone. It takes nbdev-test's options, and `--path NOTEBOOK`. Nothing is tried twice.
 
 A notebook runs in simulated time (`UAV.testing.simulated`), where its verdict doesn't depend on the machine, unless it has a line
-`#| clock: real, REASON`. As root on Linux it has a network of its own, unless it has a browser or a line `#| network: real, REASON`. `--real` gives all of them the real clock, `--seed N` another order of their threads.
+`#| clock: real, REASON`. `--real` gives all of them the real clock, `--seed N` another order of their threads. One that begins worlds
+itself has a line `#| core: one`. As root on Linux a notebook has a network of its own, unless it has a browser or a line
+`#| network: real, REASON`.
 
 The first group is what runs without options: it needs nothing but the dev environment. `--rest` runs the second group: notebooks
 with a line `#| tests: all` and cells that begin with `#| slow`, `#| gst`, `#| browser`, … where these are installed. `--all` runs both.
@@ -72,9 +74,9 @@ def mark_of(notebook, mark):
 def simulates(notebook): return SEED is not None and mark_of(notebook, 'clock: real') is None
 
 
-def one_at_a_time(notebook):
-    "Whether one thread runs at a time in a notebook: in simulated time, or in worlds that it begins itself"
-    return simulates(notebook) or 'worlds' in (mark_of(notebook, 'clock: real') or '')
+def isolates(notebook):
+    "Whether a notebook has a network of its own; with only a loopback, Chromium is offline"
+    return NETWORK and not in_browser(notebook) and mark_of(notebook, 'network: real') is None
 
 
 def load():
@@ -119,7 +121,7 @@ def child(test, notebook, options, turn, core, waited, used):
     faulthandler.dump_traceback_later(LONGEST, exit=True)
     Turn(turn, waited)
     if core is not None: os.sched_setaffinity(0, [core])
-    if NETWORK and not in_browser(notebook) and mark_of(notebook, 'network: real') is None: own_network()    # with a loopback only, Chromium is offline
+    if isolates(notebook): own_network()
     if simulates(notebook): simulated(SEED).__enter__()         # it ends with the process
     passed,_ = test(notebook, **options)
     used.value = processor()
@@ -130,7 +132,7 @@ def child(test, notebook, options, turn, core, waited, used):
 
 def core_for(notebook, busy):
     "The core with the fewest notebooks of simulated time: where one thread runs at a time, a change of cores costs a quarter of it"
-    if not CORES or not one_at_a_time(notebook): return
+    if not CORES or not simulates(notebook) and mark_of(notebook, 'core: one') is None: return
     taken = [core for *_,core in busy.values()]
     return min(CORES, key=taken.count)
 

@@ -5665,6 +5665,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                    'UAV/testing/simulation.py'),
                                         'UAV.testing.simulation._Swap._look_at': ( 'api/testing/simulation.html#_swap._look_at',
                                                                                    'UAV/testing/simulation.py'),
+                                        'UAV.testing.simulation._Swap._wrapped': ( 'api/testing/simulation.html#_swap._wrapped',
+                                                                                   'UAV/testing/simulation.py'),
                                         'UAV.testing.simulation._Swap.set': ( 'api/testing/simulation.html#_swap.set',
                                                                               'UAV/testing/simulation.py'),
                                         'UAV.testing.simulation._Swap.undo': ( 'api/testing/simulation.html#_swap.undo',

@@ -473,7 +473,8 @@ _methods = [(threading.Condition, 'wait', _condition_wait), (threading.Event, 'i
 
 _lock_types = type(threading.Lock()),type(threading.RLock())
 
-# pytest's own durations are real; NumPy's generators never wait while they hold a lock, and what they give may be kept for later worlds
+# pytest's own durations are real; NumPy's generators never wait while they hold a lock, and a later world may find
+# what they drew in a cache
 _left_alone = __name__,'UAV.testing.scheduler','_pytest.timing','numpy'
 
 def _namespaces():
@@ -494,18 +495,22 @@ class _Swap:
         self.names,self.done = {id(old): new for old,new in names.items()},[]
         self.olds = {id(new): old for old,new in names.items()}
         for owner,inside in _namespaces():
-            for name,value in inside:       # half a million
+            for name,value in inside:       # a hundred thousand
                 if id(value) in self.names or type(value) in _with_locks: self._look_at(owner, name, value)
         self.set(threading, '_CRLock', _RLock._make)        # below the function `RLock` of modules that are left alone
         for handler in [ref() for ref in logging._handlerList]: handler and self._look_at(handler, 'lock', handler.lock)
 
     def _look_at(self, owner, name, value):
-        module = 'logging' if isinstance(owner, logging.Handler) else getattr(owner, '__module__', None) or owner.__name__
-        kind,quiet = _Lock if isinstance(value, _lock_types[0]) else _RLock,module.partition('.')[0] in sys.stdlib_module_names
-        new = self.names.get(id(value)) or isinstance(value, _lock_types) and module!='threading' and kind(value, quiet)
+        new = self.names.get(id(value)) or isinstance(value, _lock_types) and self._wrapped(owner, value)
         if new: self.set(owner, name, new)
         elif isinstance(value, functools.cached_property) and hasattr(value, 'lock'):
             self._look_at(value, 'lock', value.lock)
+
+    def _wrapped(self, owner, lock):
+        "Our lock around one of a module, a class or a handler of logs; none for `threading`'s own"
+        module = 'logging' if isinstance(owner, logging.Handler) else getattr(owner, '__module__', None) or owner.__name__
+        kind = _Lock if isinstance(lock, _lock_types[0]) else _RLock
+        if module!='threading': return kind(lock, quiet=module.partition('.')[0] in sys.stdlib_module_names)
 
     def set(self, owner, name:str, new):
         "Set an attribute until `undo`"
