@@ -4,9 +4,9 @@
 
 # %% ../../nbs/api/cli/00_start.ipynb #d2d3c521
 from __future__ import annotations
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib import import_module
-import os, signal, sys
+import atexit, os, signal, sys
 
 from ..utils import clock
 from ..utils.output import fill_standard_files, lasting, output_error
@@ -58,13 +58,28 @@ def program(name:str, # Name of the command
     print(f'{name}: the output is lost: {lost.strerror}', file=sys.stderr)
     sys.exit(1)
 
+# %% ../../nbs/api/cli/00_start.ipynb #7e0a51c4
+def _end_beside_threads(status:list):
+    "End the process at once with `status[0]` if another thread still runs; the last function that `atexit` calls"
+    if len(clock.enumerate())<2: return
+    for stream in (sys.stdout,sys.stderr):
+        with suppress(OSError, ValueError): stream.flush()
+    os._exit(status[0])
+
+
 # %% ../../nbs/api/cli/00_start.ipynb #6192afa7
 def _entry(name:str, room:str, server:bool=False):
     "Return the entry point of a program, which imports its module of `UAV.cli` and calls `main`"
     def run():
-        with program(name, server) as loading:
-            with loading: main = import_module(f'UAV.cli.{room}').main
-            sys.exit(main(sys.argv[1:]))
+        status = [1]                                    # as Python ends after an exception
+        atexit.register(_end_beside_threads, status)    # before the modules' own: the first one registered runs last
+        try:
+            with program(name, server) as loading:
+                with loading: main = import_module(f'UAV.cli.{room}').main
+                sys.exit(main(sys.argv[1:]))
+        except SystemExit as e:
+            status[0] = 0 if e.code is None else e.code if isinstance(e.code, int) else 1     # a text is an error
+            raise
     return run
 
 uav_demo,uav_camera,uav_gimbal = (_entry(f'uav-{name}', name) for name in ('demo','camera','gimbal'))
