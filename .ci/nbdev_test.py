@@ -121,7 +121,9 @@ def child(test, notebook, options, turn, core, waited, used):
     faulthandler.dump_traceback_later(LONGEST, exit=True)
     Turn(turn, waited)
     if core is not None: os.sched_setaffinity(0, [core])
-    if isolates(notebook): own_network()
+    if isolates(notebook):
+        os.environ['UAV_MACHINE_NETWORK'] = f'/proc/{os.getppid()}/ns/net'      # for pip: see `tests/programs.ipynb`
+        own_network()
     if simulates(notebook): simulated(SEED).__enter__()         # it ends with the process
     passed,_ = test(notebook, **options)
     used.value = processor()

@@ -44,9 +44,10 @@ def _alone(path):
 # %% programs.ipynb #3f199a2b
 def _make(home, pip, installs):
     venv.create(home, clear=True, with_pip=bool(installs))
+    network = os.environ.get('UAV_MACHINE_NETWORK')         # set where the runner gave this notebook one of its own
+    enter = ['nsenter', f'--net={network}'] if network else []
     for what in installs:
-        install = [pip, 'install', '-q', '--disable-pip-version-check', *what.split()]
-        subprocess.run(install, check=True, capture_output=True)
+        subprocess.run([*enter, pip, 'install', '-q', '--disable-pip-version-check', *what.split()], check=True, stdout=subprocess.DEVNULL)
 
 # %% programs.ipynb #a23f06f2
 def own_environment(
