@@ -84,6 +84,10 @@ def load():
     for module in pkgutil.walk_packages(UAV.__path__, 'UAV.'):
         try: importlib.import_module(module.name)
         except ImportError as e: print(f'{module.name}: {e}', flush=True)
+    hypothesis.settings.register_profile('same', derandomize=True, database=None, deadline=None,
+                                         suppress_health_check=[hypothesis.HealthCheck.too_slow])
+    hypothesis.settings.load_profile('same')        # the same examples each time, however busy the machine is
+    hypothesis.given(hypothesis.strategies.integers())(lambda number: None)()       # it reads all modules for their constants
     gc.freeze()             # what is loaded now is not looked through again by each process
 
 

@@ -29,7 +29,8 @@ class Sender:
     "Sends the messages of one component, in order"
     def __init__(self, component):
         self.component,self.mav = component,None
-        self._lock,self._held = clock.Lock(),{}     # held messages, of all threads (`None`) or of one
+        self._lock,self._held = clock.Condition(clock.Lock()),{}    # held messages, of all threads (`None`) or of one
+        self._sending = 0                           # threads that send what was held
 
     def join(self, system:int, component:int):
         "Make the encoder with our ids"
@@ -66,12 +67,26 @@ class _Held:
             with sender._lock:
                 self.depth,done = self.depth-done,0
                 if self.depth: return
-                messages,self.messages = self.messages,[]
+                messages = sender._take(self)
                 if not messages and sender._held.get(self.key) is self: del sender._held[self.key]
             if not messages: return
-            for msg,to in messages:
-                try: sender.send_now(msg, to)
-                except Exception: sender.component.log.exception('held back, and then lost')
+            sender._send_all(messages)
+
+@patch
+def _take(self:Sender, held:_Held)->list:
+    "What was held, to be given to `_send_all`"
+    messages,held.messages = held.messages,[]
+    self._sending += bool(messages)
+    return messages
+
+@patch
+def _send_all(self:Sender, messages:list):
+    for msg,to in messages:
+        try: self.send_now(msg, to)
+        except Exception: self.component.log.exception('held back, and then lost')
+    with self._lock:
+        self._sending -= 1
+        self._lock.notify_all()
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #ecb9ea5c
 @patch
@@ -94,6 +109,14 @@ def send(self:Sender, msg, # A message of the encoder `mav`
             held = self._held.get(clock.get_ident()) or self._held.get(None)
             if held: return held.messages.append((msg, to))
     self.send_now(msg, to)
+
+# %% ../../nbs/api/mavlink/03_basecomponent.ipynb #7e0a51d2
+@patch
+def flush(self:Sender, timeout:float=1.): # s that another thread may take which sends some of them
+    "Send what is held back, without waiting for the ends of the commands"
+    with self._lock: found = [messages for held in self._held.values() if (messages := self._take(held))]
+    for messages in found: self._send_all(messages)
+    with self._lock: self._lock.wait_for(lambda: not self._sending, timeout)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #32117c9c
 def _encode_command(command:Command):

@@ -5,11 +5,12 @@
 # %% ../../nbs/api/testing/00_simulation.ipynb #0c6aeda9
 from __future__ import annotations
 from collections import deque
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from random import Random
 from types import ModuleType, SimpleNamespace
 import _thread, asyncio, functools, importlib, io, logging, math, os, queue, random, select, selectors
-import shutil, socket, stat, subprocess, sys, threading, time
+import shutil, socket, stat, subprocess, sys, tempfile, threading, time
 import numpy.random     # NumPy loads it late: inside of a world it would take our locks
 
 from . import scheduler
@@ -26,7 +27,15 @@ __tracebackhide__ = True        # pytest shows the lines of a test, not ours
 def _seeded(seed)->dict:
     "Random numbers of a world in place of the system's: below `secrets`, `uuid4` and NumPy's generators"
     dice = Random(f'secrets {seed}')
-    return {os.urandom: lambda size: _real_urandom(size) if here() is None else dice.randbytes(size)}
+    return {os.urandom: lambda size: _real_urandom(size) if here() is None else dice.randbytes(size), random.seed: _reseed}
+
+_real_seed = Random.seed
+
+def _seed(self, a=None, version=2):
+    "`Random()` asks the system in C"
+    _real_seed(self, int.from_bytes(os.urandom(32), 'big') if a is None else a, version)
+
+def _reseed(a=None, version=2): _seed(random._inst, a, version)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #0219579f
 class simulated:
@@ -39,6 +48,7 @@ class simulated:
         loop = asyncio._get_running_loop()
         if loop and not hasattr(loop, '_selector'):
             raise RuntimeError(f"{loop!r} doesn't wait in Python: use asyncio's own event loop")
+        tempfile.mktemp()           # its dice are the process's, or two processes would choose the same names
         self.world.__enter__()
         self._loop,self._state = loop,random.getstate()
         timers = general.Timers.__new__(general.Timers)
@@ -271,6 +281,37 @@ def _find_and_load(name, import_):
     try: return _real_find_and_load(name, import_)
     finally: task.imports,task.looks = task.imports-1,looks
 
+# %% ../../nbs/api/testing/00_simulation.ipynb #7e0a51e2
+class _InOrder(set):
+    "A set that goes through its members in the order in which they came"
+    def __init__(self, members=()):
+        self.order = {}
+        for one in members: self.add(one)
+
+    def add(self, one):
+        super().add(one)
+        self.order[one] = None
+
+    def __iter__(self): return iter(self.order)
+    def __sub__(self, others): return _InOrder(one for one in self if one not in others)
+
+_real_pool,_real_all_tasks = ThreadPoolExecutor.__init__,asyncio.all_tasks
+
+@functools.wraps(_real_pool)
+def _pool(self, *args, **kwargs):
+    _real_pool(self, *args, **kwargs)
+    if here(): self._threads = _InOrder()
+
+def _age(task:asyncio.Task)->tuple:
+    "Its number, which asyncio gives it; those that have a name of their own come first"
+    named,_,number = task.get_name().partition('Task-')
+    return (1,int(number),'') if not named and number.isdecimal() else (0,0,task.get_name())
+
+@functools.wraps(_real_all_tasks)
+def _all_tasks(loop=None):
+    found = _real_all_tasks(loop)
+    return _InOrder(sorted(found, key=_age)) if here() else found
+
 # %% ../../nbs/api/testing/00_simulation.ipynb #675f0210
 _real_select,_dont_wait = select.select,getattr(socket, 'MSG_DONTWAIT', 0)
 
@@ -456,13 +497,14 @@ def _keep_real(swap):
 # %% ../../nbs/api/testing/00_simulation.ipynb #899a155c
 _names = _clocks|{threading.Lock: _Lock, threading.RLock: _RLock, _thread.RLock: _RLock,
                   queue.SimpleQueue: _SimpleQueue, threading.enumerate: _enumerate, select.select: _select,
-                  os.read: _read, os.write: _write,
+                  os.read: _read, os.write: _write, asyncio.all_tasks: _all_tasks,
                   shutil.disk_usage: _disk_usage,
                   **({os.fork: _fork, os.waitpid: _waitpid} if _real_fork else {})}
 _kinds = [getattr(selectors, f'{name}Selector') for name in 'Select Poll Epoll Kqueue Devpoll'.split()
           if hasattr(selectors, f'{name}Selector')]
 _receives = 'recv recvfrom recv_into recvfrom_into recvmsg accept'.split()
 _methods = [(threading.Condition, 'wait', _condition_wait), (threading.Event, 'is_set', _is_set),
+            (Random, 'seed', _seed), (ThreadPoolExecutor, '__init__', _pool),
             (threading.Thread, 'start', _thread_start), (importlib._bootstrap, '_find_and_load', _find_and_load),
             (asyncio.BaseEventLoop, 'run_in_executor', _run_in_executor),
             (threading.Thread, 'join', _thread_join), (threading.Thread, 'is_alive', _is_alive),
