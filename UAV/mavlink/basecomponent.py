@@ -29,8 +29,8 @@ class Sender:
     "Sends the messages of one component, in order"
     def __init__(self, component):
         self.component,self.mav = component,None
-        self._lock,self._held = clock.Condition(clock.Lock()),{}    # held messages, of all threads (`None`) or of one
-        self._sending = 0                           # threads that send what was held
+        self._lock,self._held = clock.Lock(),{}     # held messages, of all threads (`None`) or of one
+        self._sending,self._sent = 0,clock.Condition(self._lock)        # threads that send what was held
 
     def join(self, system:int, component:int):
         "Make the encoder with our ids"
@@ -86,7 +86,7 @@ def _send_all(self:Sender, messages:list):
         except Exception: self.component.log.exception('held back, and then lost')
     with self._lock:
         self._sending -= 1
-        self._lock.notify_all()
+        self._sent.notify_all()
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #ecb9ea5c
 @patch
@@ -116,7 +116,7 @@ def flush(self:Sender, timeout:float=1.): # s that another thread may take which
     "Send what is held back, without waiting for the ends of the commands"
     with self._lock: found = [messages for held in self._held.values() if (messages := self._take(held))]
     for messages in found: self._send_all(messages)
-    with self._lock: self._lock.wait_for(lambda: not self._sending, timeout)
+    with self._sent: self._sent.wait_for(lambda: not self._sending, timeout)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #32117c9c
 def _encode_command(command:Command):
