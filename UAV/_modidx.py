@@ -3509,6 +3509,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                                    'UAV/mavlink/basecomponent.py'),
                                            'UAV.mavlink.basecomponent.BaseComponent._encode_heartbeat': ( 'api/mavlink/basecomponent.html#basecomponent._encode_heartbeat',
                                                                                                           'UAV/mavlink/basecomponent.py'),
+                                           'UAV.mavlink.basecomponent.BaseComponent._farewell': ( 'api/mavlink/basecomponent.html#basecomponent._farewell',
+                                                                                                  'UAV/mavlink/basecomponent.py'),
                                            'UAV.mavlink.basecomponent.BaseComponent._heard_instead': ( 'api/mavlink/basecomponent.html#basecomponent._heard_instead',
                                                                                                        'UAV/mavlink/basecomponent.py'),
                                            'UAV.mavlink.basecomponent.BaseComponent._is_for_us': ( 'api/mavlink/basecomponent.html#basecomponent._is_for_us',

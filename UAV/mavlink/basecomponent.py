@@ -329,6 +329,11 @@ def _lose(self:BaseComponent, source:tuple, why:str):
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #b8d1e7ab
 @patch
+def _farewell(self:BaseComponent):
+    "Send the last messages; the `MAVCom` calls this while it still has a link"
+    self.sender.flush()
+
+@patch
 def close(self:BaseComponent):
     "Leave the link; safe to call twice"
     def hurry():
@@ -336,6 +341,7 @@ def close(self:BaseComponent):
     com,self._closed = self.mav_com,True       # later messages are ignored
     self._each_part('close')
     if com is None: return
+    self.sender.flush()
     timers.cancel(self._alarm)
     self.asking.lose(None, LinkError(f'{self!r} was closed'))
     self.worker.close(hurry=hurry)

@@ -347,6 +347,7 @@ async def wait_images(self:RemoteCamera, count:int=1, # Number of pictures
 @patch
 def _farewell(self:CameraClient):
     "Stop our running series, while there is still a link"
+    Component._farewell(self)
     for camera in list(self._cameras.values()):
         for request in list(camera._pictures.requests):
             if isinstance(request, Capture): request.stop_now()

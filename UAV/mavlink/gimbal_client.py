@@ -53,6 +53,7 @@ class GimbalClient(Component):
 
     def _farewell(self):
         "Stop turning gimbals; the `MAVCom` calls this while it still has a link"
+        super()._farewell()
         for stop in list(self._turned.values()): stop()
 
     def close(self):

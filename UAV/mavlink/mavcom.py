@@ -337,9 +337,7 @@ def route(self:MAVCom, msg, # A received message, or one of ours
 def close(self:MAVCom):
     "Close the components, the links and their threads; safe to call twice"
     for c in [] if self._closed else list(self.component.values()):         # last messages, while there are links
-        try:
-            c.sender.flush()
-            if hasattr(c, '_farewell'): c._farewell()
+        try: c._farewell() if hasattr(c, '_farewell') else None
         except Exception: self.log.exception('%r did not say farewell', c)
     with self._lock: again,self._closed = self._closed,True
     if again: return

@@ -50,7 +50,7 @@ class simulated:
             raise RuntimeError(f"{loop!r} doesn't wait in Python: use asyncio's own event loop")
         tempfile.mktemp()           # its dice are the process's, or two processes would choose the same names
         self.world.__enter__()
-        self._loop,self._state = loop,random.getstate()
+        self._loop,self._state,self._numpy_state = loop,random.getstate(),numpy.random.get_state()
         timers = general.Timers.__new__(general.Timers)
         self._swap = _Swap(_names|_media()|_seeded(self.world.seed)|{general.timers: timers})
         timers.__init__()
@@ -58,6 +58,7 @@ class simulated:
         for owner,name,f in _methods: self._swap.set(owner, name, f)
         self._swap.set(clock, 'boot', _start)
         random.seed(f'random {self.world.seed}')
+        numpy.random.seed(list(Random(f'numpy {self.world.seed}').randbytes(16)))
         if loop: self._shift(_start-_real_monotonic())
         return self.world
 
@@ -74,6 +75,7 @@ class simulated:
         finally:
             self._swap.undo()
             random.setstate(self._state)
+            numpy.random.set_state(self._numpy_state)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #07dc37b5
 @general.in_child
