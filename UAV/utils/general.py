@@ -91,6 +91,10 @@ def _has_ended(thread:clock.Thread|None, timeout:float)->bool:
     thread.join(timeout)
     return not thread.is_alive()
 
+def _threads_since(before:list, timeout:float=60.)->list:
+    "The threads that aren't in `before`, an earlier `threading.enumerate()`, and don't end within `timeout` seconds"
+    return [thread for thread in clock.enumerate() if thread not in before and not _has_ended(thread, timeout)]
+
 # %% ../../nbs/api/utils/00_general.ipynb #0bd8ad25
 class _Job:
     "A function to call every `period` seconds, next at `due`"
