@@ -167,7 +167,7 @@ def _answer(self:Page, question:str, timeout:float):
 @patch
 def until(self:Page,
     question, # A JavaScript expression, or a function without arguments
-    timeout:float=10., # Seconds to wait at most
+    timeout:float=60., # Seconds to wait at most
     what:str='', # The question in words, for the error
 ):
     "The first answer of `question` that is true; raises `TimeoutError`, or `ValueError` when its JavaScript fails"
