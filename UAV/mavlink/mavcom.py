@@ -53,6 +53,7 @@ class Heart:
 def beat(self:Heart):
     "Send the heartbeat of each component, by `_beat_soon` where it must not wait for a device"
     for c in list(self.com.component.values()):
+        if c.source_component in self.com.joining: continue
         try: getattr(c, '_beat_soon', c.beat)()
         except Exception: self.com.log.exception('component %s cannot beat', c.source_component)
 
@@ -114,7 +115,7 @@ def lose(self:Heart, source:tuple):
     for channel in self.com.channels:
         if source in channel.sources: channel.sources[source].restart()     # frames of its silence do not count as lost
     for c in list(self.com.component.values()):
-        if hasattr(c, '_lose'): c._lose(source, why)
+        if hasattr(c, '_lose') and c.source_component not in self.com.joining: c._lose(source, why)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #024c88df
 @patch
@@ -238,11 +239,12 @@ class MAVCom(Closes):
         self.log,self.message_log,self.forward = get_logger(f'mavcom.{source_system}', loglevel),message_log,forward
         self.signing = signing if signing is None or isinstance(signing, Signing) else Signing(signing)
         self.component,self.channels,self.wanted = {},[],Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
+        self.joining = set()        # component numbers that can't take messages yet
         self._here,self._everywhere = set(),[]      # addresses of our components; `(channel, None)` for each link
         self._passed,self._lock,self._closed = Seen(1., most=512),clock.Lock(),False
         self.heart = Heart(self)
-        self.add_link(connection_string, baudrate)
         self.remotes = self.heart.remotes       # `{(system, component): Remote}` of all components seen
+        self.add_link(connection_string, baudrate)
         self.heart.start()
         _open.add(self)
         show_unawaited()
@@ -285,16 +287,19 @@ def link(self:MAVCom)->Link:
 @patch
 def add_component(self:MAVCom, component):
     "Add `component`, send its heartbeat and return it; raises `ValueError` if its address is taken, or `TypeError`"
-    _check_component(component, self, self._twins())
-    number = component.source_component
+    twins = self._twins()
     with self._lock:
         if self._closed: raise LinkError(f'{self!r} is closed')
+        _check_component(component, self, twins)
+        number = component.source_component
+        self.joining.add(number)
         self.component[number] = component
         self._here.add((self.source_system, number))
     try: component.set_mav_connection(self)
     except BaseException:
         self.remove_component(component)
         raise
+    finally: self.joining.discard(number)
     component.beat()
     return component
 
@@ -328,6 +333,7 @@ def route(self:MAVCom, msg, # A received message, or one of ours
         if origin is None and 0 not in source: self.heart.check_double(msg, source)
     for c in list(self.component.values()):
         if c is origin or not accepts(msg, self.source_system, c.source_component): continue
+        if c.source_component in self.joining: continue
         try: c.deliver(msg)
         except (Exception, SystemExit):
             self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
