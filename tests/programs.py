@@ -400,5 +400,5 @@ def run_pytest(
         for name,text in files.items(): (Path(folder)/name).write_text(textwrap.dedent(text), encoding='utf-8')
         command = [sys.executable, '-m', 'pytest', '-q', *'-p no:cacheprovider -p no:hypothesispytest --color=no'.split(), *options]
         environ = os.environ|dict(PYTHONPATH=os.pathsep.join(map(str, places)), COLUMNS='120', PYTHONUTF8='1')
-        done = subprocess.run(command, cwd=folder, env=environ, capture_output=True, encoding='utf-8', timeout=300)
+        done = subprocess.run(command, cwd=folder, env=environ, capture_output=True, encoding='utf-8', timeout=1000)
         return re.sub(r' in [\d.]+s\b( \([\d:]+\))?', '', done.stdout) or done.stderr     # the same text on each run
