@@ -4886,6 +4886,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                     'UAV.mavlink.mavcom.MAVCom.write': ('api/mavlink/mavcom.html#mavcom.write', 'UAV/mavlink/mavcom.py'),
                                     'UAV.mavlink.mavcom._close_all': ('api/mavlink/mavcom.html#_close_all', 'UAV/mavlink/mavcom.py'),
                                     'UAV.mavlink.mavcom._essence': ('api/mavlink/mavcom.html#_essence', 'UAV/mavlink/mavcom.py'),
+                                    'UAV.mavlink.mavcom._joined': ('api/mavlink/mavcom.html#_joined', 'UAV/mavlink/mavcom.py'),
                                     'UAV.mavlink.mavcom._link_name': ('api/mavlink/mavcom.html#_link_name', 'UAV/mavlink/mavcom.py'),
                                     'UAV.mavlink.mavcom._what_to_ask': ('api/mavlink/mavcom.html#_what_to_ask', 'UAV/mavlink/mavcom.py'),
                                     'UAV.mavlink.mavcom.ends': ('api/mavlink/mavcom.html#ends', 'UAV/mavlink/mavcom.py'),

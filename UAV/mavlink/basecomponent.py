@@ -317,7 +317,7 @@ def set_mav_connection(self:BaseComponent, mav_com:MAVCom):
     self._alarm = timers.alarm(lambda: self.asking.tick())
     self.asking = Commands(mav_com.remotes, self._send_copy, self._send_fence, alarm=partial(timers.move, self._alarm))
     self.tables.join(mav_com.wanted, mavlink.MAVLINK_MSG_ID_COMMAND_ACK, *([None] if self._listeners else []))
-    mav_com.joining.discard(self.source_component)           # from here on it gets messages: `on_mav_connection` may ask
+    mav_com.joining.discard(self.source_component)          # from here on it gets messages
     self._each_part('join')
     self.on_mav_connection()
 

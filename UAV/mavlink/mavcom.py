@@ -49,11 +49,14 @@ class Heart:
         self.watch()
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #69e8a0bc
+def _joined(com)->list:
+    "The components of `com` that can take messages: all but those that are joining"
+    return [c for number,c in list(com.component.items()) if number not in com.joining]
+
 @patch
 def beat(self:Heart):
     "Send the heartbeat of each component, by `_beat_soon` where it must not wait for a device"
-    for c in list(self.com.component.values()):
-        if c.source_component in self.com.joining: continue
+    for c in _joined(self.com):
         try: getattr(c, '_beat_soon', c.beat)()
         except Exception: self.com.log.exception('component %s cannot beat', c.source_component)
 
@@ -114,8 +117,8 @@ def lose(self:Heart, source:tuple):
     self.com.log.warning(why)
     for channel in self.com.channels:
         if source in channel.sources: channel.sources[source].restart()     # frames of its silence do not count as lost
-    for c in list(self.com.component.values()):
-        if hasattr(c, '_lose') and c.source_component not in self.com.joining: c._lose(source, why)
+    for c in _joined(self.com):
+        if hasattr(c, '_lose'): c._lose(source, why)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #024c88df
 @patch
@@ -331,9 +334,8 @@ def route(self:MAVCom, msg, # A received message, or one of ours
     if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_HEARTBEAT:
         self.heart.note(msg, source, ours=origin is not None)
         if origin is None and 0 not in source: self.heart.check_double(msg, source)
-    for c in list(self.component.values()):
+    for c in _joined(self):
         if c is origin or not accepts(msg, self.source_system, c.source_component): continue
-        if c.source_component in self.joining: continue
         try: c.deliver(msg)
         except (Exception, SystemExit):
             self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
