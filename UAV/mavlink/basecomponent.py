@@ -317,9 +317,12 @@ def set_mav_connection(self:BaseComponent, mav_com:MAVCom):
     self._alarm = timers.alarm(lambda: self.asking.tick())
     self.asking = Commands(mav_com.remotes, self._send_copy, self._send_fence, alarm=partial(timers.move, self._alarm))
     self.tables.join(mav_com.wanted, mavlink.MAVLINK_MSG_ID_COMMAND_ACK, *([None] if self._listeners else []))
-    mav_com.joining.discard(self.source_component)          # from here on it gets messages
+    mav_com.joining.discard(id(self))           # from here on it gets messages
     self._each_part('join')
     self.on_mav_connection()
+    if self._closed:            # while it joined: end what has begun since
+        self.close()
+        raise LinkError(f'{self!r} was closed while it joined')
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #e1ca69fd
 @patch
@@ -343,8 +346,8 @@ def close(self:BaseComponent):
     self._each_part('close')
     if com is None: return
     self.sender.flush()
-    timers.cancel(self._alarm)
-    self.asking.lose(None, LinkError(f'{self!r} was closed'))
+    if self._alarm is not None: timers.cancel(self._alarm)
+    if self.asking is not None: self.asking.lose(None, LinkError(f'{self!r} was closed'))
     self.worker.close(hurry=hurry)
     self.tables.leave()
     if not com._closed: com.remove_component(self)

@@ -102,8 +102,7 @@ def _next_shot(self:CameraClient)->int:
 def camera(self:CameraClient, system:int|None=None, component:int|None=None)->RemoteCamera:
     "Return the handle of an address, without a request"
     there = self.target(system, component)
-    if there not in self._cameras: self._cameras[there] = RemoteCamera(self, *there)
-    return self._cameras[there]
+    return self._cameras.get(there) or self._cameras.setdefault(there, RemoteCamera(self, *there))
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #9139f0dd
 @patch

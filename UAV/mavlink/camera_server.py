@@ -359,7 +359,7 @@ def _device_news(self:CameraServer, event:DeviceStatus): self.beat()
 @patch
 def _on_camera(self:CameraServer, event):
     "Broadcast what the camera announces"
-    if self.mav_com is None or self._closed: return
+    if self.mav is None or self._closed: return
     for tell in self.tables['announced'].get(type(event), ()):
         found = tell(event) or ()
         for msg in [found] if isinstance(found, mavlink.MAVLink_message) else found: self.send_message(msg)

@@ -51,7 +51,7 @@ class Heart:
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #69e8a0bc
 def _joined(com)->list:
     "The components of `com` that can take messages: all but those that are joining"
-    return [c for number,c in list(com.component.items()) if number not in com.joining]
+    return [c for c in list(com.component.values()) if id(c) not in com.joining]
 
 @patch
 def beat(self:Heart):
@@ -242,7 +242,7 @@ class MAVCom(Closes):
         self.log,self.message_log,self.forward = get_logger(f'mavcom.{source_system}', loglevel),message_log,forward
         self.signing = signing if signing is None or isinstance(signing, Signing) else Signing(signing)
         self.component,self.channels,self.wanted = {},[],Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
-        self.joining = set()        # component numbers that can't take messages yet
+        self.joining = set()        # the `id` of each component that can't take messages yet
         self._here,self._everywhere = set(),[]      # addresses of our components; `(channel, None)` for each link
         self._passed,self._lock,self._closed = Seen(1., most=512),clock.Lock(),False
         self.heart = Heart(self)
@@ -295,14 +295,14 @@ def add_component(self:MAVCom, component):
         if self._closed: raise LinkError(f'{self!r} is closed')
         _check_component(component, self, twins)
         number = component.source_component
-        self.joining.add(number)
+        self.joining.add(id(component))
         self.component[number] = component
         self._here.add((self.source_system, number))
     try: component.set_mav_connection(self)
     except BaseException:
         self.remove_component(component)
         raise
-    finally: self.joining.discard(number)
+    finally: self.joining.discard(id(component))
     component.beat()
     return component
 
