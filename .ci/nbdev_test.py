@@ -14,6 +14,7 @@ import ctypes, faulthandler, fcntl, gc, importlib, os, pkgutil, re, resource, si
 from multiprocessing import get_context
 from multiprocessing.connection import wait
 from pathlib import Path
+from time import sleep          # the real one, in simulated time too
 
 os.environ['OPENBLAS_NUM_THREADS'] = '1'       # its threads would begin with the imports below, before the forks
 os.environ.pop('PYTHONDONTWRITEBYTECODE', None)     # or each program that a test starts would compile the package anew
@@ -29,7 +30,8 @@ except ImportError: pass                # there is no Chromium either
 else: drivers.append(ChromiumDriver)
 
 LONGEST = 1200                          # s for one notebook; then it says where it hangs, and ends
-BROWSING = 2                            # notebooks with browsers: while one has its browser open, the next one does the rest, or waits
+BROWSERS = 2                            # notebooks that have their browser open at a time
+BROWSING = BROWSERS+1                   # notebooks with browsers: one does the rest, or waits, while the others have theirs open
 WORKERS = 2*(os.cpu_count() or 1)       # for half of its time a notebook waits; more make each one late, and all no faster
 CORES = sorted(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else []
 LONG = ('panel_in_a_browser panel_settings panel_in_jupyterlab 03_camera panel_under_siege camera_conformance hostile_bytes 04_gimbal 06_check '
@@ -42,7 +44,7 @@ results = {}                    # notebook: whether it passed, its seconds, and 
 
 
 class Turn:
-    "One browser at a time in all processes: who opens one waits until that of another notebook has ended"
+    "The browsers of `BROWSERS` notebooks at a time: who opens one more waits until those of another notebook have ended"
     def __init__(self, path, waited):
         self.path,self.waited,self.file,self.browsers = path,waited,None,0
         for driver in drivers: self.watch(driver, driver.__init__, driver.quit)
@@ -55,10 +57,19 @@ class Turn:
         self.browsers += 1
         if self.browsers > 1: return
         began = time.time()
-        self.file = open(self.path, 'w')
-        fcntl.flock(self.file, fcntl.LOCK_EX)               # it ends with the process, too
+        while (file := self.free()) is None: sleep(.1)
+        self.file = file
         self.waited.value += time.time()-began
         faulthandler.dump_traceback_later(LONGEST, exit=True, file=sys.__stderr__)      # anew
+
+    def free(self):
+        "One of the files of the turns, locked; `None` while others have them"
+        for n in range(BROWSERS):
+            file = open(f'{self.path}{n}', 'w')
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX|fcntl.LOCK_NB)      # it ends with the process, too
+                return file
+            except BlockingIOError: file.close()
 
     def give(self):
         self.browsers = max(0, self.browsers-1)

@@ -11,13 +11,13 @@ This is not Quarto, which renders the real site. The cells are nbdev's (`_proc`)
 and classes of cells, outputs and figures, `nbs/styles.css`, the colours and fonts of `nbs/theme*.scss` and the widths of
 `_quarto.yml` are those of the site. Bootstrap, the bars at the top and at the sides, tabsets and mermaid diagrams are not there; callouts are plain boxes.
 """
-import argparse, base64, html, json, os, re, shutil, subprocess, sys, tempfile, threading, urllib.parse
+import argparse, base64, functools, html, json, os, re, shutil, subprocess, sys, tempfile, threading, urllib.parse
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from html.parser import HTMLParser
 from pathlib import Path
 
-import IPython.core.history, pypandoc, yaml
+import IPython.core.history, nbdev.config, pypandoc, yaml
 from nbdev.config import get_config
 from nbdev.serve import proc_nbs
 
@@ -33,6 +33,7 @@ class HistoryThread(IPython.core.history.HistorySavingThread):
         self.daemon = True
 
 IPython.core.history.HistorySavingThread = HistoryThread        # in the processes that nbdev spawns too: they import this file
+nbdev.config._load_toml = functools.cache(nbdev.config._load_toml)      # it is read 190 times for a page, a quarter of the time
 
 widths = 1400, 390      # a laptop's window, and a phone
 least_letters = 11      # px

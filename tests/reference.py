@@ -10,7 +10,7 @@ __all__ = ['site_address', 'source_of', 'as_written', 'as_called', 'what_it_is',
 # %% reference.ipynb #e63860f6
 from dataclasses import is_dataclass
 from enum import Enum
-from functools import cached_property
+from functools import cache, cached_property
 from html import escape
 from importlib import import_module
 from operator import attrgetter
@@ -159,6 +159,7 @@ def _waits(f)->bool:
     return inspect.iscoroutinefunction(f) or inspect.isasyncgenfunction(f) or hasattr(f, 'for_async')
 
 # %% reference.ipynb #6254d6bc
+@cache          # a page wants it as text and as Markdown
 def what_it_is(
     sym, # What the entry is of
     name:str, # Its last name
