@@ -148,17 +148,18 @@ def open(self:Browser,
 
 # %% browser.ipynb #11d067db
 _until = '''const [milliseconds, done] = arguments, end = performance.now()+milliseconds
-    const ask = async () => {
-      const answer = await (%s)
+    const look = async () => {
+      let answer = null
+      try { answer = await (%s) }
+      catch (error) { if (!/^TypeError.*(null|undefined)/.test(error)) return done(String(error)) }     // not there yet
       if (answer || performance.now() > end) done([answer])
       else setTimeout(look, 20)
     }
-    const look = () => ask().catch(error => done(String(error)))
     look()'''
 
 @patch
 def _answer(self:Page, question:str, timeout:float):
-    "The answer of a JavaScript expression, as soon as it is true, or when the time is over"
+    "The answer of a JavaScript expression, as soon as it is true, or when the time is over; one about what isn't there is not true yet"
     answer = self.driver.execute_async_script(_until%question, 1000*timeout)
     if isinstance(answer, str): raise ValueError(f'{answer}: {question}')
     return answer[0]
@@ -244,17 +245,22 @@ def close(self:Page):
     self.browser.turn_to(self.browser.pages[-1].handle)
 
 # %% browser.ipynb #3113070e
+_drawn = '''const [css, done] = arguments, element = document.querySelector(css)
+    element.scrollIntoView({block: 'nearest', behavior: 'instant'})
+    const frame = document.hidden ? setTimeout : requestAnimationFrame       // a hidden page draws nothing
+    frame(() => frame(() => {
+      const box = (document.querySelector(css) ?? element).getBoundingClientRect()
+      done([box.left, box.top, box.width, box.height])
+    }))'''
+
 @patch
 def place(self:Page,
     css:str, # Selects the element
     x:float=0., # From −1 (left) to 1 (right)
     y:float=0., # From −1 (top) to 1 (bottom)
 )->tuple: # CSS pixels from the left and upper edge of the window
-    "Where on this page that place in the element is, after scrolling there"
-    left,top,width,height = self.js('''const element = document.querySelector(arguments[0])
-        element.scrollIntoView({block: 'nearest', behavior: 'instant'})
-        const box = element.getBoundingClientRect()
-        return [box.left, box.top, box.width, box.height]''', css)
+    "Where on this page that place in the element is, after scrolling there, and once it's drawn"
+    left,top,width,height = self.driver.execute_async_script(_drawn, css)
     return left+width*(1+x)/2,top+height*(1+y)/2
 
 # %% browser.ipynb #6ffb4d04
