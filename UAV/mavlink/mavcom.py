@@ -161,7 +161,7 @@ class Channel:
 
     def __init__(self, com, link:Link, name:str, number:int):
         self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
-        self.readers,self.sources = {},Sources()
+        self.readers,self.sources,self._passing = {},Sources(),[]     # the last: frames of these bytes to forward
         self.busy_since,self._stop = None,clock.Event()     # arrival time of the bytes in work
         self.thread = clock.Thread(target=self._read, name=f'reader of {name}', daemon=True)
 
@@ -202,6 +202,8 @@ def take(self:Channel, data:bytes, peer=None):
     reader.heard,reader.check = now,self._check if judged else None
     messages = reader.feed(data)
     if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
+    passing,self._passing = self._passing,[]
+    for frame in passing: com._forward(self, *frame)
     for msg in messages:
         msg.came_by = self,peer
         com.route(msg)
@@ -508,11 +510,11 @@ def _forward(self:MAVCom, origin:Channel, frame:bytes, msg_id:int, source:tuple)
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #c287ad9d
 @patch
 def _check(self:Channel, frame:bytes, msg_id:int, source:tuple)->bool:
-    "True if the frame's signature is accepted; then also log and forward it"
+    "True if the frame's signature is accepted; then also log it, and have `take` forward it"
     com = self.com
     if com.signing is not None and not com.signing.check(frame, msg_id, source): return False
     if com.message_log is not None: com.keep(frame, False)
-    if com.forward: com._forward(self, frame, msg_id, source)
+    if com.forward: self._passing.append((frame, msg_id, source))
     return True
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #ad531127
