@@ -47,7 +47,7 @@ def _make(home, pip, installs):
     network = os.environ.get('UAV_MACHINE_NETWORK')         # set where the runner gave this notebook one of its own
     enter = ['nsenter', f'--net={network}'] if network else []
     for what in installs:
-        install = [*enter, pip, 'install', '-q', '--disable-pip-version-check', *what.split()]
+        install = [*enter, pip, 'install', '-q', '--no-compile', '--disable-pip-version-check', *what.split()]
         subprocess.run(install, check=True, stdout=subprocess.DEVNULL)
 
 # %% programs.ipynb #a23f06f2
