@@ -202,8 +202,9 @@ def take(self:Channel, data:bytes, peer=None):
     reader.heard,reader.check = now,self._check if judged else None
     messages = reader.feed(data)
     if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
-    passing,self._passing = self._passing,[]
-    for frame in passing: com._forward(self, *frame)
+    if self._passing:
+        passing,self._passing = self._passing,[]
+        for frame in passing: com._forward(self, *frame)
     for msg in messages:
         msg.came_by = self,peer
         com.route(msg)
