@@ -208,8 +208,8 @@ async def burst(self:FtpFile):
     request = FtpFrame(number, FtpOp.BURST_READ_FILE, self.session, most_data, offset=parts.end)
     trip,self.came,before = files.trip,None,parts.count
     with files.client.expecting(FILE_TRANSFER_PROTOCOL, self._take) as ended:
-        files._send(request)
         began = clock.monotonic()
+        files._send(request)
         while (left := self._due(began, trip)-clock.monotonic())>0 and not await ended.wait(left): pass
     if self.came and not self.silent: trip.sample(self.came[0]-began)
     self.silent = 0 if parts.count>before else self.silent+1

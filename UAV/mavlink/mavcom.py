@@ -187,7 +187,8 @@ class Channel:
         strangers = [p for p in self.readers if p not in known]
         for peers,most in ((known,self.most_peers), (strangers,self.most_strangers-1)):
             for p in sorted(peers, key=lambda p: self.readers[p].heard)[:max(0, len(peers)-most)]: del self.readers[p]
-        only_signed = self.com.signing is not None
+        signing = self.com.signing      # a function `accept_unsigned` accepts senders, which are answered; a set only messages
+        only_signed = signing is not None and not callable(signing.accept_unsigned)
         reader = FrameReader(self.com.wanted, self.sources, self.link.datagrams, only_signed=only_signed)
         self.readers[peer] = reader
         return reader
@@ -200,9 +201,10 @@ def take(self:Channel, data:bytes, peer=None):
     reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
     judged = com.forward or com.signing is not None or com.message_log is not None
     reader.heard,reader.check = now,self._check if judged else None
-    messages = reader.feed(data)
-    if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
-    if self._passing:
+    try:
+        messages = reader.feed(data)
+        if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
+    finally:            # what was accepted goes on, whatever came after it
         passing,self._passing = self._passing,[]
         for frame in passing: com._forward(self, *frame)
     for msg in messages:
@@ -399,12 +401,14 @@ def _come_back(self:Channel):
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #b87b128e
 @patch
-def where(self:MAVCom, system:int, component:int)->list:
+def where(self:MAVCom, system:int, component:int,
+          besides:Channel|None=None)->list: # A link that is left out
     "Return `(channel, peer)` pairs where a component was seen recently; failing that, its system"
     readers = [(channel, peer, reader) for channel in self.channels for peer,reader in list(channel.readers.items())]
     found = [r for r in readers if (system,component) in r[2].seen] if component else []
     if not found and not (component and system==self.source_system):
         found = [r for r in readers if any(s==system for s,_ in list(r[2].seen))]
+    found = [r for r in found if r[0] is not besides]
     newest = max((reader.heard for _,_,reader in found), default=0.)
     return [(channel,peer) for channel,peer,reader in found if newest-reader.heard<self.lost_after]
 
@@ -505,7 +509,7 @@ def _forward(self:MAVCom, origin:Channel, frame:bytes, msg_id:int, source:tuple)
         first = self._passed.find(frame, origin)
         if first is origin: self._passed.note(frame, origin)
     if first is not origin: return          # it circles between routers
-    for channel,peer in self.where(*to) if to[0] else self._everywhere:
+    for channel,peer in self.where(*to, besides=origin) if to[0] else self._everywhere:
         if channel is not origin: channel.write(frame, peer)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #c287ad9d
