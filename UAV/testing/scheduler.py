@@ -108,7 +108,7 @@ def run_for(self:World, seconds:float):
 def _spin(self:World, me:_Task):
     "A wait that takes no time takes a little"
     me.spins += 1
-    self.now += self.step if me.spins<100 else min(self.step*2**((me.spins-100)/10), 1e-3)
+    self.now += self.step if me.spins<100 else min(self.step*2**((min(me.spins, 300)-100)/10), 1e-3)
     self._make_ready(me, late=True)
 
 @patch

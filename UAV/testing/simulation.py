@@ -403,8 +403,12 @@ def _disk_usage(path):
 _real_fork,_real_popen,_real_popen_wait = getattr(os, 'fork', None),subprocess.Popen.__init__,subprocess.Popen.wait
 
 def _fork():
-    pid = _real_fork()
-    if pid and (task := here()): task.world.programs.append(pid)
+    if not (task := here()): return _real_fork()
+    # `threading` takes a lock in the child before `_forked` is called, and no other thread is there that could run first
+    task.imports,looks = task.imports+1,task.looks
+    try: pid = _real_fork()
+    finally: task.imports,task.looks = task.imports-1,looks
+    if pid: task.world.programs.append(pid)
     return pid
 
 class _Pipe(io.FileIO):
