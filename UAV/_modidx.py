@@ -5769,6 +5769,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                  'UAV/testing/simulation.py'),
                                         'UAV.testing.simulation._thread_start': ( 'api/testing/simulation.html#_thread_start',
                                                                                   'UAV/testing/simulation.py'),
+                                        'UAV.testing.simulation._undisturbed': ( 'api/testing/simulation.html#_undisturbed',
+                                                                                 'UAV/testing/simulation.py'),
                                         'UAV.testing.simulation._until_ready': ( 'api/testing/simulation.html#_until_ready',
                                                                                  'UAV/testing/simulation.py'),
                                         'UAV.testing.simulation._waiting': ( 'api/testing/simulation.html#_waiting',

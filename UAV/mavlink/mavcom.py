@@ -187,7 +187,7 @@ class Channel:
         strangers = [p for p in self.readers if p not in known]
         for peers,most in ((known,self.most_peers), (strangers,self.most_strangers-1)):
             for p in sorted(peers, key=lambda p: self.readers[p].heard)[:max(0, len(peers)-most)]: del self.readers[p]
-        signing = self.com.signing      # a function `accept_unsigned` accepts senders, which are answered; a set only messages
+        signing = self.com.signing      # `accept_unsigned` as a function accepts senders, as a set only messages
         only_signed = signing is not None and not callable(signing.accept_unsigned)
         reader = FrameReader(self.com.wanted, self.sources, self.link.datagrams, only_signed=only_signed)
         self.readers[peer] = reader

@@ -35,7 +35,7 @@ class _Task:
         self.gate.acquire()             # it stands here while another one has the baton
         self.turn,self.spins = 0,0      # its waits so far; how many of the latest took no time
         self.looks = 0                  # at clocks, locks and events since it has waited
-        self.imports = 0                # under way; they draw no dice, or a run would differ once all is loaded
+        self.undisturbed = 0            # imports and forks under way: no dice, or a run would differ once all is loaded
         self.waiting,self.late = False,False
         self.poll,self.found = None,None    # looks for what it waits for outside of the world; what that found
         self.error = None               # to be raised in it when it goes on
@@ -115,7 +115,7 @@ def _spin(self:World, me:_Task):
 def look(self:World, me:_Task):
     "A thread looks at something that others change"
     me.looks += 1
-    if me.looks%(100_000 if me.imports else 1000): return
+    if me.looks%(100_000 if me.undisturbed else 1000): return
     if self.ended: return self._leave(me)
     self.now += 1e-3
     self.sleep(0)
@@ -198,7 +198,7 @@ def maybe_switch(self:World, me:_Task|None=None): # The calling thread's task
     "Let another thread run first, if one could, as the dice decide"
     me = me or self.tasks[_get_ident()]
     self.look(me)
-    if not self.ready or me.imports or self.ended or self.dice.random()>=self.switching: return
+    if not self.ready or me.undisturbed or self.ended or self.dice.random()>=self.switching: return
     me.turn += 1
     me.waiting,me.poll = True,None
     self._make_ready(me)

@@ -275,13 +275,16 @@ def _run_in_executor(self, executor, f, *args):
 # %% ../../nbs/api/testing/00_simulation.ipynb #7421e3bc
 _real_find_and_load = importlib._bootstrap._find_and_load
 
+def _undisturbed(f, *args):
+    "What `f` returns; no other thread of the world goes first meanwhile"
+    if not (task := here()): return f(*args)
+    task.undisturbed,looks = task.undisturbed+1,task.looks
+    try: return f(*args)
+    finally: task.undisturbed,task.looks = task.undisturbed-1,looks
+
 def _find_and_load(name, import_):
     "The first import of a module"
-    task = here()
-    if task is None: return _real_find_and_load(name, import_)
-    task.imports,looks = task.imports+1,task.looks
-    try: return _real_find_and_load(name, import_)
-    finally: task.imports,task.looks = task.imports-1,looks
+    return _undisturbed(_real_find_and_load, name, import_)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #7e0a51e2
 class _InOrder(set):
@@ -403,12 +406,9 @@ def _disk_usage(path):
 _real_fork,_real_popen,_real_popen_wait = getattr(os, 'fork', None),subprocess.Popen.__init__,subprocess.Popen.wait
 
 def _fork():
-    if not (task := here()): return _real_fork()
-    # `threading` takes a lock in the child before `_forked` is called, and no other thread is there that could run first
-    task.imports,looks = task.imports+1,task.looks
-    try: pid = _real_fork()
-    finally: task.imports,task.looks = task.imports-1,looks
-    if pid: task.world.programs.append(pid)
+    "`os.fork`; `threading` locks in the child before `_forked`, and no other thread is there to go first"
+    pid = _undisturbed(_real_fork)
+    if pid and (task := here()): task.world.programs.append(pid)
     return pid
 
 class _Pipe(io.FileIO):

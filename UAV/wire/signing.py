@@ -214,7 +214,7 @@ class Signing(Closes):
     def __init__(self,
         key:bytes|str|Path, # 32 bytes, a passphrase, or the path of a file with the key
         state:Path|str|bool|None=None, # File for timestamps; `None`: one a key in the state folder; `False`: none
-        accept_unsigned=(mavlink.MAVLINK_MSG_ID_RADIO_STATUS,), # Message ids, or a function of id and source, whose senders are answered
+        accept_unsigned=(mavlink.MAVLINK_MSG_ID_RADIO_STATUS,), # Message ids, or a function of id and source
         clock=clock.utc, # UNIX time
     ):
         key = secret_key(key)
