@@ -177,6 +177,12 @@ for (const s of main.querySelectorAll('svg')) {
 return findings'''.replace('LEAST', str(least_letters))
 
 
+settled = r'''
+const [done] = arguments, late = new Promise(end => setTimeout(end, 20000))
+const ready = Promise.all([document.fonts.ready, ...[...document.images].map(image => image.decode().catch(() => {}))])
+Promise.race([ready, late]).then(() => requestAnimationFrame(() => requestAnimationFrame(() => done())))'''
+
+
 def look_at(pages):
     "`[(page, width, kind, by how much, what)]`, as Chromium shows them"
     from tests.browser import Browser
@@ -186,6 +192,7 @@ def look_at(pages):
             for n,width in enumerate(widths):
                 browser.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', dict(width=width, height=900, deviceScaleFactor=1, mobile=False))
                 if not n: browser.driver.get(path.as_uri())
+                browser.driver.execute_async_script(settled)         # the load event can come before a picture is decoded
                 findings += [(path, width, *found) for found in browser.driver.execute_script(measure)]
     return findings
 
