@@ -309,8 +309,8 @@ def _take_picture(self:Camera)->Picture|None:
         if not self.captures.running: return
         self.captures.progress = clock.monotonic()       # the device came back, however late
         if self.lens: information = replace(information, focal_length=self.lens.focal_length)
-        beside = getattr(frame, 'beside', ())
-        return self.storages.save(self._encode(frame), frame.time_utc, frame.pose, information, self.exif_tags, beside)
+        tags,beside = {**(frame.tags or {}), **self.exif_tags},getattr(frame, 'beside', ())
+        return self.storages.save(self._encode(frame), frame.time_utc, frame.pose, information, tags, beside)
     except BaseException as e:
         if self.captures.running: return self._failed(started, e)
 

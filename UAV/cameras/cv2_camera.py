@@ -136,6 +136,7 @@ def _find_controls(capture)->list:
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #cac5af76
 class _Controls:
     "Settings for a device's reader, requested and set; none without a `cv2.VideoCapture`"
+    exposure_unit = NAN         # s; OpenCV passes on what each system counts in
     def __init__(self, capture=None):
         self.declared = [] if capture is None else _find_controls(capture)
         self.defaults = {p.name: p.default for p in self.declared}
@@ -202,6 +203,7 @@ def _driver_parameter(control)->Parameter|None:
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #712f88aa
 class _DriverControls(_Controls):
     "List the driver's settings of a `/dev/video*`; raises `ImportError` without linuxpy, `OSError` without a device"
+    exposure_unit = 1e-4        # s, by V4L2_CID_EXPOSURE_ABSOLUTE
     def __init__(self, path:str):
         super().__init__()
         self.path,self.ids,found = path,{},[]
@@ -399,6 +401,17 @@ def _stop_reader(self:CV2Camera):
 def _publish(self:CV2Camera, image):
     self._newest.put(image)
     if self.fault: self.set_fault(None)
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #3a0e5c03
+_by_hand = 1,2      # V4L2_EXPOSURE_MANUAL, V4L2_EXPOSURE_SHUTTER_PRIORITY
+
+@patch
+def read_still(self:CV2Camera)->Frame:
+    "Return the newest frame, with its exposure time if that is set by hand"
+    frame,values = self.read(),dict(self.parameters)
+    time = round(values.get('EXPOSURE', 0)*self.controls.exposure_unit, 6)
+    if not time>0 or values.get('AUTO_EXPOSURE', _by_hand[0]) not in _by_hand: return frame
+    return replace(frame, tags=dict(ExposureTime=time))
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #a551c63b
 @patch

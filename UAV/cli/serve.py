@@ -13,7 +13,7 @@ import logging, os, re, shutil, signal, sys
 from fastcore.basics import basic_repr
 from ..cameras import Camera, CameraError, CV2Camera, SimCamera, SimDualCamera, Storage
 from .common import address, links, listed, on_links, or_exit, painted, place_for, run_with_options
-from ..gimbals import circle, Gimbal, hover, SimGimbal, SimVehicle
+from ..gimbals import circle, FixedMount, Gimbal, hover, SimGimbal, SimVehicle
 from ..mavlink import CameraServer, GimbalCameraServer, GimbalServer, SimAutopilot
 from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device
@@ -167,6 +167,7 @@ class Aboard(Closes):
         autopilot:bool=False, # Add a simulated autopilot for the vehicle
         camera:str='sim', # Camera, as for `_make_camera`
         role:str='both', # Role of the gimbal server: 'both', or 'device' if an autopilot manages it
+        mounted:tuple|None=None, # As from `_mounting`; `None`: ahead, 20° down
     ):
         if path and not (autopilot or gimbal=='sim'): raise ValueError('--path needs --gimbal sim, or --autopilot')
         one_of('--role', role, ('both','device'))
@@ -177,7 +178,8 @@ class Aboard(Closes):
         kind = GimbalCameraServer if verbs else GimbalServer
         self.server = kind(gimbal=self.gimbal, role=role) if gimbal else None
         self.pilot = SimAutopilot(self.vehicle) if autopilot else None
-        self.mount = self.gimbal if gimbal=='sim' else None         # for a simulated camera
+        fixed = self.gimbal or mounted or (0.,-20.,0.)
+        self.mount = self.gimbal if gimbal=='sim' else self.vehicle and FixedMount(self.vehicle, fixed)
 
     components = property(lambda self: [c for c in (self.server, self.pilot) if c], doc="What goes on MAVLink")
     __repr__ = basic_repr('vehicle,gimbal')
@@ -298,7 +300,8 @@ def _opened(typed, stack:ExitStack)->tuple:
     storage = dict(storages=several) if several else dict(folder=typed.folder, quota=typed.quota)
     gimbal,camera = _device(typed, stack, storage)
     what = typed.camera or 'sim'
-    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, what, typed.role))
+    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, what, typed.role,
+                                        u.mounted))
     if not (camera or typed.camera) and getattr(aboard.gimbal, 'camera', None):
         raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
     if camera is None: camera = stack.enter_context(_make_camera(what, u.video['size'], aboard.mount, **storage))

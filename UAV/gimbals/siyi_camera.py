@@ -218,7 +218,8 @@ def _fit_model(self:SiyiCamera):
     else: self.thermal_range = self.shows = None
     self._laser = code=='7A'
     wide,most,sensor = _wide(model.hfov),model.zoom,_film if known(model.hfov) else (NAN,NAN)
-    self.information = CameraInformation(focal_length=wide, sensor_size_h=sensor[0], sensor_size_v=sensor[1])
+    self.information = CameraInformation(focal_length=wide, sensor_size_h=sensor[0], sensor_size_v=sensor[1],
+                                         equivalent=True)
     with suppress(GimbalError, ValueError):
         most = max(read_zoom(link.ask(Cmd.most_zoom, tries=2 if code else 0)), 1.)
     with suppress(GimbalError, ValueError):

@@ -350,7 +350,7 @@ class FieldOfView(Value):
     def __repr__(self):
         p,(lat,lon,alt) = self.pose,self.center
         said = {f'{self.hfov:.1f}° × {self.vfov:.1f}°': known(self.hfov),
-                f'pitch {p.pitch:.1f}°, {p.yaw%360:.1f}° from north': known(p.pitch),
+                f'pitch {p.pitch:.1f}°, {round(p.yaw, 1)%360:.1f}° from north': known(p.pitch),
                 'the sky': math.isinf(lat), f'{lat:.6f} {lon:.6f}, {alt:.0f} m': math.isfinite(lat)}
         return 'FieldOfView: '+(', '.join(word for word,there in said.items() if there) or 'nothing is known')
 
