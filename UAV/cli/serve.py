@@ -197,7 +197,7 @@ def _viewers(stream)->str:
 
 def _size(mib:float)->str: return f'{mib/1024:.1f} GiB' if mib>=1024 else f'{mib:.0f} MiB'
 
-def _clock(seconds:float)->str: return f'{seconds//60:.0f}:{seconds%60:02.0f}'
+def _clock(seconds:float)->str: return f'{int(seconds)//60}:{int(seconds)%60:02}'
 
 # %% ../../nbs/api/cli/02_serve.ipynb #5cc43a1f
 def _gimbal_of(com)->tuple:
