@@ -5958,6 +5958,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                'UAV.utils.geo._metres_on_globe': ('api/utils/geo.html#_metres_on_globe', 'UAV/utils/geo.py'),
                                'UAV.utils.geo._moved_on_globe': ('api/utils/geo.html#_moved_on_globe', 'UAV/utils/geo.py'),
                                'UAV.utils.geo.euler': ('api/utils/geo.html#euler', 'UAV/utils/geo.py'),
+                               'UAV.utils.geo.gimbal_angles': ('api/utils/geo.html#gimbal_angles', 'UAV/utils/geo.py'),
                                'UAV.utils.geo.great_circle': ('api/utils/geo.html#great_circle', 'UAV/utils/geo.py'),
                                'UAV.utils.geo.inverse': ('api/utils/geo.html#inverse', 'UAV/utils/geo.py'),
                                'UAV.utils.geo.metres': ('api/utils/geo.html#metres', 'UAV/utils/geo.py'),
