@@ -401,7 +401,7 @@ import math
 from ..gimbals.values import GimbalError
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS
 from ..utils.general import NAN
-from ..utils.geo import euler, turned
+from ..utils.geo import gimbal_angles, turned
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #5723a0f9
 def _ray(x:float, y:float, hfov:float, vfov:float)->tuple:
@@ -423,7 +423,7 @@ def _clicked(x:float, y:float, hfov:float, vfov:float, q:tuple)->tuple:
     "Return pitch and yaw, degrees, of a `_ray` of a camera with attitude `q`; yaw in the frame of `q`"
     forward,right,down = turned(q, _ray(x, y, hfov, vfov))
     level = math.hypot(forward, right)
-    yaw = math.degrees(math.atan2(right, forward)) if level>1e-6 else euler(q)[2]
+    yaw = math.degrees(math.atan2(right, forward)) if level>1e-6 else gimbal_angles(q)[2]
     return -math.degrees(math.atan2(down, level)), yaw
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #c622ba70

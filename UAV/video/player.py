@@ -76,14 +76,14 @@ class RTSPReceiver(Receiver):
         self._sock.sendall(('\r\n'.join(lines)+'\r\n\r\n').encode())
 
     def _answer(self)->_Answer:
-        "The answer to the last request"
-        data = b''
+        "The whole answer to the last request; raises `OSError`"
+        data,end = b'',clock.monotonic()+self.timeout
         while True:
             for item in self._answers.feed(data):
                 if isinstance(item, _Interleaved): self._packets.append((item.channel,item.data))
                 elif item.headers.get('cseq')==str(self._cseq): return item
                 if len(self._packets)>self.most: raise ConnectionError('the server sends packets, and no answer')
-            data = self._receive(self._sock)
+            data = self._receive(self._sock, end)
             if not data: raise ConnectionError('the server has closed the connection')
 
 # %% ../../nbs/api/video/08_player.ipynb #e5e493ad

@@ -317,9 +317,9 @@ class Receiver(Closes):
         if not ready: raise TimeoutError(f'silent for {self.timeout:g} s')
         return [key.fileobj for key,_ in ready]
 
-    def _receive(self, sock)->bytes:
-        "Read more; empty at the end of a TCP connection"
-        self._wait({sock:selectors.EVENT_READ})
+    def _receive(self, sock, until:float|None=None)->bytes:
+        "Read more, by then (monotonic s) or within `timeout`; empty at the end of a TCP connection"
+        self._wait({sock:selectors.EVENT_READ}, until)
         return sock.recv(1<<16)
 
 # %% ../../nbs/api/video/03_receivers.ipynb #91458a68
