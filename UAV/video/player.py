@@ -15,7 +15,7 @@ from fastcore.basics import GetAttr, patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import _begin_thread, av, Closes, np
-from ..utils.pictures import contact_sheet, Thumbnail
+from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
 from .rtsp import _authorization, _Interleaved, _RequestReader, RTSPError
 
@@ -255,6 +255,7 @@ def _decoder(codec:str):
     "FFmpeg's decoder, set up for no delay"
     decoder = av.CodecContext.create(dict(h264='h264', h265='hevc')[codec], 'r')
     decoder.thread_count,decoder.flags = 1,decoder.flags|av.codec.context.Flags.low_delay
+    decoder.options = dict(max_pixels=str(pixel_limit()))
     return decoder
 
 # %% ../../nbs/api/video/08_player.ipynb #e58e4870
