@@ -8,7 +8,7 @@ from contextlib import suppress
 from io import BytesIO
 from itertools import count
 from pathlib import Path, PurePath
-import asyncio, errno, os, stat
+import asyncio, errno, os, re, stat
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL as FILE_TRANSFER_PROTOCOL
@@ -16,7 +16,7 @@ from ..cameras.storage import lock_file
 from ..ftp.frames import (ftp_crc, FtpCode, FtpError, FtpFrame, FtpOp, FtpParts, most_data, path_data, read_ftp,
     read_ftp_url, read_listing)
 from ..utils import clock
-from ..utils.files import FileEntry
+from ..utils.files import FileEntry, local_name
 from ..utils.output import Progress
 from ..wire.dialect import LinkError
 from .asking import RoundTrip
@@ -26,8 +26,8 @@ from .protocol import comes_from, Lost
 _all_ = ['FtpError', 'FileEntry']
 
 # %% auto #0
-__all__ = ['open_part', 'place_on_disk', 'FtpNumbers', 'RemoteFiles', 'FtpFile', 'in_turns', 'RemoteFile', 'FtpError',
-           'FileEntry']
+__all__ = ['open_part', 'place_on_disk', 'keep_part', 'FtpNumbers', 'RemoteFiles', 'FtpFile', 'in_turns', 'RemoteFile',
+           'FtpError', 'FileEntry']
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #9b011bf1
 def _no_link(name:Path, flags:int)->int:
@@ -61,16 +61,48 @@ def open_part(to:Path): # Name of the complete file
         if file := _locked(part): return file
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #4d221e99
-def place_on_disk(to:str|Path, # File, or existing folder
-                  name:str, # File name in that folder
+def place_on_disk(to:str|Path, # A file if its suffix has a letter, else a folder; made if missing
+                  name:str, # File name in that folder, or a remote path
                  )->Path:
-    "Return the path for a file; raises `OSError`"
+    "Return the path for a file, in a folder that is there; raises `OSError`"
     path = Path(to)
-    if path.is_dir(): path = path/name
-    elif str(to).endswith(('/',os.sep)): raise NotADirectoryError(errno.ENOTDIR, 'this is no folder', str(to))
-    if path.is_dir(): raise IsADirectoryError(errno.EISDIR, 'this is a folder: name a file', str(path))
-    if not path.parent.is_dir(): raise NotADirectoryError(errno.ENOTDIR, 'this is no folder', str(path.parent))
+    named = re.search('[A-Za-z]', path.suffix) and not str(to).endswith(('/',os.sep)) and not path.is_dir()
+    if not named: path = path/local_name(name)
+    try: path.parent.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError):
+        raise NotADirectoryError(errno.ENOTDIR, 'this is no folder', str(path.parent)) from None
     return path
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #dcead4f2
+async def _same_bytes(one:Path, other:Path)->bool:
+    "True if both are plain files with the same content; yields to the loop after each megabyte"
+    try:
+        with open(one, 'rb') as a, open(other, 'rb', opener=_no_wait) as b:
+            if not stat.S_ISREG(os.fstat(b.fileno()).st_mode): return False
+            if os.fstat(a.fileno()).st_size!=os.fstat(b.fileno()).st_size: return False
+            while data := a.read(1<<20):
+                if data!=b.read(1<<20): return False
+                await asyncio.sleep(0)
+    except OSError: return False
+    return True
+
+def _no_wait(name, flags:int)->int: return os.open(name, flags|getattr(os, 'O_NONBLOCK', 0))       # for a FIFO
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #e040801b
+async def keep_part(part:Path, # A complete file
+                    to:Path, # Its name
+                   )->Path:
+    "Give a file its name, or a free one like `a_2.jpg` if another has it; return that. Raises `OSError`"
+    for number in count(1):
+        path = to.with_name(f'{to.stem}_{number}{to.suffix}') if number>1 else to
+        if await _same_bytes(part, path):
+            part.unlink()
+            return path
+        try: os.close(os.open(path, os.O_CREAT|os.O_EXCL|os.O_WRONLY, 0o666))
+        except (FileExistsError, IsADirectoryError): continue
+        os.replace(part, path)
+        clock.stamp(path)
+        return path
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #d45ad53f
 class FtpNumbers:
@@ -315,7 +347,7 @@ async def _end(self:RemoteFiles, session:int):
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #f09d899d
 @patch
 async def _to_disk(self:RemoteFiles, path:str, to:Path, progress)->Path:
-    "Download into a file of that name, resuming its `.part`"
+    "Download into a file of that name, or a free one, resuming its `.part`"
     with open_part(to) as sink:
         file,part = FtpFile(self, path, sink, sink.seek(0, os.SEEK_END)),Path(sink.name)
         try: await file.fetch_checked(progress)
@@ -324,18 +356,16 @@ async def _to_disk(self:RemoteFiles, path:str, to:Path, progress)->Path:
             if not file.saved or part.name!=f'{to.name}.part': part.unlink(missing_ok=True)
             raise
         if os.name=='nt': sink.close()      # there an open file keeps its name
-        os.replace(part, to)                # while it is locked
-        clock.stamp(to)
-    return to
+        return await keep_part(part, to)    # while it is locked
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #70c34994
 @patch
 async def fetch(self:RemoteFiles, file, # Path on the vehicle, URL, listed file, or notice of a picture
-                to:str|Path|None=None, # File or folder on our disk; `None`: return the bytes
+                to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: return the bytes
                 progress=None, # Called with the bytes done and the size; True: show a line
                 most:int=FtpFile.most, # Maximum size in memory, bytes; raises `ValueError` above
                )->bytes|Path:
-    "Fetch a file; return its bytes, or its path on our disk. Raises `FtpError`, `Lost` and `OSError`"
+    "Fetch a file; return its bytes, or its path, `a_2.jpg` if `a.jpg` is another. Raises `FtpError`, `Lost`, `OSError`"
     files,path = self._place(file)
     name = path.rpartition('/')[2]
     if progress is True: progress = Progress(name)

@@ -15,7 +15,7 @@ from fastcore.basics import patch
 from . import clock
 
 # %% auto #0
-__all__ = ['most_bytes', 'FileEntry', 'FileTree']
+__all__ = ['most_bytes', 'most_name', 'FileEntry', 'FileTree', 'local_name']
 
 # %% ../../nbs/api/utils/02_files.ipynb #892c7433
 most_bytes,_odd = 255,re.compile(r'[\x00-\x1f\\\x7f]')     # of a name; characters that no name of ours has
@@ -308,3 +308,19 @@ def truncate(self:FileTree, path:str, size:int):
     with jail.open(names, os.O_RDWR) as file:
         if size>os.fstat(file.fileno()).st_size: raise ValueError(f'{path} is shorter than {size} bytes')
         file.truncate(size)
+
+# %% ../../nbs/api/utils/02_files.ipynb #3bba6d3e
+most_name = 200         # bytes of a name on our disk: a `_2` or `.2.part` still fits
+_device = re.compile(r'(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³]) *(\.|$)', re.I)      # of Windows
+
+def local_name(path:str, # A path or an URL's path, as the other side writes it
+              )->str:
+    "Return a plain name for its file: not hidden, not reserved, not too long, without separators and control characters"
+    name = re.split(r'[/\\]', path)[-1]
+    name = ''.join(c if c.isprintable() and c not in '<>:"|?*' else '_' for c in name).lstrip('.-~ ').rstrip('. ')
+    if _device.match(name): name = f'_{name}'
+    if name.lower().endswith('.part'): name += '_'         # not a half one of ours
+    stem,dot,ending = name.rpartition('.')
+    if not stem or len(ending.encode())>20: stem,dot,ending = name,'',''
+    stem = stem.encode()[:most_name-len((dot+ending).encode())].decode(errors='ignore').rstrip('. ')
+    return stem+dot+ending or 'file'
