@@ -60,8 +60,8 @@ class CameraVisit(Visit):
         remote = self.client.remotes.get(there)
         informed = asked.done() and not asked.exception() and bool(asked.result())
         if remote is None or remote.type is None: return informed and is_camera(there, mavlink.MAV_TYPE_GENERIC) or None
-        if is_camera(there, remote.type): return True
-        if remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID: return False
+        if remote.type==mavlink.MAV_TYPE_CAMERA: return True
+        if remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID and not is_camera(there, remote.type): return False
         return informed if asked.done() else None
 
     async def no_camera(self, there:tuple)->str:

@@ -124,16 +124,22 @@ async def _hear(self:RemoteComponent, msg_id:int, timeout:float, there=lambda: F
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #a7fdc1ea
 def is_camera(source:tuple, mav_type:int)->bool:
-    "True if a component with this address and MAV_TYPE is a camera"
-    old = mavlink.MAV_COMP_ID_CAMERA<=source[1]<=mavlink.MAV_COMP_ID_CAMERA6
-    return mav_type==mavlink.MAV_TYPE_CAMERA or (mav_type==mavlink.MAV_TYPE_GENERIC and old)
+    "True if a component with this address and MAV_TYPE may be a camera"
+    return mav_type==mavlink.MAV_TYPE_CAMERA or mavlink.MAV_COMP_ID_CAMERA<=source[1]<=mavlink.MAV_COMP_ID_CAMERA6
+
+def _is_sure(client, source:tuple, mav_type:int)->bool:
+    "True if its MAV_TYPE or its CAMERA_INFORMATION says that it is a camera"
+    handle = getattr(client, '_cameras', {}).get(source)
+    return mav_type==mavlink.MAV_TYPE_CAMERA or getattr(handle, 'information', None) is not None
 
 def cameras_heard(client, # A `Component` of ours
                   since:float=0., # Monotonic time
+                  sure:bool=True, # False: those with the id of a camera, another MAV_TYPE, and no CAMERA_INFORMATION
                  )->list:
     "Return the addresses of cameras with a heartbeat after `since`"
     us = client.source_system,client.source_component
-    return sorted(s for s,r in client.remotes.items() if r.heard>=since and is_camera(s, r.type) and s!=us)
+    beating = {s:r.type for s,r in client.remotes.items() if r.heard>=since and r.type is not None and s!=us}
+    return sorted(s for s,t in beating.items() if is_camera(s, t) and _is_sure(client, s, t)==sure)
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #c7c590f5
 @patch
