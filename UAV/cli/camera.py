@@ -311,7 +311,7 @@ async def fetch(self:CameraVisit, path:str, # Path on the camera, or a `mftp://`
                 folder, # Local folder, as for `_folder_here`
                )->Path:
     "Fetch a file and return its local path; raises `ValueError`, `OSError` or `MAVError`"
-    if '://' in path and not path.startswith('mftp://'): raise ValueError(f'{path} is not to be had over MAVLink')
+    if '://' in path and not path.lower().startswith('mftp://'): raise ValueError(f'{path} is not to be had over MAVLink')
     place = _free_place(_folder_here(folder), path)
     await self.camera.files.fetch(path, place, progress=None if self.options.json else Progress(place.name))
     return place
@@ -408,7 +408,7 @@ async def _files(visit, paths:list[str]): # Folders on the camera; default: the 
 @patch
 async def meant_files(self:CameraVisit, path:str)->list:
     "Return the paths of the files meant by a path: itself, or those in the folder"
-    if path.startswith('mftp://'): return [path]
+    if path.lower().startswith('mftp://'): return [path]
     parent,_,name = path.rstrip('/').rpartition('/')
     beside = [] if path.strip('/')=='' else await self.entries(parent or '/')
     if any(e.name==name and not e.folder for _,e in beside): return [path]

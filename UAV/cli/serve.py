@@ -33,7 +33,7 @@ def _make_camera(text:str, size:tuple|None=None, mount=None, **storage)->Camera:
         from UAV.cameras.gst_cam import GSTCamera
         return GSTCamera(text, **storage)
     width,height = size or (None,None)
-    if text.partition('://')[0] in device_schemes():
+    if text.partition('://')[0].lower() in device_schemes():
         device = open_device(text, **storage)
         if isinstance(device, Camera): return device
         device.close()
