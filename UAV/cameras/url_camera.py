@@ -17,7 +17,7 @@ from .values import *
 from ..utils import clock
 from ..utils.general import _begin_thread, _has_ended
 from ..video.encoder import PassThrough
-from ..video.player import _decode, _decoder, receivers, _scheme
+from ..video.player import _decode, _decoder, _in_our_schemes, receivers, _scheme
 from ..video.receivers import _Stopped
 from ..video.units import parameter_sets, Sink
 
@@ -135,7 +135,8 @@ def _on_unit(self:URLCamera, unit):
 @patch
 def _receive(self:URLCamera):
     "Pass on all that comes in one connection; raises `OSError`"
-    with receivers[_scheme(self.url)](self.url, self.open_timeout) as self._receiver:
+    scheme,(url,transport) = _scheme(self.url),_in_our_schemes(self.url)
+    with receivers[scheme](url, self.open_timeout, *([transport] if scheme=='rtsp' else [])) as self._receiver:
         if self._closing.is_set(): return
         with closing(self._receiver.units()) as units:
             for unit in units:

@@ -60,8 +60,8 @@ class CameraVisit(Visit):
         remote = self.client.remotes.get(there)
         informed = asked.done() and not asked.exception() and bool(asked.result())
         if remote is None or remote.type is None: return informed and is_camera(there, mavlink.MAV_TYPE_GENERIC) or None
-        if is_camera(there, remote.type): return True
-        if remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID: return False
+        if remote.type==mavlink.MAV_TYPE_CAMERA: return True
+        if remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID and not is_camera(there, remote.type): return False
         return informed if asked.done() else None
 
     async def no_camera(self, there:tuple)->str:
@@ -311,7 +311,7 @@ async def fetch(self:CameraVisit, path:str, # Path on the camera, or a `mftp://`
                 folder, # Local folder, as for `_folder_here`
                )->Path:
     "Fetch a file and return its local path; raises `ValueError`, `OSError` or `MAVError`"
-    if '://' in path and not path.startswith('mftp://'): raise ValueError(f'{path} is not to be had over MAVLink')
+    if '://' in path and not path.lower().startswith('mftp://'): raise ValueError(f'{path} is not to be had over MAVLink')
     place = _free_place(_folder_here(folder), path)
     await self.camera.files.fetch(path, place, progress=None if self.options.json else Progress(place.name))
     return place
@@ -408,7 +408,7 @@ async def _files(visit, paths:list[str]): # Folders on the camera; default: the 
 @patch
 async def meant_files(self:CameraVisit, path:str)->list:
     "Return the paths of the files meant by a path: itself, or those in the folder"
-    if path.startswith('mftp://'): return [path]
+    if path.lower().startswith('mftp://'): return [path]
     parent,_,name = path.rstrip('/').rpartition('/')
     beside = [] if path.strip('/')=='' else await self.entries(parent or '/')
     if any(e.name==name and not e.folder for _,e in beside): return [path]

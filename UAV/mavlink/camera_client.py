@@ -82,6 +82,7 @@ class CameraClient(Component):
     "A client that finds MAVLink cameras and commands them by address"
     any_host = False    # True: allow video and definitions from other addresses than the camera's MAVLink
     _most_cameras = 64 # whose unsolicited notices are stored
+    _doubt = 1.5 # seconds for a CAMERA_INFORMATION of a component that may be no camera
     _last_shot = 2**24-1 # highest number of a shot: exact in a float32
 
     def __init__(self, source_component:int, # Our component id, for example `MAV_COMP_ID_MISSIONPLANNER` (190)
@@ -129,17 +130,46 @@ def _on_param_ext(self:CameraClient, msg):
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #43084bea
 @patch
-async def _next_beat(self:CameraClient, timeout:float, there):
-    "Wait for a heartbeat, unless `there()`"
-    with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT) as wanted:
-        if not there(): await wanted.wait(timeout)
-
-@patch
 async def _known(self:CameraClient, there:tuple)->RemoteCamera:
     "Return the handle of a camera, with its CAMERA_INFORMATION requested again"
     camera = self.camera(*there)
     camera.information = await camera.request(CAMERA_INFORMATION) or camera.information
     return camera
+
+@patch
+async def _next_beat(self:CameraClient, timeout:float, there, asked=()):
+    "Wait for a heartbeat or one of the tasks `asked`, unless `there()`"
+    with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT) as wanted:
+        beat = asyncio.ensure_future(wanted.wait(timeout))
+        try:
+            if not there(): await asyncio.wait([beat, *asked], return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            beat.cancel()
+            await asyncio.wait([beat])
+
+@patch
+async def _look(self:CameraClient, start:float, end:float, there):
+    "Listen until `there()` or `end`, and ask those with the id of a camera what they are; monotonic s"
+    tasks = {}      # `{address: task}`
+    try:
+        while not there():
+            for doubtful in cameras_heard(self, start-1.5, sure=False):
+                if doubtful in tasks: continue
+                tasks[doubtful],last = asyncio.ensure_future(self._known(doubtful)),clock.monotonic()+self._doubt
+            asked = [task for task in tasks.values() if not task.done()]
+            left = (max(end, last) if asked else end)-clock.monotonic()
+            if left<=0: return
+            await self._next_beat(left, there, asked)
+    finally:
+        for task in tasks.values(): task.cancel()
+        await asyncio.gather(*tasks.values(), return_exceptions=True)
+
+@patch
+def _who_was_heard(self:CameraClient, start:float)->str:
+    "Return what was received since `start` instead of a camera"
+    odd = [f'{system}/{component}' for system,component in cameras_heard(self, start-1.5, sure=False)]
+    said = f'; no CAMERA_INFORMATION came from {" and ".join(odd)}, at the id of a camera' if odd else ''
+    return self.mav_com.who_was_heard()+said
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #84f6b2fc
 @patch
@@ -151,9 +181,9 @@ async def find_cameras(self:CameraClient, count:int|None=None, # Return as soon 
     check_seconds('timeout', timeout)
     start = clock.monotonic()
     def enough(): return count is not None and len(cameras_heard(self, start-1.5))>=count
-    while not enough() and (left := start+timeout-clock.monotonic())>0: await self._next_beat(left, enough)
+    await self._look(start, start+timeout, enough)
     found = await asyncio.gather(*(self._known(there) for there in cameras_heard(self, start-1.5)))
-    return Found(found, f'no camera in {timeout:g} s; {self.mav_com.who_was_heard()}')
+    return Found(found, f'no camera in {timeout:g} s; {self._who_was_heard(start)}')
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #2b7420a3
 @patch
@@ -171,11 +201,11 @@ async def find_camera(self:CameraClient, name:str|None=None, # Part of its vendo
         for there in new():
             camera = seen[there] = await self._known(there)
             if (name or '').lower() in camera.name.lower(): return camera
-        if (left := start+timeout-clock.monotonic())<=0: break
-        await self._next_beat(left, new)
+        await self._look(start, start+timeout, new)
+        if not new(): break
     asked = dict(name=name, system=system, component=component)
     which = ', '.join(f'{k}={v!r}' for k,v in asked.items() if v is not None)
-    heard = ', '.join(map(str, seen.values())) or self.mav_com.who_was_heard()
+    heard = ', '.join(map(str, seen.values())) or self._who_was_heard(start)
     raise NoAnswer(f'no camera{which and f" with {which}"} in {timeout:g} s; {heard}')
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #b5d19b09
