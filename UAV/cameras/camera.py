@@ -202,8 +202,11 @@ def settings(self:Camera)->CameraSettings:
 # %% ../../nbs/api/cameras/09_camera.ipynb #acb7cd3d
 @patch
 def set_camera_mode(self:Camera, mode:str): # One of `modes`
-    "Set the mode, photo or video; raises `ValueError`"
-    self.mode = one_of('mode', mode, self.modes)
+    "Set the mode, photo or video; raises `ValueError`, or `CameraBusy` while pictures wait which it would prevent"
+    one_of('mode', mode, self.modes)
+    waits = mode == 'video' and not self.image_in_video_mode and self.captures.jobs
+    if waits: raise CameraBusy('a picture is being taken')
+    self.mode = mode
     self.announce(self.settings())
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #e815d435

@@ -215,7 +215,7 @@ class _CaptureJob:
 # %% ../../nbs/api/cameras/07_trigger.ipynb #af7b96fc
 class CaptureQueue:
     "A camera's picture requests, and the thread that takes them while there are any"
-    max_waiting = 2         # single shots that may wait for the one being taken
+    max_waiting = 10        # single shots that may wait for the one being taken
     def __init__(self,
                  camera): # Its `storages`, `_take_picture`, `_tell_picture`, `announce` and `capture_status` are used
         self.camera,self.jobs,self.changed = camera,deque(),clock.Condition()
