@@ -228,7 +228,7 @@ class CaptureQueue:
     def __repr__(self): return f'CaptureQueue({list(self.jobs)})'
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #c9215d4e
-CaptureQueue.sequence_runs = property(lambda self: any(j.count!=1 and not j.stop.is_set() for j in self.jobs),
+CaptureQueue.sequence_runs = property(lambda self: any(j.count!=1 and not j.stop.is_set() for j in list(self.jobs)),
     doc="Is a sequence under way, or waiting?")
 
 @patch
