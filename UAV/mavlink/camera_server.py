@@ -17,6 +17,7 @@ from ..cameras.values import (CameraBusy, CameraError, CameraInformation, Camera
 from ..ftp.frames import ftp_url
 from ..logging import LogLevels
 from .camera_parameters import SettingsPart
+from .basecomponent import Part
 from .camera_tracking import CAMERA_TRACKING_IMAGE_STATUS, TrackingPart
 from .camera_video import VIDEO_STREAM_INFORMATION, VIDEO_STREAM_STATUS, VideoPart
 from .component import Component, DeviceServer, Health
@@ -43,11 +44,33 @@ class FakeCamera:
     information = CameraInformation('UAV', 'FakeCamera', (0,0,0,0), 2.8, 3.2, 2.4, 640, 480)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #cfe0f2be
+class _Dropped(Part):
+    "Shots refused because the camera was busy, said in a text: an autopilot reads no ack"
+    again = 5.          # s between two texts
+    def __init__(self, component):
+        super().__init__(component)
+        self.presses,self.count,self.why,self.said = Presses(),0,'',-math.inf
+
+    def add(self, msg, number:int, why:str):
+        "Count the shot of the command `msg`, unless it is the same press once more"
+        if self.presses.find(msg, number): return
+        self.presses.note(msg, number, Outcome(Busy.result))
+        self.count,self.why = self.count+1,why
+
+    def beat(self):
+        "Send the number of shots that were dropped since the last text"
+        us,now = self.component,clock.monotonic()
+        with us.presses.lock:
+            if not self.count or now-self.said<self.again: return
+            count,self.count,self.said = self.count,0,now
+        shots = f'{count} shot{"s"*(count>1)} dropped'
+        us.say(mavlink.MAV_SEVERITY_WARNING, f'{us.health.device.information.model}: {shots}: {self.why}')
+
 class _CameraVerbs(DeviceServer):
     "Zoom, focus and pictures of a device, each press taken once"
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)
-        self.presses = Presses()
+        self.presses,self.dropped = Presses(),self.add_part(_Dropped(self))
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #417eeaa7
 def _checked_camera(camera):
@@ -403,7 +426,10 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
             if number: self._note_number(number, msg, before)
         elif before := single and self.served.find_number(msg, number): self._tell_again(number, msg, before)
         if before: return before.value
-        index = start(interval, count)
+        try: index = start(interval, count)
+        except CameraBusy as e:
+            if single: self.dropped.add(msg, number, str(e))
+            raise
         outcome = Outcome(mavlink.MAV_RESULT_ACCEPTED, index+1 if type(index) is int else 0)
         if not single: return outcome.value
         if number or msg.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE: self._note_number(number, msg, outcome)

@@ -10,7 +10,7 @@ import atexit, re, socket
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..logging import get_logger, LogLevels
+from ..logging import get_logger, line_limit, LogLevels
 from .asking import Remotes
 from .protocol import accepts, _check_component, check_id, opened
 from ..utils import clock
@@ -47,6 +47,7 @@ class Heart:
         "Send heartbeats and check for silent components, on the timer"
         if not self.check_stuck(): self.beat()
         self.watch()
+        line_limit.tell(clock.time())
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #69e8a0bc
 def _joined(com)->list:
