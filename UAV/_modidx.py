@@ -4130,6 +4130,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                               'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server._checked_camera': ( 'api/mavlink/camera_server.html#_checked_camera',
                                                                                           'UAV/mavlink/camera_server.py'),
+                                           'UAV.mavlink.camera_server._checked_name': ( 'api/mavlink/camera_server.html#_checked_name',
+                                                                                        'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server._name32': ( 'api/mavlink/camera_server.html#_name32',
                                                                                   'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server._no_media': ( 'api/mavlink/camera_server.html#_no_media',

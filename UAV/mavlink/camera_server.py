@@ -57,6 +57,12 @@ def _checked_camera(camera):
     if hasattr(camera.information,'pitch'): raise TypeError(f'{camera!r} is a gimbal, not a camera')
     return camera
 
+def _checked_name(name:str, what:str='name')->str:
+    "Return a name for ground stations; raises `ValueError`"
+    fits = isinstance(name, str) and name.strip() and name.isprintable() and len(name.encode(errors='replace'))<=31
+    if not fits: raise ValueError(f'{what} is a text of 1 to 31 bytes, not {name!r}')
+    return name.strip()
+
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d31f0627
 class CameraServer(_CameraVerbs):
     "A MAVLink camera that serves a camera object"
@@ -70,6 +76,7 @@ class CameraServer(_CameraVerbs):
         loglevel:int=LogLevels.INFO,
         guard=None, # Senders that may delete: `None` (all), `'signed'`, systems or addresses, or a function
         video_host:str|None=None, # Host in the URLs of our streams; `None`: the address at which each viewer reaches us
+        name:str|None=None, # Its name at ground stations, at most 31 bytes; `None`: the model
     ):
         if hasattr(source_component, 'information'):
             raise TypeError('the first argument is a component id: write CameraServer(camera=…)')
@@ -79,6 +86,7 @@ class CameraServer(_CameraVerbs):
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
         if isinstance(guard, str) and guard!='signed': raise ValueError(f'guard is {guard!r}, not \'signed\'')
         self.camera,self.guard = FakeCamera() if camera is None else _checked_camera(camera),guard
+        self.name = None if name is None else _checked_name(name)
         self._greeted = Seen(self.greet_again, self.most_peers)
         self._greetings = Seen(10., self.most_peers)    # messages still to be sent to each peer
         self.health = Health(self, self.camera)
@@ -142,7 +150,7 @@ def check_guard(self:CameraServer, msg):
 @patch
 def _tell_failure(self:CameraServer, why:str, now:bool=False):
     "Send the reason of a failed capture as STATUSTEXT, once per series and reason"
-    self.health.tell(mavlink.MAV_SEVERITY_ERROR, f'{self.camera.information.model}: {why}', now)
+    self.health.tell(mavlink.MAV_SEVERITY_ERROR, f'{self.name or self.camera.information.model}: {why}', now)
 
 @patch
 def _result_of(self:CameraServer, error:BaseException, what:str)->int:
@@ -199,7 +207,9 @@ def flags(self:CameraServer)->int:
     return sum(enum_value('CAMERA_CAP_FLAGS', n, 'CAMERA_CAP_FLAGS_') for n in names)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #4a7fa1e7
-def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))    # ends with 0: others read C strings
+def _name32(text:str)->list:
+    "The bytes of a name, whole characters only; ends with 0, as others read C strings"
+    return list(text.encode()[:31].decode(errors='ignore').encode().ljust(32, b'\0'))
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #3c6280ae
 @patch
@@ -208,8 +218,8 @@ def _camera_information(self:CameraServer):
     "Encode CAMERA_INFORMATION: model, lens, firmware and capabilities"
     i,(number,uri) = self.camera.information,self.settings.serve_definition()
     version = sum(v<<8*n for n,v in enumerate(i.firmware_version))
-    return self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version,
-        i.focal_length, i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id,
+    return self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(self.name or i.model),
+        version, i.focal_length, i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id,
         self.flags, number, uri.encode()[:139], getattr(self.camera,'gimbal_device_id',0))
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #25daf4da
