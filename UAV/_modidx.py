@@ -1708,6 +1708,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                 'UAV.cli.camera.CameraVisit.no_camera': ('api/cli/camera.html#cameravisit.no_camera', 'UAV/cli/camera.py'),
                                 'UAV.cli.camera.CameraVisit.recorded': ('api/cli/camera.html#cameravisit.recorded', 'UAV/cli/camera.py'),
                                 'UAV.cli.camera.CameraVisit.tell': ('api/cli/camera.html#cameravisit.tell', 'UAV/cli/camera.py'),
+                                'UAV.cli.camera.CameraVisit.tell_entries': ( 'api/cli/camera.html#cameravisit.tell_entries',
+                                                                             'UAV/cli/camera.py'),
                                 'UAV.cli.camera.CameraVisit.tell_settings': ( 'api/cli/camera.html#cameravisit.tell_settings',
                                                                               'UAV/cli/camera.py'),
                                 'UAV.cli.camera.CameraVisit.tell_status': ( 'api/cli/camera.html#cameravisit.tell_status',
