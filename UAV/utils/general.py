@@ -8,9 +8,9 @@ from abc import ABCMeta
 from collections.abc import AsyncGenerator
 from dataclasses import fields
 from datetime import datetime
-from functools import wraps
+from functools import cached_property, wraps
 from importlib import import_module
-from inspect import CORO_CREATED, getcoroutinestate
+from inspect import CORO_CREATED, getattr_static, getcoroutinestate, isdatadescriptor, isfunction, ismemberdescriptor
 from numbers import Real
 from types import CoroutineType
 import heapq, inspect, math, os, re, sys, weakref
@@ -22,8 +22,8 @@ from . import clock, clock as _clock
 
 # %% auto #0
 __all__ = ['log', 'timers', 'NAN', 'time_since_boot_ms', 'time_UTC_usec', 'date_time_str', 'in_child', 'Closes', 'Opened',
-           'Timers', 'Worker', 'known', 'Value', 'inside', 'one_of', 'plain', 'CompleteLater', 'Seen', 'for_async',
-           'show_unawaited', 'Report', 'kept', 'doc_class', 'takes_options', 'from_rooms']
+           'Timers', 'Worker', 'known', 'Value', 'inside', 'one_of', 'plain', 'CompleteLater', 'KeepsNames', 'Seen',
+           'for_async', 'show_unawaited', 'Report', 'kept', 'doc_class', 'takes_options', 'from_rooms']
 
 # %% ../../nbs/api/utils/00_general.ipynb #b1083063
 log = get_logger('timers')
@@ -287,6 +287,56 @@ class CompleteLater(ABCMeta):
         if not getattr(made, '_begun', True): raise TypeError(f'{cls.__name__}.__init__ must call super().__init__()')
         made._complete()
         return made
+
+# %% ../../nbs/api/utils/00_general.ipynb #2f337d14
+_unset = object()
+
+def _serves(base:type, name:str, value, of_class:bool)->bool:
+    "True if `value`, as an attribute of a class or of an object, does what `base` has under this name"
+    if name in (parts := vars(base)['_parts']):
+        return isinstance(value, parts[name]) if isinstance(parts[name], type) else parts[name](value)
+    ours = vars(base).get(name)
+    if not isinstance(ours, property) and (not isfunction(ours) or value is None or callable(value)): return True
+    if not of_class or callable(value) or not hasattr(value, '__get__') or ismemberdescriptor(value): return False
+    return isinstance(ours, property) or not (isdatadescriptor(value) or isinstance(value, cached_property))
+
+def _clash(kind:type, base:type, name:str)->str:
+    parts,ours = vars(base)['_parts'],vars(base).get(name)
+    what = 'part' if name in parts else 'property' if isinstance(ours, property) else 'method'
+    return (f"{kind.__name__}.{name} can't replace the {what} `{name}` of {base.__name__}: "
+            f"give yours another name, such as `my_{name.strip('_')}`")
+
+# %% ../../nbs/api/utils/00_general.ipynb #81da0d75
+class KeepsNames:
+    "Base of a class that others continue: names of theirs that replace its parts, methods or properties raise"
+    _parts = {}         # what the constructor of this class sets: `{name: type, or function that is true for a value}`
+    _keeps = ()         # the classes that have `_parts`
+
+    def __init_subclass__(cls, **kwargs):
+        super().__init_subclass__(**kwargs)
+        cls._keeps = tuple(c for c in cls.__mro__[:-1] if '_parts' in vars(c) and c is not KeepsNames)
+        cls._check_names()
+
+    @classmethod
+    def _check_names(cls):
+        "Raise `TypeError` for a name in a class that's taken"
+        for base in cls._keeps:
+            for name in {*vars(base), *vars(base)['_parts']}:
+                value,ours = getattr_static(cls, name, _unset),getattr_static(base, name, _unset)
+                if value is not ours and not _serves(base, name, value, True): raise TypeError(_clash(cls, base, name))
+
+    def _check_name(self, name:str, value):
+        "Raise `AttributeError` for an attribute that's taken, unless a subclass has its own property there"
+        for base in self._keeps:
+            ours = base.__dict__
+            if name not in ours and name not in ours['_parts'] or _serves(base, name, value, False): continue
+            theirs = getattr_static(type(self), name, None)
+            if name in ours['_parts'] or not isdatadescriptor(theirs) or theirs is ours[name]:
+                raise AttributeError(_clash(type(self), base, name))
+
+    def __setattr__(self, name, value):
+        self._check_name(name, value)
+        super().__setattr__(name, value)
 
 # %% ../../nbs/api/utils/00_general.ipynb #3e446c9c
 class Seen:
