@@ -4132,6 +4132,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                   'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server._Levels.__init__': ( 'api/mavlink/camera_server.html#_levels.__init__',
                                                                                            'UAV/mavlink/camera_server.py'),
+                                           'UAV.mavlink.camera_server._Levels.is_echoing': ( 'api/mavlink/camera_server.html#_levels.is_echoing',
+                                                                                             'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server._Levels.order': ( 'api/mavlink/camera_server.html#_levels.order',
                                                                                         'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server._Levels.sent_back': ( 'api/mavlink/camera_server.html#_levels.sent_back',

@@ -67,6 +67,7 @@ class _Levels:
     def __init__(self):
         self._told,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),count(1)
         self._orders = Seen(self.window, most=256)      # by drive and sender: its last order's turn and level
+        self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
 
     def tell(self, **levels):
         "Note levels that are sent; one that stays the same isn't news"
@@ -85,7 +86,12 @@ class _Levels:
         turn = next((turn for turn,told in recent if turn>since and math.isclose(told, level, rel_tol=1e-6)), 0)
         if not turn or own==level: return False
         self._orders.note((drive,source), (turn, None))
+        self._echoes.note(source, self._echoes.find(source, 0)+1)
         return True
+
+    def is_echoing(self, msg)->bool:
+        "True if the sender of the order `msg` is known to send levels back"
+        return getattr(msg, 'confirmation', 0)==255 or self._echoes.find(address(msg), 0)>1
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d31f0627
 class CameraServer(_CameraVerbs):
@@ -518,7 +524,8 @@ def _is_running(self:CameraServer, drive:str)->bool:
 def _move(self:CameraServer, drive:str, kind:str, value:float, msg):
     "Zoom or focus, unless the order only sends back a level of our CAMERA_SETTINGS"
     verb,source = self.need(f'set_camera_{drive}'),address(msg)
-    if kind=='range' and self._levels.sent_back(drive, source, value): return self._drop_echo(drive, value, source)
+    if kind=='range' and self._levels.sent_back(drive, source, value):
+        if self._is_running(drive) or self._levels.is_echoing(msg): return self._drop_echo(drive, value, source)
     self._levels.order(drive, source, value if kind=='range' else None)
     before,self._runs[drive] = self._runs.get(drive, False),kind=='continuous' and value!=0
     try: verb(kind, value)
