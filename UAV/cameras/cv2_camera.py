@@ -323,6 +323,7 @@ class _LiveCamera(Camera):
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #fa7b6ac9
 class CV2Camera(_LiveCamera):
     "A camera that OpenCV can open"
+    _parts = dict(controls=_Controls, kind=lambda value: value in ('file','device','url'), _newest=_NewestFrame)
     def __init__(self, source, # Device number or path, file name, or URL (rtsp, http, udp, tcp)
                  width:int|None=None, height:int|None=None, # px; frames are scaled when the source has another size
                  fps:float|None=None, # Frames per second; `None` is what the source says

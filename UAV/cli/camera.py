@@ -394,15 +394,28 @@ def _time_text(moment:float)->str:
     try: return clock.strftime('%Y-%m-%d %H:%M:%S', clock.localtime(moment)) if moment else ''
     except (ValueError, OverflowError, OSError): return ''
 
+# %% ../../nbs/api/cli/03_camera.ipynb #5d7cb703
+@patch
+async def tell_entries(self:CameraVisit, folder:str)->list:
+    "Print the files and folders in a folder of the camera, and return the paths of its folders"
+    found = sorted(await self.entries(folder), key=lambda one: (not one[1].folder, one[1].name))
+    for path,e in found:
+        text = f'{path}/' if e.folder else f'{path}  {amount(e.size)}  {_time_text(e.time)}'.rstrip()
+        self.tell(printable(text), path=path, folder=e.folder, size=None if e.folder else e.size, time=e.time)
+    return [path for path,e in found if e.folder and e.name not in ('.','..')]
+
 # %% ../../nbs/api/cli/03_camera.ipynb #27003e38
 @_verb('files', 'files /media', 'files /media --json')
-async def _files(visit, paths:list[str]): # Folders on the camera; default: the top folder
+async def _files(visit, paths:list[str]): # Folders on the camera; default: the top folder, and those in it
     "List the files on the camera, with sizes"
     await visit.choose()
-    for folder in paths or ['/']:
-        for path,e in sorted(await visit.entries(folder), key=lambda one: (not one[1].folder, one[1].name)):
-            text = f'{path}/' if e.folder else f'{path}  {amount(e.size)}  {_time_text(e.time)}'.rstrip()
-            visit.tell(printable(text), path=path, folder=e.folder, size=None if e.folder else e.size, time=e.time)
+    if paths:
+        for folder in paths: await visit.tell_entries(folder)
+        return
+    for folder in await visit.tell_entries('/'):
+        try: await visit.tell_entries(folder)
+        except FtpError as e:
+            visit.tell(f'{printable(folder)}/ is skipped: {printable(str(e))}', path=folder, skipped=str(e))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #c40787cc
 @patch

@@ -15,6 +15,7 @@ from ..cameras import Camera, CameraError, CV2Camera, SimCamera, SimDualCamera, 
 from .common import address, links, listed, on_links, or_exit, painted, place_for, run_with_options
 from ..gimbals import circle, FixedMount, Gimbal, hover, SimGimbal, SimVehicle
 from ..mavlink import CameraServer, GimbalCameraServer, GimbalServer, SimAutopilot
+from ..mavlink.camera_server import _checked_name
 from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device
 from ..utils.general import Closes, inside, known, one_of
@@ -33,7 +34,7 @@ def _make_camera(text:str, size:tuple|None=None, mount=None, **storage)->Camera:
         from UAV.cameras.gst_cam import GSTCamera
         return GSTCamera(text, **storage)
     width,height = size or (None,None)
-    if text.partition('://')[0] in device_schemes():
+    if text.partition('://')[0].lower() in device_schemes():
         device = open_device(text, **storage)
         if isinstance(device, Camera): return device
         device.close()
@@ -78,11 +79,12 @@ def serving(camera, # A Camera
             component:int=100, # Component id, 100 to 105
             host:str|None=None, # Our address for viewers; `None`: the one that each viewer reaches
             guard=None, # Clients with destructive commands, as for `CameraServer`
+            name:str|None=None, # Its name at ground stations; `None`: the model
             components=(), # Further components of the vehicle
             **how): # `signing` and `forward` of `MAVCom`
     "Serve `camera` on these links, and return their `MAVCom`, as a context manager"
     with on_links(connections, source_system=system, **how) as com:
-        com.add_component(CameraServer(component, camera=camera, guard=guard, video_host=host))
+        com.add_component(CameraServer(component, camera=camera, guard=guard, video_host=host, name=name))
         for other in components: com.add_component(other)
         yield com
 
@@ -269,13 +271,14 @@ def log_to(teller:Teller):
 # %% ../../nbs/api/cli/02_serve.ipynb #e2ed96e7
 def _understood(typed)->SimpleNamespace:
     "Return the options as values; raises `ValueError`, or `OSError` for an unreadable key"
+    if typed.name is not None: _checked_name(typed.name, '--name')
     key = typed.sign and secret_key(Path(typed.sign))
     guard = _destroyers(typed.guard, bool(key))
     if guard=='signed': key = Signing(key, accept_unsigned=lambda msg_id, source: True)
     return SimpleNamespace(video=_video_format(typed.codec, typed.size, typed.rate, typed.bitrate),
         streams=_wanted_streams(typed.rtsp, typed.rtp, typed.mpegts, typed.tcp), connections=links(typed.connection),
         server=dict(system=typed.system, component=int(inside('--component', typed.component, 100, 105)),
-                    host=address(typed.host), guard=guard),
+                    host=address(typed.host), guard=guard, name=typed.name),
         com=dict(signing=key, forward=typed.forward),
         more=listed('--storage', typed.storage) if typed.storage is not None else [],
         watcher=_viewer(typed.rtsp_user, typed.rtsp_password_file), mounted=_mounting(typed.mounted))
@@ -332,7 +335,8 @@ def _introduce(camera, com, teller:Teller):
     "Print what is served, and on which links"
     for number,component in com.component.items():
         device = getattr(component, 'camera', None) or getattr(component, 'gimbal', None)
-        name = f'{device.information.vendor} {device.information.model}' if device else type(component).__name__
+        model = device and (getattr(component, 'name', None) or device.information.model)
+        name = f'{device.information.vendor} {model}' if device else type(component).__name__
         teller.say(f'{name} is {com.source_system}/{number}')
     server = next(c for c in com.component.values() if isinstance(c, CameraServer))
     for channel in com.channels: teller.say(f'  on {channel.name}')
@@ -346,6 +350,7 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
     camera:str=None, # sim (the default), dual (with heat), 0, /dev/video0, FILE, URL, PIPELINE.toml, or 'source ! …'
     system:int=1, # System id of the vehicle
     component:int=100, # Component id of the camera, 100 to 105
+    name:str=None, # Name that ground stations show; default: the model
     folder:str='uav_pictures', # Folder for pictures and recordings
     quota:float=None, # Limit each storage to this many MiB; default: the whole disk
     storage:str=None, # Folders of further storages, separated by commas; choose with `uav-camera storage`
@@ -385,7 +390,7 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
 _groups = {'the link':'connection system component sign guard forward',
-           'the camera':'device camera mounted folder quota storage',
+           'the camera':'device camera name mounted folder quota storage',
            'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate',
            'gimbal and vehicle':'gimbal role path autopilot'}
 main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)

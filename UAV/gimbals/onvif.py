@@ -21,10 +21,11 @@ from .values import *
 from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.devices import DeviceURL
-from ..utils.general import cv2, inside, np
+from ..utils.general import inside
 from ..utils.geo import quaternion
 from ..utils.sockets import _ask_web, _Deadline
 from ..video.rtsp import _authorization
+from ..utils.pictures import decode_picture
 
 # %% auto #0
 __all__ = ['OnvifCamera', 'Onvif']
@@ -453,8 +454,10 @@ def read_still(self:OnvifCamera)->Frame:
     taken,jpeg = clock.time(),b''
     try: jpeg = self.line.load(self.line.still) if self.line.still else b''
     except GimbalError as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
-    image = cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR) if jpeg else None
-    return URLCamera.read_still(self) if image is None else Still(image, next(self._numbers), taken, jpeg=jpeg)
+    try: return Still(decode_picture(jpeg), next(self._numbers), taken, jpeg=jpeg)
+    except ValueError as e:
+        if jpeg: self.log.warning('the snapshot is refused, so a frame of the video is taken: %s', e)
+    return URLCamera.read_still(self)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #517993fb
 @patch

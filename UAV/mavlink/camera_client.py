@@ -30,11 +30,11 @@ from .parameter_client import RemoteSettings
 # %% auto #0
 __all__ = ['RemoteCamera', 'CameraClient', 'Picture', 'Together', 'capture_together', 'ask_all', 'CAMERA_INFORMATION',
            'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'NAN',
-           'LogLevels', 'mavlink']
+           'Component', 'LogLevels', 'mavlink']
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #de6bb8c1
 _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
-         'CAMERA_IMAGE_CAPTURED', 'NAN', 'LogLevels', 'mavlink']
+         'CAMERA_IMAGE_CAPTURED', 'NAN', 'Component', 'LogLevels', 'mavlink']
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #f3ff60aa
 class RemoteCamera(CameraAsking):

@@ -15,7 +15,7 @@ from fastcore.basics import GetAttr, patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import _begin_thread, av, Closes, np
-from ..utils.pictures import contact_sheet, Thumbnail
+from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
 from .rtsp import _authorization, _Interleaved, _RequestReader, RTSPError
 
@@ -218,10 +218,21 @@ receivers = dict(rtsp=RTSPReceiver, udp=TSReceiver, tcp=TSReceiver, rtp=RTPRecei
 def _url_name(url)->str: return re.sub(r'(?<=://)[^/]+@', '', str(url))      # for people: without user and password
 
 # %% ../../nbs/api/video/08_player.ipynb #df7e9f83
+_theirs = dict(rtspt='rtsp', rtspu='rtsp', mpegts='udp', udp264='rtp', udp265='rtp')     # schemes of GStreamer and QGC
+
+def _in_our_schemes(url)->tuple:
+    "`(url, transport)` in our schemes, in small letters; `transport` is `None` unless an RTSP scheme names it"
+    if '://' not in str(url): return url,None
+    scheme,_,rest = str(url).partition('://')
+    scheme = scheme.lower()
+    if scheme in ('udp264','udp265'): rest += ('&' if '?' in rest else '?')+f'codec=h{scheme[3:]}'
+    return f'{_theirs.get(scheme, scheme)}://{rest}',dict(rtspt='tcp', rtspu='udp').get(scheme)
+
 def _scheme(url)->str:
     "'rtsp', 'udp' …, 'sdp' or 'file'; raises `ValueError` for one that we do not know"
+    url,_ = _in_our_schemes(url)
     scheme = str(url).partition('://')[0] if '://' in str(url) else 'file'
-    if scheme=='file': return 'sdp' if str(url).endswith('.sdp') else 'file'
+    if scheme=='file': return 'sdp' if str(url).lower().endswith('.sdp') else 'file'
     if scheme not in receivers: raise ValueError(f'{_url_name(url)}: a player knows {", ".join(receivers)} and files')
     if scheme!='rtsp' and urlsplit(url).port is None: raise ValueError(f'{_url_name(url)} has no port')
     return scheme
@@ -255,6 +266,7 @@ def _decoder(codec:str):
     "FFmpeg's decoder, set up for no delay"
     decoder = av.CodecContext.create(dict(h264='h264', h265='hevc')[codec], 'r')
     decoder.thread_count,decoder.flags = 1,decoder.flags|av.codec.context.Flags.low_delay
+    decoder.options = dict(max_pixels=str(pixel_limit()))
     return decoder
 
 # %% ../../nbs/api/video/08_player.ipynb #e58e4870
@@ -311,10 +323,10 @@ class _FilePictures:
 # %% ../../nbs/api/video/08_player.ipynb #c62616e2
 def _open_pictures(url, timeout:float=5., paced:bool=True, transport:str|None=None):
     "Open the source of `url`, as in the table above; raises `ValueError` or `PlayerError`"
-    scheme = _scheme(url)
+    scheme,(url,named) = _scheme(url),_in_our_schemes(url)
     path = re.sub('^file://', '', os.fspath(url))
     if scheme=='file': return _FilePictures(path, paced)
-    if scheme=='rtsp': return _LivePictures(RTSPReceiver(url, timeout, transport))
+    if scheme=='rtsp': return _LivePictures(RTSPReceiver(url, timeout, transport or named))
     if scheme!='sdp': return _LivePictures(receivers[scheme](url, timeout))
     if not os.path.isfile(path): raise PlayerError(f'there is no file {path!r}')
     return _LivePictures(RTPReceiver(path, timeout))
