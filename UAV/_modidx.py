@@ -305,6 +305,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                   'UAV.cameras.exif._OwnTags.__set__': ('api/cameras/exif.html#_owntags.__set__', 'UAV/cameras/exif.py'),
                                   'UAV.cameras.exif._add_tags': ('api/cameras/exif.html#_add_tags', 'UAV/cameras/exif.py'),
                                   'UAV.cameras.exif._added_tags': ('api/cameras/exif.html#_added_tags', 'UAV/cameras/exif.py'),
+                                  'UAV.cameras.exif._as_exif': ('api/cameras/exif.html#_as_exif', 'UAV/cameras/exif.py'),
                                   'UAV.cameras.exif._as_list': ('api/cameras/exif.html#_as_list', 'UAV/cameras/exif.py'),
                                   'UAV.cameras.exif._attributes': ('api/cameras/exif.html#_attributes', 'UAV/cameras/exif.py'),
                                   'UAV.cameras.exif._degrees_minutes': ('api/cameras/exif.html#_degrees_minutes', 'UAV/cameras/exif.py'),

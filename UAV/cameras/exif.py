@@ -8,6 +8,7 @@ __all__ = ['add_segments', 'exif', 'xmp', 'sidecar', 'add_metadata']
 # %% ../../nbs/api/cameras/01_exif.ipynb #5c0a4f01
 from dataclasses import replace
 from datetime import datetime, timezone
+from fractions import Fraction
 from difflib import get_close_matches
 from io import BytesIO
 from types import MappingProxyType
@@ -104,13 +105,22 @@ def _in_photo_part(tag:int)->bool:
     return 0x829a<=tag<0x8825 and tag!=0x8769 or 0x8825<tag<0x9c9b or 0xa000<=tag<0xa600
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #d9e22620
+def _as_exif(value):
+    "A value as EXIF has it: text in UTF-8, and fractions in place of floats, which Pillow would write as DOUBLE"
+    if isinstance(value, str): return value if value.isascii() else value.encode()
+    if isinstance(value, (tuple,list)): return tuple(map(_as_exif, value))
+    if not isinstance(value, float): return value
+    part = Fraction(value).limit_denominator(1_000_000)
+    return _tiff.IFDRational(part.numerator, part.denominator)
+
 def _add_tags(block, tags:dict):
     "Add `tags` by name to Pillow's `Exif`; raises `ValueError` for a name or a value that EXIF does not have"
     for name,value in tags.items():
         alike = ''.join(f': do you mean {n!r}?' for n in get_close_matches(str(name), Base.__members__, 1))
         if name not in Base.__members__: raise ValueError(f'EXIF has no tag {name!r}{alike}')
         part = block.get_ifd(IFD.Exif) if _in_photo_part(Base[name]) else block
-        part[int(Base[name])] = value if not isinstance(value, str) or value.isascii() else value.encode()  # UTF-8
+        try: part[int(Base[name])] = _as_exif(value)
+        except (ValueError, OverflowError): raise ValueError(f'EXIF cannot hold {name} {value!r}') from None
     try: block.tobytes()
     except Exception as e: raise ValueError(f'EXIF cannot hold {tags}: {e}') from None
 
@@ -311,8 +321,7 @@ def add_metadata(jpeg:bytes, # A JPEG file
         if theirs: read.load(theirs)
         own = _merged(theirs[6:], index, time_utc, pose, _missing_lens_tags(read, size, camera), tags)
         make = str(read.get(Base.Make, camera.vendor))
-    except Exception as e:                  # there is no block, or a damaged one, of which Pillow may raise anything
-        if tags and not isinstance(e, ValueError): _add_tags(_image.Exif(), tags)
+    except Exception:                       # there is no block, or a damaged one, of which Pillow may raise anything
         own,make = exif(index, time_utc, size, pose, camera, tags),camera.vendor
     if pose: packet = _with_pose(packet, pose, make)
     if theirs and len(own)>65533: own = theirs          # there is no room
