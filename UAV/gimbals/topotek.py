@@ -9,6 +9,7 @@ import math, re, socket
 
 from fastcore.basics import patch
 from .gimbal import Gimbal
+from .gimbal_camera import gimbal_camera
 from .values import *
 from ..utils import clock
 from ..utils.clock import goes_by_itself
@@ -389,13 +390,21 @@ def close(self:Topotek):
     Gimbal.close(self)
     if self._job: self._timers.cancel(self._job, timeout=self.patience)
     for _ in range(3): self._send('G', 'PTZ', '00')
+    if self.camera: self.camera.close()
     self.line.close()
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #c04a42f5
 @patch(cls_method=True)
 def open(cls:Topotek, url:DeviceURL, **storage):
-    "Open the gimbal at a URL, such as topotek://192.168.144.108 or topotek:///dev/ttyUSB0; raises `ValueError`"
-    kinds = dict(sender=str, local=int, baudrate=int)
+    "Open gimbal and camera at a URL, such as topotek://192.168.144.108 or topotek:///dev/ttyUSB0; raises `ValueError`"
+    kinds = dict(sender=str, local=int, baudrate=int, video=str)
     options = {name: kinds[one_of('an option', name, kinds)](text) for name,text in url.options}
-    where = dict(host=url.host or url.path.rstrip('/'), port=url.port)
-    return cls(**{name: value for name,value in where.items() if value}, **options)
+    where,video = dict(host=url.host or url.path.rstrip('/'), port=url.port),options.pop('video', None)
+    gimbal = cls(**{name: value for name,value in where.items() if value}, **options)
+    host = f'[{url.host}]' if ':' in url.host else url.host or ('' if url.path else '192.168.144.108')
+    if video is None and host: video = f'rtsp://{host}:554/stream=0'
+    try: gimbal.camera = gimbal_camera(gimbal, None if video=='none' else video, **storage)
+    except BaseException:
+        gimbal.close()
+        raise
+    return gimbal
