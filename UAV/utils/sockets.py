@@ -6,7 +6,7 @@
 from __future__ import annotations
 from collections import deque
 from concurrent.futures import Future, TimeoutError as TooLate
-from urllib.parse import urljoin, urlsplit
+from urllib.parse import quote, urljoin, urlsplit
 import asyncio, errno, math, selectors, socket
 
 from fastcore.basics import patch, store_attr
@@ -111,8 +111,20 @@ def serve(self:Loop, listener, # From `listen_tcp`
     listener.setblocking(False)
     self.call(lambda: self.watch(listener, accept))
 
+# %% ../../nbs/api/utils/01_sockets.ipynb #e2846a1f
+def _body(answer, most:int, take)->bytes:
+    "Return the first `most` bytes of an `HTTPResponse`, or give all pieces to `take`; raises `OSError`, `ValueError`"
+    size,done,data = answer.length or 0,0,b''
+    if take is None: data = answer.read(most)
+    elif size>most: raise ValueError(f'it has {size} bytes, more than {most}')
+    while take and (piece := answer.read(1<<14)):
+        if (done := done+len(piece))>most: raise ValueError(f'it has more than {most} bytes')
+        take(piece, size)
+    if answer.length and len(data)<most: raise OSError(f'it broke off: {answer.length} of {size} bytes did not come')
+    return data
+
 # %% ../../nbs/api/utils/01_sockets.ipynb #4425884b
-def _get(url:str, hosts, most:int, opened:list, end:float)->bytes:
+def _get(url:str, hosts, most:int, opened:list, end:float, take)->bytes:
     "GET, by connections whose sockets will be in `opened`, and follow five redirects at most"
     from http.client import HTTPConnection, HTTPSConnection
     def connect(*args, **kwargs):
@@ -129,9 +141,10 @@ def _get(url:str, hosts, most:int, opened:list, end:float)->bytes:
         connection = kind(host, parts.port, timeout=max(end-clock.monotonic(), .01))
         connection._create_connection = connect
         try:
-            connection.request('GET', (parts.path or '/')+(f'?{parts.query}' if parts.query else ''))
+            path = quote(parts.path or '/', safe="/%:@!$&'()*+,;=~")
+            connection.request('GET', path+(f'?{parts.query}' if parts.query else ''))
             answer = connection.getresponse()
-            if answer.status==200: return answer.read(most)
+            if answer.status==200: return _body(answer, most, take)
             to = answer.getheader('location')
             if not 300<=answer.status<400 or not to: raise OSError(f'{answer.status} {answer.reason}')
             url = urljoin(url, to)
@@ -142,7 +155,8 @@ def _get(url:str, hosts, most:int, opened:list, end:float)->bytes:
 def get_web(url:str, # http:// or https://
             hosts=None, # Addresses that we may connect to; `None`: any, and names too
             most:int=1<<20, # Bytes
-            seconds:float=30., # For all of it
+            seconds:float=30., # For all of it; with `take` for each piece
+            take=None, # Called with each piece and the size (0: unknown), in place of the returned bytes
            )->bytes:
     "Return the first `most` bytes of a page; raises `ValueError`, `OSError`, `PermissionError` among them"
     from http.client import HTTPException
@@ -152,7 +166,10 @@ def get_web(url:str, # http:// or https://
         for sock in list(opened): _shut(sock)
     alarm,end = timers.alarm(stop),clock.monotonic()+seconds
     timers.move(alarm, end)
-    try: data = _get(url, hosts, most, opened, end)
+    def piece(*args):
+        timers.move(alarm, clock.monotonic()+seconds)
+        take(*args)
+    try: data = _get(url, hosts, most, opened, end, take and piece)
     except (OSError, HTTPException) as e:
         if not late.is_set(): raise e if isinstance(e, OSError) else OSError(f'{url}: {e!r}') from None
     finally:
