@@ -491,6 +491,18 @@ def fail(self:Storage, time_utc:float, # When it was tried, s since 1970
         except StorageError as e: self._warn(f'picture {picture.index} is not in the log', e)   # the count must go on
         return self._note(picture)
 
+# %% ../../nbs/api/cameras/02_storage.ipynb #b1d8f183
+@patch
+def elsewhere(self:Storage, time_utc:float, # When it was taken, s since 1970
+              pose:Pose|None=None, # Where it was taken
+             )->Picture:
+    "Keep the record of a shot whose file isn't here, such as one on the card of a device"
+    with self._lock:
+        picture = Picture(self.next_index, time_utc, pose=pose, storage_id=self.storage_id)
+        try: self._append(_as_line(picture))
+        except StorageError as e: self._warn(f'picture {picture.index} is not in the log', e)
+        return self._note(picture)
+
 # %% ../../nbs/api/cameras/02_storage.ipynb #5c0a5018
 @in_child
 def _after_fork():

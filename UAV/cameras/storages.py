@@ -99,6 +99,13 @@ def fail(self:Storages, time_utc:float, # When it was tried, s since 1970
     "Keep the record of a shot that failed"
     with self._lock: return self.photo.fail(time_utc, error)
 
+@patch
+def elsewhere(self:Storages, time_utc:float, # When it was taken, s since 1970
+              pose=None, # `Pose`: where it was taken
+             )->Picture:
+    "Keep the record of a shot whose file isn't here, such as one on the card of a device"
+    with self._lock: return self.photo.elsewhere(time_utc, pose)
+
 # %% ../../nbs/api/cameras/03_storages.ipynb #afd6104f
 @patch
 def _join(self:Storages, new:Storage):

@@ -29,6 +29,7 @@ from UAV.mavlink.camera_asking import (CAMERA_TRACKING_IMAGE_STATUS, cameras_hea
 from ..mavlink.protocol import Busy, comes_from, CommandError, Denied, NoAnswer
 from ..mavlink.settings import PARAM_EXT_VALUE, param_name, param_value
 from ..utils import clock
+from ..utils.files import local_name
 from ..utils.general import known
 from ..utils.output import amount, Progress
 from ..wire.dialect import enum_name, MAVError
@@ -283,16 +284,6 @@ async def _set_mode(visit, mode:Literal['image','video','survey']): # Camera mod
     (await (await visit.choose()).mode('image_survey' if mode=='survey' else mode)).check()
     await visit.tell_settings()
 
-# %% ../../nbs/api/cli/03_camera.ipynb #a5b1d853
-def _free_place(folder, path:str)->Path:
-    "Return a new file name in `folder`, as on the camera; raises `ValueError` for an unsafe name"
-    name = path.replace('\\', '/').rpartition('/')[2]
-    if name in ('','.','..') or not name.isprintable() or len(name.encode())>200:
-        raise ValueError(f'{path!r} does not end with the name of a file')
-    place,n = Path(folder)/name,1
-    while place.exists(): place,n = place.with_name(f'{Path(name).stem}_{n+1}{Path(name).suffix}'),n+1
-    return place
-
 # %% ../../nbs/api/cli/03_camera.ipynb #571f3124
 def _folder_here(folder)->Path:
     "Return a writable folder; raises `ValueError` if it isn't, `OSError` for a full disk"
@@ -307,14 +298,12 @@ def _folder_here(folder)->Path:
 
 # %% ../../nbs/api/cli/03_camera.ipynb #f3837673
 @patch
-async def fetch(self:CameraVisit, path:str, # Path on the camera, or a `mftp://` URL
+async def fetch(self:CameraVisit, path:str, # Path on the camera, or its URL
                 folder, # Local folder, as for `_folder_here`
                )->Path:
     "Fetch a file and return its local path; raises `ValueError`, `OSError` or `MAVError`"
-    if '://' in path and not path.lower().startswith('mftp://'): raise ValueError(f'{path} is not to be had over MAVLink')
-    place = _free_place(_folder_here(folder), path)
-    await self.camera.files.fetch(path, place, progress=None if self.options.json else Progress(place.name))
-    return place
+    progress = None if self.options.json else Progress(local_name(path))
+    return await self.camera.files.fetch(path, _folder_here(folder), progress)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #d38e2876
 class NotTaken(MAVError): "A capture that is incomplete"

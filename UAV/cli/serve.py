@@ -16,6 +16,8 @@ from .common import address, links, listed, on_links, or_exit, painted, place_fo
 from ..gimbals import circle, FixedMount, Gimbal, hover, SimGimbal, SimVehicle
 from ..mavlink import CameraServer, GimbalCameraServer, GimbalServer, SimAutopilot
 from ..mavlink.camera_server import _checked_name
+from ..gimbals.gimbal_camera import camera_kind, CardCamera, gimbal_camera, takes_orders
+from ..mavlink.viewsheen_server import _Tracking
 from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device
 from ..utils.general import Closes, inside, known, one_of
@@ -28,21 +30,24 @@ from ..wire.signing import secret_key, Signing
 __all__ = ['main', 'add_streams', 'serving', 'Aboard', 'Teller', 'log_to', 'serve_camera']
 
 # %% ../../nbs/api/cli/02_serve.ipynb #834fa745
-def _make_camera(text:str, size:tuple|None=None, mount=None, **storage)->Camera:
-    "Open the camera described by `text`; a simulated one hangs on `mount`. Raises `CameraError`"
+def _is_device(text:str)->bool: return text.partition('://')[0].lower() in device_schemes()
+
+def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **storage)->Camera:
+    "Open the camera described by `text`, the video of `gimbal`; a simulated one hangs on `mount`. Raises `CameraError`"
+    def of(kind): return kind if gimbal is None else camera_kind(gimbal, kind)
     if text.endswith('.toml') or ' ! ' in text:
         from UAV.cameras.gst_cam import GSTCamera
-        return GSTCamera(text, **storage)
+        return of(GSTCamera)(text, **storage)
     width,height = size or (None,None)
-    if text.partition('://')[0].lower() in device_schemes():
+    if _is_device(text):
         device = open_device(text, **storage)
         if isinstance(device, Camera): return device
         device.close()
         raise ValueError(f'--camera {device_url(text)} is a gimbal: write --device')
     simulated = dict(sim=SimCamera, dual=SimDualCamera).get(text)
-    if simulated: return simulated(width or 640, height or 480, mount=mount, **storage)
+    if simulated: return of(simulated)(width or 640, height or 480, mount=mount, **storage)
     own_size = dict(width=width, height=height) if text.isdigit() or text.startswith('/dev/') else {}
-    return CV2Camera(text, **own_size, **storage)
+    return of(CV2Camera)(text, **own_size, **storage)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #738ce307
 def _streams_of(camera, kind:str, host:str, port:int)->list:
@@ -150,10 +155,10 @@ def _destroyers(text:str|None, signed:bool=False):
     return [n[0] if len(n)==1 else n for n in numbers]
 
 # %% ../../nbs/api/cli/02_serve.ipynb #320df580
-def _make_gimbal(text:str, vehicle:SimVehicle|None=None, stand_in:bool=False)->Gimbal:
+def _make_gimbal(text:str, vehicle:SimVehicle|None=None, stand_in:bool=False, **storage)->Gimbal:
     "Open the gimbal described by `text`; a `stand_in` is used until a vehicle is received. Raises `ValueError`"
     if text=='sim': return SimGimbal(vehicle, stand_in=stand_in)
-    try: gimbal = open_device(text)
+    try: gimbal = open_device(text, **storage)
     except ValueError as e: raise ValueError(f'--gimbal is sim or a URL such as viewsheen://HOST: {e}') from None
     if isinstance(gimbal, Gimbal): return gimbal
     gimbal.close()
@@ -170,15 +175,18 @@ class Aboard(Closes):
         camera:str='sim', # Camera, as for `_make_camera`
         role:str='both', # Role of the gimbal server: 'both', or 'device' if an autopilot manages it
         mounted:tuple|None=None, # As from `_mounting`; `None`: ahead, 20° down
+        **storage # `folder`, `quota` and `storages` of the gimbal's own camera
     ):
         if path and not (autopilot or gimbal=='sim'): raise ValueError('--path needs --gimbal sim, or --autopilot')
         one_of('--role', role, ('both','device'))
         needed,flies = path or autopilot or (gimbal=='sim' and camera in ('sim','dual')),path or 'hover'
         self.vehicle = SimVehicle(self.paths[one_of('--path', flies, self.paths)]()) if needed else None
-        self.gimbal = _make_gimbal(gimbal, self.vehicle, not (path or autopilot)) if isinstance(gimbal, str) else gimbal
-        verbs = hasattr(self.gimbal, 'set_camera_zoom') and self.gimbal.camera is None      # no camera component
-        kind = GimbalCameraServer if verbs else GimbalServer
+        made = isinstance(gimbal, str)
+        self.gimbal = _make_gimbal(gimbal, self.vehicle, not (path or autopilot), **storage) if made else gimbal
+        kind = GimbalCameraServer if takes_orders(self.gimbal) and _is_device(camera) else GimbalServer
         self.server = kind(gimbal=self.gimbal, role=role) if gimbal else None
+        tracks = kind is GimbalServer and role!='device' and hasattr(self.gimbal, 'track_point')
+        if tracks: self.server.add_part(_Tracking(self.server))
         self.pilot = SimAutopilot(self.vehicle) if autopilot else None
         fixed = self.gimbal or mounted or (0.,-20.,0.)
         self.mount = self.gimbal if gimbal=='sim' else self.vehicle and FixedMount(self.vehicle, fixed)
@@ -287,13 +295,23 @@ def _understood(typed)->SimpleNamespace:
 def _device(typed, stack:ExitStack, storage:dict)->tuple:
     "Open `--device` and return `(gimbal, camera)`, either may be `None`; raises `ValueError`, and errors of its driver"
     if typed.device is None: return None,None
-    device = stack.enter_context(open_device(typed.device, **storage))
+    device = stack.enter_context(open_device(typed.device, **({} if typed.camera else storage)))
     gimbal,camera = (device,device.camera) if isinstance(device, Gimbal) else (None,device)
     shown = device_url(typed.device)            # without its password
     if gimbal and typed.gimbal: raise ValueError(f'--device {shown} is the gimbal: leave --gimbal out')
+    if takes_orders(gimbal): return gimbal,None if typed.camera else camera         # `--camera` is its video
     if camera and typed.camera: raise ValueError(f'--device {shown} has its own camera: leave --camera out')
     if not (camera or typed.camera): raise ValueError(f'--device {shown} gives no picture: add --camera rtsp://HOST/…')
     return gimbal,camera
+
+def _camera_of(typed, stack:ExitStack, aboard:Aboard, size:tuple|None, storage:dict)->Camera:
+    "Open that of the gimbal, or `--camera`, on which the gimbal's driver takes photos; raises `ValueError`, `CameraError`"
+    own,orders = getattr(aboard.gimbal, 'camera', None),aboard.gimbal if takes_orders(aboard.gimbal) else None
+    if own and not (orders or typed.camera):
+        raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
+    if orders and not typed.camera: return own or stack.enter_context(gimbal_camera(orders, **storage))
+    if orders and own: own.close()
+    return stack.enter_context(_make_camera(typed.camera or 'sim', size, aboard.mount, orders, **storage))
 
 def _opened(typed, stack:ExitStack)->tuple:
     "Open everything and return `(camera, MAVCom)`; raises `ValueError`, `CameraError`, `MAVError` or `OSError`"
@@ -302,15 +320,12 @@ def _opened(typed, stack:ExitStack)->tuple:
     several = [Storage(place, typed.quota, name=Path(place).name) for place in (typed.folder, *u.more) if u.more]
     storage = dict(storages=several) if several else dict(folder=typed.folder, quota=typed.quota)
     gimbal,camera = _device(typed, stack, storage)
-    what = typed.camera or 'sim'
-    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, what, typed.role,
-                                        u.mounted))
-    if not (camera or typed.camera) and getattr(aboard.gimbal, 'camera', None):
-        raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
-    if camera is None: camera = stack.enter_context(_make_camera(what, u.video['size'], aboard.mount, **storage))
+    how,own = (typed.path, typed.autopilot, typed.camera or 'sim', typed.role),{} if camera or typed.camera else storage
+    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, *how, u.mounted, **own))
+    camera = camera or _camera_of(typed, stack, aboard, u.video['size'], storage)
     camera.mounted = u.mounted
     if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
-    add_streams(camera, u.streams, rtsp, **u.video)
+    add_streams(camera, [] if isinstance(camera, CardCamera) else u.streams, rtsp, **u.video)
     return camera,stack.enter_context(serving(camera, u.connections, **u.server, components=aboard.components, **u.com))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3fa5d9e4

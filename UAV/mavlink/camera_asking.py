@@ -240,13 +240,13 @@ def _own_hosts(self:RemoteComponent)->set:
     return {ends(*way)[1] for way in com.where(*self.address)}-{None}
 
 @patch
-def _check_host(self:RemoteComponent, url:str):
-    "Raise `PermissionError` unless the URL of a stream leads to the camera's own address"
+def _check_host(self:RemoteComponent, url:str, what:str='the video'):
+    "Raise `PermissionError` unless the URL of a stream or a file leads to the camera's own address"
     theirs = self._own_hosts()
     host = (urlsplit(url).hostname or 'localhost').replace('localhost', '127.0.0.1')
     if any(same_host(host, own) for own in theirs): return
     known = f'its MAVLink comes from {" and ".join(sorted(theirs))}' if theirs else 'its own address is not known'
-    where = f'the video of {self.system}/{self.component} is at {host}'
+    where = f'{what} of {self.system}/{self.component} is at {host}'
     raise PermissionError(f'{where}, and {known}: any_host=True allows it')
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #a09603a7

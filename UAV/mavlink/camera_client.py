@@ -24,7 +24,8 @@ from .camera_asking import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA
     CAMERA_SETTINGS,
     CameraAsking, cameras_heard, RemoteTracking, RemoteVideo, STORAGE_INFORMATION)
 from .capture import Capture, PictureLog, RemotePictures
-from .camera_downloads import FtpNumbers, RemoteFiles
+from .camera_downloads import FtpNumbers, place_on_disk, RemoteFiles
+from ..utils.files import local_name
 from .parameter_client import RemoteSettings
 
 # %% auto #0
@@ -422,18 +423,21 @@ async def _shot(self:RemoteCamera, timeout:float, ready=None):
 @patch
 async def _fetched(self:RemoteCamera, notice, to:str|Path|None, progress=None)->Picture:
     "Fetch the file of a notice; return its `Picture`"
-    if not notice.file_url: raise MAVError(f'{self._label} does not say where its picture is')
-    return Picture(notice, await self.files.fetch(notice, to, progress))
+    if not notice.file_url.strip(): raise MAVError(f'{self._label} does not say where its picture is')
+    try: return Picture(notice, await self.files.fetch(notice, to, progress))
+    except (ValueError, Lost) as e:
+        kind = Lost if isinstance(e, Lost) else MAVError
+        raise kind(f'{self._label} has taken the picture, but its file did not come: {e}') from None
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #248f13ec
 @patch
 async def take_picture(self:RemoteCamera,
-    to:str|Path|None=None, # File or folder, created if missing; `None`: keep the bytes
+    to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: keep the bytes
     timeout:float=5., # As for `capture`
     progress=None, # As for `files.fetch`
 )->Picture:
     "Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`"
-    if to is not None and not Path(to).suffix: Path(to).mkdir(parents=True, exist_ok=True)
+    if to is not None: place_on_disk(to, '')         # or an error before there is a picture
     return await self._fetched(await self._shot(timeout), to, progress)
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #9f893879
@@ -618,7 +622,7 @@ async def capture_together(
     "Take a picture with each camera at the same moment; raises only for wrong arguments"
     cameras = _handles(cameras)
     check_seconds('timeout', timeout)
-    if to is not None: Path(to).mkdir(parents=True, exist_ok=True)
+    if to is not None: place_on_disk(f'{to}{os.sep}', '')
     start = _Start(cameras)
     async def shoot(camera):
         try: return Picture(await camera._shot(timeout, lambda: start.ready(camera)))
@@ -627,7 +631,8 @@ async def capture_together(
 
     async def fetch(camera, taken):
         if to is None or not isinstance(taken, Picture): return taken
-        name = taken.notice.file_url.rpartition('/')[2] or f'{taken.index}.jpg'
+        name = local_name(taken.notice.file_url, f'{taken.index}.jpg')
+        if not name.partition('.')[2]: name += '.jpg'
         try: return await camera._fetched(taken.notice, Path(to)/f'{camera.system}_{camera.component}_{name}')
         except Exception as e: return e
 

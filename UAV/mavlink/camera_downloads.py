@@ -8,9 +8,11 @@ from contextlib import suppress
 from io import BytesIO
 from itertools import count
 from pathlib import Path, PurePath
+from urllib.parse import unquote, urlsplit
 import asyncio, errno, os, re, stat
 
 from fastcore.basics import patch
+from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL as FILE_TRANSFER_PROTOCOL
 from ..cameras.storage import lock_file
 from ..ftp.frames import (ftp_crc, FtpCode, FtpError, FtpFrame, FtpOp, FtpParts, most_data, path_data, read_ftp,
@@ -18,10 +20,11 @@ from ..ftp.frames import (ftp_crc, FtpCode, FtpError, FtpFrame, FtpOp, FtpParts,
 from ..utils import clock
 from ..utils.files import FileEntry, local_name
 from ..utils.output import Progress
+from ..utils.sockets import get_web
 from ..wire.dialect import LinkError
 from .asking import RoundTrip
-from .camera_asking import RemoteComponent
-from .protocol import comes_from, Lost
+from .camera_asking import RemoteComponent, same_host
+from .protocol import Answer, comes_from, Lost
 
 _all_ = ['FtpError', 'FileEntry']
 
@@ -125,6 +128,7 @@ def session(self:FtpNumbers)->int:
 class RemoteFiles:
     "Files of one component, by MAVLink FTP"
     patience = 30.      # seconds without an answer before an operation fails
+    unanswered = 6      # requests to one who has never answered any, before we ask whether it answers others
     most = 1<<16        # entries of a listing
     upload_tries = 5    # times a session is reopened in a row without progress
 
@@ -132,6 +136,7 @@ class RemoteFiles:
         self.remote,self.client = remote,remote.client
         self.trip = RoundTrip()     # time to an answer, behind the other traffic of the link
         self._others = {}           # `{component: RemoteFiles}`: others of the vehicle, named in a URL
+        self.answers = False        # True: it has answered once
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #e3160204
 @patch
@@ -141,18 +146,31 @@ def _send(self:RemoteFiles, request:FtpFrame):
     if client._closed: raise LinkError(f'{client!r} is closed')
     client.send_message(client.mav.file_transfer_protocol_encode(0, *there, request.pack()), there)
 
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #1b225d3c
+def _path_of(file)->str:
+    "Return the path or URL of a path, a listed file or a picture's notice; raises `TypeError`"
+    path = getattr(file, 'path', None) or getattr(file, 'file_url', file)
+    if isinstance(path, str) and not isinstance(path, PurePath): return path.strip()
+    raise TypeError(f'a path on a vehicle is text: write {str(path)!r}')
+
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #06bbfafb
 @patch
 def _place(self:RemoteFiles, file)->tuple:
     "Return `(RemoteFiles, path)` of a path, a URL, a listed file or a picture's notice"
-    path = getattr(file, 'path', None) or getattr(file, 'file_url', file)
-    if isinstance(path, PurePath) or not isinstance(path, str):
-        raise TypeError(f'a path on a vehicle is text: write {str(path)!r}')
+    path = _path_of(file)
     component,place = read_ftp_url(path)
     if component in (None, self.remote.component): return self,place
     if not 1<=component<=255: raise ValueError(f'{path} names component {component}: write 1 to 255')
     there = RemoteComponent(self.client, self.remote.system, component)
     return self._others.setdefault(component, RemoteFiles(there)),place
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #d2280eab
+@patch
+async def _has_none(self:RemoteFiles)->bool:
+    "True if it answers a command at once, and has never answered MAVLink FTP"
+    if self.answers: return False
+    ack = await self.remote._send(mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAVLINK_MSG_ID_CAMERA_INFORMATION)
+    return ack.result is not None and ack.copies==1
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #a69081ce
 @patch
@@ -168,11 +186,12 @@ async def _ask(self:RemoteFiles, op:int, *paths, patience:float|None=None, **fie
             copies += 1
             msg = await wanted.wait(min(self.trip.wait(copies), end-now))
             if msg and copies==1 and op!=FtpOp.CALC_FILE_CRC32: self.trip.sample(clock.monotonic()-now)
+            if msg is None and copies%self.unanswered==0 and await self._has_none() and not wanted.there: break
             if msg is None: continue
-            answer = read_ftp(msg.payload)
+            answer,self.answers = read_ftp(msg.payload),True
             if e := answer.error: raise FtpError(e.code, e.errno, ' '.join(paths))
             return answer
-    raise Lost(self.client.mav_com.lost(there) or f'{there[0]}/{there[1]} does not answer: has it files?')
+    raise Lost(self.client.mav_com.lost(there) or f'{there[0]}/{there[1]} does not answer MAVLink FTP: has it files?')
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #c9cf233a
 class FtpFile:
@@ -358,18 +377,65 @@ async def _to_disk(self:RemoteFiles, path:str, to:Path, progress)->Path:
         if os.name=='nt': sink.close()      # there an open file keeps its name
         return await keep_part(part, to)    # while it is locked
 
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #01116d36
+class _Hosts(set):
+    "Addresses of a component; this computer's are all one"
+    def __contains__(self, host): return any(same_host(host, own) for own in self)
+
+def _is_web(path:str)->bool: return path.lower().startswith(('http://','https://'))
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #71ba53b1
+@patch
+async def _load(self:RemoteFiles, url:str, sink, progress, most:int, any_host:bool|None):
+    "Fetch a file from a web server into `sink`; raises `OSError`, `ValueError`"
+    if any_host is None: any_host = getattr(self.client, 'any_host', False)
+    if not any_host: self.remote._check_host(url, 'the file')
+    hosts,answer,loop,left = None if any_host else _Hosts(self.remote._own_hosts()),Answer(),asyncio.get_running_loop(),clock.Event()
+    def take(piece, size):
+        if left.is_set(): raise OSError(errno.ECANCELED, os.strerror(errno.ECANCELED))
+        if sink.write(piece)!=len(piece): raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        if progress: loop.call_soon_threadsafe(progress, done := sink.tell(), size or done)
+    def load():
+        try: answer.set(not get_web(url, hosts, most, self.patience, take))
+        except PermissionError as e: answer.set(PermissionError(f'{url} leads elsewhere, {e}: any_host=True allows it'))
+        except Exception as e:
+            if isinstance(e, OSError) and url not in str(e): e = OSError(e.errno, e.strerror or str(e), url)
+            answer.set(e)
+    clock.Thread(target=load, name='file by http', daemon=True).start()
+    try: await answer.wait()
+    finally: left.set()
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #5d0d28d0
+@patch
+async def _fetch_web(self:RemoteFiles, url:str, to, progress, most:int, any_host:bool|None)->bytes|Path:
+    "Fetch a file from a web server, as `fetch` does"
+    name = local_name(unquote(urlsplit(url).path))
+    if progress is True: progress = Progress(name)
+    if to is None:
+        await self._load(url, sink := BytesIO(), progress, most, any_host)
+        return sink.getvalue()
+    with open_part(to := place_on_disk(to, name)) as sink:
+        sink.truncate(0)
+        try: await self._load(url, sink, progress, FtpFile.most, any_host)
+        except BaseException:
+            Path(sink.name).unlink(missing_ok=True)
+            raise
+        if os.name=='nt': sink.close()
+        return await keep_part(Path(sink.name), to)
+
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #70c34994
 @patch
 async def fetch(self:RemoteFiles, file, # Path on the vehicle, URL, listed file, or notice of a picture
                 to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: return the bytes
                 progress=None, # Called with the bytes done and the size; True: show a line
                 most:int=FtpFile.most, # Maximum size in memory, bytes; raises `ValueError` above
+                any_host:bool|None=None, # True: allow http:// at other addresses than its own; `None`: the client's
                )->bytes|Path:
     "Fetch a file; return its bytes, or its path, `a_2.jpg` if `a.jpg` is another. Raises `FtpError`, `Lost`, `OSError`"
+    if _is_web(url := _path_of(file)): return await self._fetch_web(url, to, progress, most, any_host)
     files,path = self._place(file)
-    name = path.rpartition('/')[2]
-    if progress is True: progress = Progress(name)
-    if to is not None: return await files._to_disk(path, place_on_disk(to, name), progress)
+    if progress is True: progress = Progress(local_name(path))
+    if to is not None: return await files._to_disk(path, place_on_disk(to, path), progress)
     wanted = FtpFile(files, path, BytesIO())
     wanted.most = most
     await wanted.fetch_checked(progress)

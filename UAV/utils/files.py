@@ -338,7 +338,8 @@ def unpacked(data:bytes, # An xz, gzip or lzma file, or any other
 most_name = 200         # bytes of a name on our disk: a `_2` or `.2.part` still fits
 _device = re.compile(r'(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³]) *(\.|$)', re.I)      # of Windows
 
-def local_name(path:str, # A path or an URL's path, as the other side writes it
+def local_name(path:str, # A path, or that of a URL, as the other side writes it
+               default:str='file', # When nothing is left of it
               )->str:
     "Return a plain name for its file: not hidden, not reserved, not too long, without separators and control characters"
     name = re.split(r'[/\\]', path)[-1]
@@ -348,4 +349,4 @@ def local_name(path:str, # A path or an URL's path, as the other side writes it
     stem,dot,ending = name.rpartition('.')
     if not stem or len(ending.encode())>20: stem,dot,ending = name,'',''
     stem = stem.encode()[:most_name-len((dot+ending).encode())].decode(errors='ignore').rstrip('. ')
-    return stem+dot+ending or 'file'
+    return stem+dot+ending or default
