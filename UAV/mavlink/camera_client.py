@@ -291,9 +291,10 @@ def video_stop_streaming(self:CameraClient, video_stream_id:int=0): # 0: all
 @sends(mavlink.MAV_CMD_IMAGE_START_CAPTURE)
 async def image_start_capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     interval:float=0, # Seconds between two pictures
-    count:int=1, # Number of pictures; 0: unlimited
+    count:int=1, # Number of pictures; 0: unlimited, which needs an interval
 )->Ack:
-    "Take pictures, unverified; `RemoteCamera.capture` verifies them"
+    "Take pictures, unverified; `RemoteCamera.capture` verifies them. Raises `ValueError`"
+    if interval==count==0: raise ValueError('count=0 takes pictures until stopped, and needs an interval')
     target = self.target(target_system, target_component)
     if 0 not in target: await self.camera(*target)._pictures.mark()
     number = self._next_shot() if count==1 else 0
@@ -330,7 +331,7 @@ def _check_series(count:int, interval:float, timeout:float):
 @for_async
 async def capture(self:RemoteCamera,
     count:int=1, # Number of pictures; 0: until you leave the loop
-    interval:float=0, # Seconds between two pictures
+    interval:float=0, # Seconds between two pictures; 0: as fast as the camera can
     timeout:float=5., # Seconds without news before giving up; more on a slow link, or if the picture exists
 ):
     "Take pictures and yield the CAMERA_IMAGE_CAPTURED of each; raises `CommandError`, `Lost`, `NoAnswer`"

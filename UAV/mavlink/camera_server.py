@@ -414,10 +414,11 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
 @patch
 @command(mavlink.MAV_CMD_IMAGE_START_CAPTURE, once=True)
 def _image_start_capture(self:_CameraVerbs, camera_id:int=0, interval:float=0., count:int=1, sequence:int=0, *, msg):
-    "Take `count` pictures (0: until stopped), one every `interval` s (MAV_CMD_IMAGE_START_CAPTURE)"
+    "Take `count` pictures (0: until stopped), one every `interval` s; 0 and 0: one (MAV_CMD_IMAGE_START_CAPTURE)"
     self.for_us(camera_id)
     if camera_id and not msg.target_component: raise Denied('parameter 1 is for relays: a broadcast names no camera')
     if sequence<0: raise Denied(f'sequence is {sequence}')
+    if interval==count==0: count,sequence = 1,0
     return self._shoot(interval, count, sequence, msg)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #fb6ca2ca
