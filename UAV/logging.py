@@ -64,7 +64,10 @@ if _everywhere: _set_level(_package, _everywhere)
 class _Kind:
     "Lines of one kind: how many passed in its present minute, and how many did not"
     def __init__(self, now:float): self.began,self.passed,self.missing,self.like = now,0,0,None
-    def is_over(self, now:float, period:float)->bool: return not 0<=now-self.began<period       # a clock may be set back
+
+    def is_over(self, now:float, period:float)->bool:
+        "True if its minute is over, or the clock was set back"
+        return not 0<=now-self.began<period
 
 # %% ../nbs/api/00_logging.ipynb #13f311f4
 class LineLimit:
@@ -91,7 +94,8 @@ class LineLimit:
     def tell(self, now:float|None=None): # UNIX time; `None`: also for a minute that isn't over
         "Log the number of lines that did not pass, of each kind whose minute is over"
         with self._guard.lock:
-            over = [k for k in self._kinds.values() if k.like and k.missing and (now is None or k.is_over(now, self.period))]
+            found = [k for k in self._kinds.values() if k.like and k.missing]
+            over = [k for k in found if now is None or k.is_over(now, self.period)]
             told = [(*k.like, k.missing) for k in over]
             for kind in over: kind.missing = 0
         for name,level,text,missing in told:

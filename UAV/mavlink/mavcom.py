@@ -34,6 +34,7 @@ class Heart:
         self.remotes.lost_after = com.lost_after
         self.ways = Seen(com.lost_after, most=256)      # `(channel, peer)` of recent heartbeats
         self.stuck,self.greeted,self.job = False,0.,None
+        self.alone_since = clock.monotonic()    # `None`: a component was heard, or it was said that none is
 
     def start(self):
         "Start to send heartbeats every `beat_period` seconds"
@@ -47,6 +48,7 @@ class Heart:
         "Send heartbeats and check for silent components, on the timer"
         if not self.check_stuck(): self.beat()
         self.watch()
+        self.check_alone()
         line_limit.tell(clock.time())
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #69e8a0bc
@@ -70,6 +72,17 @@ def check_stuck(self:Heart)->bool:
     self.stuck = any(since is not None and now-since>self.com.stuck_after for since in busy)
     if self.stuck and not were: self.com.log.error('a handler does not return: no heartbeats until it does')
     return self.stuck
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #af3be14a
+@patch
+def check_alone(self:Heart):
+    "Log once why nobody is heard, if we sign: others drop frames of another key or of a wrong clock"
+    if self.alone_since is None or self.com.signing is None: return
+    heard = any(a not in self.com._here for a in self.remotes)
+    if not heard and clock.monotonic()-self.alone_since<self.com.lost_after: return
+    self.alone_since,signing = None,self.com.signing
+    level = LogLevels.WARNING if signing.dropped or not signing.has_time else LogLevels.INFO
+    if not heard: self.com.log.log(level, self.com._in_vain())
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #14aecf83
 @patch
@@ -595,7 +608,8 @@ def _in_vain(self:MAVCom)->str:
     if bad: return 'heard nothing but garbage: is it MAVLink, and on a serial port, is it the right baud rate?'
     dropped = self.signing.dropped if self.signing is not None else {}
     if dropped: return f'heard frames, and dropped all for their signature: {", ".join(sorted(dropped))}'
-    return 'heard nothing '+', and nothing '.join(f'on {c.name}: {_what_to_ask(c.name)}' for c in self.channels)
+    heard = 'heard nothing '+', and nothing '.join(f'on {c.name}: {_what_to_ask(c.name)}' for c in self.channels)
+    return heard if self.signing is None else f'{heard} And {self.signing.why_unheard()}'
 
 @patch
 def who_was_heard(self:MAVCom, system:int=0, # Only this system, if anything of it was received; 0: all
