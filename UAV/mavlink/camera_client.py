@@ -17,7 +17,7 @@ from ..utils import clock
 from ..utils.general import for_async, NAN
 from ..wire.dialect import Ack, address, MAVError, number_of
 from .asking import first_rto
-from .protocol import Busy, check_count, check_seconds, Command, Failed, Found, Lost, NoAnswer, receives
+from .protocol import Busy, check_count, check_seconds, check_which, Command, Failed, Found, Lost, NoAnswer, receives
 from .component import Component, sends, verb
 from .settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
 from .camera_asking import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
@@ -164,6 +164,7 @@ async def find_camera(self:CameraClient, name:str|None=None, # Part of its vendo
                      )->RemoteCamera:
     "Return the first camera that answers; raises `NoAnswer` with the components seen instead"
     check_seconds('timeout', timeout)
+    check_which(name, system, component)
     start,seen = clock.monotonic(),{}
     def meant(s): return s not in seen and system in (None,s[0]) and component in (None,s[1])
     def new(): return [*filter(meant, cameras_heard(self, start-1.5))]

@@ -14,7 +14,7 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_ATTITUDE as ATT
     MAVLINK_MSG_ID_GLOBAL_POSITION_INT as GLOBAL_POSITION_INT, MAVLINK_MSG_ID_HOME_POSITION as HOME_POSITION,
     MAVLINK_MSG_ID_SYSTEM_TIME as SYSTEM_TIME, MAVLINK_MSG_ID_VFR_HUD as VFR_HUD)
 from ..logging import LogLevels
-from ..utils.general import inside, known, one_of, time_since_boot_ms, time_UTC_usec
+from ..utils.general import inside, known, no_class, one_of, time_since_boot_ms, time_UTC_usec
 from ..utils.geo import quaternion
 from ..wire.dialect import address, protocol_version
 from .protocol import command, Denied, message, receives
@@ -39,6 +39,8 @@ class SimAutopilot(Component):
         gimbals:tuple=(), # Component ids of gimbal devices that get the vehicle's state at 50 Hz
         loglevel:int=LogLevels.INFO,
     ):
+        if not hasattr(no_class(vehicle, 'vehicle'), 'state'):
+            raise TypeError(f'{vehicle!r} is no vehicle: write SimAutopilot(SimVehicle())')
         super().__init__(source_component, mav_type, loglevel)
         store_attr('vehicle,gimbals')
         self.autopilot,self.rate = autopilots[one_of('autopilot', autopilot, autopilots)],inside('rate', rate, 0, 50)

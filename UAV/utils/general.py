@@ -22,8 +22,8 @@ from . import clock, clock as _clock
 
 # %% auto #0
 __all__ = ['log', 'timers', 'NAN', 'time_since_boot_ms', 'time_UTC_usec', 'date_time_str', 'in_child', 'Closes', 'Opened',
-           'Timers', 'Worker', 'known', 'Value', 'inside', 'one_of', 'plain', 'CompleteLater', 'KeepsNames', 'Seen',
-           'for_async', 'show_unawaited', 'Report', 'kept', 'doc_class', 'takes_options', 'from_rooms']
+           'Timers', 'Worker', 'known', 'Value', 'inside', 'one_of', 'no_class', 'plain', 'CompleteLater', 'KeepsNames',
+           'Seen', 'for_async', 'show_unawaited', 'Report', 'kept', 'doc_class', 'takes_options', 'from_rooms']
 
 # %% ../../nbs/api/utils/00_general.ipynb #b1083063
 log = get_logger('timers')
@@ -267,6 +267,13 @@ def one_of(what:str, value:str, values)->str:
     "`value`; raises `ValueError` unless it is one of `values`"
     if value in values: return value
     raise ValueError(f'{what} must be one of {", ".join(values)}, not {value!r}')
+
+# %% ../../nbs/api/utils/00_general.ipynb #004960f0
+def no_class(value, # What should be an object
+             kind:str): # Such as 'camera'
+    "Return `value`; raises `TypeError` if it's a class"
+    if isinstance(value, type): raise TypeError(f'{value.__name__} is a class; a {kind} is {value.__name__}(…)')
+    return value
 
 # %% ../../nbs/api/utils/00_general.ipynb #178c3c99
 _of_place = 'lat','lon','latitude','longitude'       # degrees
