@@ -714,6 +714,7 @@ def leave_loop(self:Channel, loop):
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #d912a1c0
 @patch
 async def __aenter__(self:MAVCom):
+    "Read the links on the running event loop, for an `async with`"
     import asyncio
     loop = asyncio.get_running_loop()
     try:
@@ -725,4 +726,4 @@ async def __aenter__(self:MAVCom):
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #559d9fc4
 @patch
-async def __aexit__(self:MAVCom, *args): self.close()
+async def __aexit__(self:MAVCom, *args): "Close the links"; self.close()

@@ -488,7 +488,7 @@ def next(self:Player, after:int=-1, # The number of the last picture seen
 
 # %% ../../nbs/api/video/08_player.ipynb #2c9bb91d
 @patch
-def __aiter__(self:Player): return self
+def __aiter__(self:Player): "Each new frame, for an `async for`"; return self
 
 @patch
 async def __anext__(self:Player):
