@@ -5960,6 +5960,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                    'UAV.utils.general._serves': ('api/utils/general.html#_serves', 'UAV/utils/general.py'),
                                    'UAV.utils.general._signature': ('api/utils/general.html#_signature', 'UAV/utils/general.py'),
                                    'UAV.utils.general._threads_since': ('api/utils/general.html#_threads_since', 'UAV/utils/general.py'),
+                                   'UAV.utils.general._values_of': ('api/utils/general.html#_values_of', 'UAV/utils/general.py'),
                                    'UAV.utils.general.date_time_str': ('api/utils/general.html#date_time_str', 'UAV/utils/general.py'),
                                    'UAV.utils.general.doc_class': ('api/utils/general.html#doc_class', 'UAV/utils/general.py'),
                                    'UAV.utils.general.for_async': ('api/utils/general.html#for_async', 'UAV/utils/general.py'),

@@ -304,7 +304,14 @@ async def capture(self:RemoteCamera,
     interval:float=0, # Seconds between two pictures
     timeout:float=5., # Seconds without news before giving up; more on a slow link, or if the picture exists
 ):
-    "Take pictures and yield the CAMERA_IMAGE_CAPTURED of each; raises `CommandError`, `Lost`, `NoAnswer`"
+    """Take pictures and yield the CAMERA_IMAGE_CAPTURED of each; raises `CommandError`, `Lost`, `NoAnswer`
+
+    Each has `image_index` (from 0), `capture_result` (1: taken, 0: failed), `file_url` (for `files.fetch`),
+    `time_utc` (µs since 1970; 0: unknown), `lat` and `lon` (1e-7 degrees), `alt` and `relative_alt` (mm).
+    A picture that fails is yielded, too, and raises nothing. Leaving the loop ends the series.
+
+    async for notice in camera.capture(3, interval=.5): data = await camera.files.fetch(notice)
+    """
     self._check_camera()
     _check_series(count, interval, timeout)
     shots = Capture(self._pictures, interval, count, timeout)
@@ -319,7 +326,10 @@ async def capture(self:RemoteCamera,
 @patch
 @for_async
 async def pictures(self:RemoteCamera):
-    "Yield each CAMERA_IMAGE_CAPTURED from now on, your own and others'; raises `Lost`"
+    """Yield each CAMERA_IMAGE_CAPTURED from now on, your own and others'; raises `Lost`
+
+    Its fields are those that `capture` yields.
+    """
     self._check_camera()
     with self._pictures.following(ns(log=PictureLog(count=0))) as mine:
         status = await self.request(CAMERA_CAPTURE_STATUS)
@@ -360,7 +370,15 @@ def close(self:CameraClient):
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #10f63cae
 class Picture:
-    "A picture with its time and place, and its file if fetched"
+    """A picture with its time and place, and its file if fetched
+
+    index: its number in the camera, from 0
+    time: when it was taken, a `datetime` in UTC; `None` if unknown
+    lat, lon, alt, relative_alt: where, in degrees, m above the sea and m above home; `None` if unknown
+    path: its file on our disk; `None` without `to`
+    data: the bytes of its file, without `to`; `None` with it, or if not fetched
+    notice: its CAMERA_IMAGE_CAPTURED
+    """
     def __init__(self, notice, # Its CAMERA_IMAGE_CAPTURED
                  file:bytes|Path|None=None): # Its bytes, or its local path; `None`: not fetched
         self.notice,self.index = notice,notice.image_index
@@ -403,7 +421,10 @@ async def take_picture(self:RemoteCamera,
     timeout:float=5., # As for `capture`
     progress=None, # As for `files.fetch`
 )->Picture:
-    "Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`"
+    """Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`
+
+    The `Picture` has `path` or `data`, `time`, `lat`, `lon`, `alt`, `relative_alt`, `index` and `notice`.
+    """
     if to is not None and not Path(to).suffix: Path(to).mkdir(parents=True, exist_ok=True)
     return await self._fetched(await self._shot(timeout), to, progress)
 

@@ -335,7 +335,13 @@ async def fetch(self:RemoteFiles, file, # Path on the vehicle, URL, listed file,
                 progress=None, # Called with the bytes done and the size; True: show a line
                 most:int=FtpFile.most, # Maximum size in memory, bytes; raises `ValueError` above
                )->bytes|Path:
-    "Fetch a file; return its bytes, or its path on our disk. Raises `FtpError`, `Lost` and `OSError`"
+    """Fetch a file; return its bytes, or its path on our disk. Raises `FtpError`, `Lost` and `OSError`
+
+    It comes over MAVLink FTP, lost pieces are asked for again, and its checksum is compared.
+    With `to` a transfer that broke off goes on where it was, from `NAME.part`.
+
+    path = await camera.files.fetch('/media/IMG_000000.jpg', to='pictures')
+    """
     files,path = self._place(file)
     name = path.rpartition('/')[2]
     if progress is True: progress = Progress(name)
