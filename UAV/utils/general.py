@@ -6,7 +6,7 @@
 from __future__ import annotations
 from abc import ABCMeta
 from collections.abc import AsyncGenerator
-from dataclasses import fields
+from dataclasses import fields, is_dataclass
 from datetime import datetime
 from functools import cached_property, wraps
 from importlib import import_module
@@ -22,8 +22,8 @@ from . import clock, clock as _clock
 
 # %% auto #0
 __all__ = ['log', 'timers', 'NAN', 'time_since_boot_ms', 'time_UTC_usec', 'date_time_str', 'in_child', 'Closes', 'Opened',
-           'Timers', 'Worker', 'known', 'Value', 'inside', 'one_of', 'plain', 'CompleteLater', 'KeepsNames', 'Seen',
-           'for_async', 'show_unawaited', 'Report', 'kept', 'doc_class', 'takes_options', 'from_rooms']
+           'Timers', 'Worker', 'known', 'Value', 'inside', 'one_of', 'no_class', 'plain', 'CompleteLater', 'KeepsNames',
+           'Seen', 'for_async', 'show_unawaited', 'Report', 'kept', 'doc_class', 'takes_options', 'from_rooms']
 
 # %% ../../nbs/api/utils/00_general.ipynb #b1083063
 log = get_logger('timers')
@@ -268,6 +268,13 @@ def one_of(what:str, value:str, values)->str:
     if value in values: return value
     raise ValueError(f'{what} must be one of {", ".join(values)}, not {value!r}')
 
+# %% ../../nbs/api/utils/00_general.ipynb #004960f0
+def no_class(value, # What should be an object
+             kind:str): # Such as 'camera'
+    "Return `value`; raises `TypeError` if it's a class"
+    if isinstance(value, type): raise TypeError(f'{value.__name__} is a class; a {kind} is {value.__name__}(…)')
+    return value
+
 # %% ../../nbs/api/utils/00_general.ipynb #178c3c99
 _of_place = 'lat','lon','latitude','longitude'       # degrees
 
@@ -495,6 +502,7 @@ class _Doc(str):
     def __new__(cls, f):
         self = super().__new__(cls, f.__doc__ or '')
         self.f,self.asked = inspect.unwrap(f),False
+        self.title = 'Fields:' if inspect.isclass(f) else 'Parameters:'
         return self
 
     def expandtabs(self, *size):
@@ -505,7 +513,8 @@ class _Doc(str):
         except Exception: told = {}         # there is no source
         finally: self.asked = False
         lines = [f'    {name}: {" ".join(says.split())}' for name,says in told.items() if says and name!='self']
-        return '\n'.join([str.expandtabs(self, *size), *(['','Parameters:',*lines] if lines else [])])
+        text = inspect.cleandoc(str(self))      # or `Parameters:` would keep it indented
+        return '\n'.join([text, *(['',self.title,*lines] if lines else [])])
 
 _explained = {}         # modules whose functions have a `_Doc`
 
@@ -516,14 +525,20 @@ def _functions_of(module):
         if inspect.isfunction(thing): yield thing
         elif inspect.isclass(thing): yield from (f for f in vars(thing).values() if inspect.isfunction(f))
 
+def _values_of(module):
+    "The dataclasses of a module that have a docstring"
+    own = [c for c in vars(module).values() if is_dataclass(c) and getattr(c, '__module__', '')==module.__name__]
+    return [c for c in own if inspect.isclass(c) and c.__doc__ and not isinstance(c.__doc__, _Doc)]
+
 def _explain():
-    "Have `help` show the parameters of our public functions that are loaded by now; quick when there is nothing new"
+    "Have `help` show parameters and fields of what is public and loaded by now; quick when there is nothing new"
     for name,module in list(sys.modules.items()):
         if name in _explained or not name.startswith(_explains): continue
         _explained[name] = True
         for f in _functions_of(module):
             told = f.__doc__ and f.__name__[0]!='_' or f.__name__=='__init__'
             if told and not isinstance(f.__doc__, _Doc): f.__doc__ = _Doc(f)
+        for cls in _values_of(module): cls.__doc__ = _Doc(cls)
 
 _explains = 'UAV.mavlink.','UAV.cameras.','UAV.gimbals.','UAV.manager.','UAV.blocking','UAV.wire.'
 
