@@ -316,10 +316,17 @@ def _greet(self:CameraServer, msg):
     except (Busy, Denied) as e: self.log.info('no greeting for %s/%s: %s', *address(msg), e)
 
 @patch
+def _lose(self:CameraServer, source:tuple, why:str):
+    "Drop a lost peer"
+    Component._lose(self, source, why)
+    self.settings.lose(source)
+
+@patch
 def _send_requested(self:CameraServer, msg_id:int, values, msg, to_all:bool=False):
     "Send a requested message; greet the sender of a new request for CAMERA_INFORMATION"
     wanted = self._greetings.find(address(msg), [])
     if msg_id in wanted: wanted.remove(msg_id)
+    if msg_id==CAMERA_INFORMATION: self.settings.renew(address(msg))
     Component._send_requested(self, msg_id, values, msg, to_all)
     asker = address(msg),getattr(msg, 'came_by', None)
     if msg_id==CAMERA_INFORMATION and self._greeted.setdefault(asker, msg) is msg: self._greet(msg)
