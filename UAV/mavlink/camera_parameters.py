@@ -154,7 +154,7 @@ def _write_definition(self:SettingsPart, information, declared:list, edition:int
     "Offer the definition file and return its version, or 0 if there is none"
     if not declared: return 0
     try:
-        version = 1+(definition_version(information, declared)+edition)%0xffff
+        version = 1+(definition_version(information, declared)-1+edition)%0xffff
         self.component.files.add(self.definition_path, definition_xz(definition_xml(information, declared, version)))
     except ValueError as e: return self.component.log.error('no definition file: %s', e) or 0
     return version
