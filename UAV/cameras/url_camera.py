@@ -16,8 +16,8 @@ from .gst_cam import _AskedFrame
 from .values import *
 from ..utils import clock
 from ..utils.general import _begin_thread, _has_ended
-from ..video.encoder import PassThrough
 from ..utils.pictures import _frame_turns, _turned
+from ..video.encoder import PassThrough
 from ..video.player import _decode, _decoder, _Decoding, receivers, _scheme
 from ..video.receivers import _Stopped
 from ..video.units import parameter_sets, Sink

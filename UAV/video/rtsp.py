@@ -79,11 +79,15 @@ class _Digest:
     def __init__(self, user:str, password:str, realm:str='UAV'):
         self.realm,self._secret = realm,_hashed(user, realm, password)
 
-    def challenge(self, method:str, header:str, nonce:str)->str:
-        "The header WWW-Authenticate of a 401; empty when the request has the right answer to this nonce"
+    def knows(self, method:str, header:str)->bool:
+        "Whether the header Authorization comes from one who knows the password"
         given = _auth_fields(header)
         right = _same(given.get('response', ''), _proof(self._secret, method, given))
-        knows = right and header.partition(' ')[0].lower()=='digest'
+        return right and header.partition(' ')[0].lower()=='digest'
+
+    def challenge(self, method:str, header:str, nonce:str)->str:
+        "The header WWW-Authenticate of a 401; empty when the request has the right answer to this nonce"
+        knows,given = self.knows(method, header),_auth_fields(header)
         if knows and _same(given.get('nonce', ''), nonce): return ''
         return f'Digest realm="{self.realm}", nonce="{nonce}"'+(', stale=TRUE' if knows else '')
 
