@@ -23,7 +23,7 @@ from .trigger import CaptureQueue, _check_sequence
 from .values import *
 from ..logging import get_logger, LogLevels
 from ..utils import clock
-from ..utils.general import Closes, CompleteLater, cv2, inside, KeepsNames, Opened, timers
+from ..utils.general import Closes, CompleteLater, cv2, inside, KeepsNames, no_class, Opened, timers
 from ..utils.pictures import as_bgr
 
 # %% auto #0
@@ -61,7 +61,7 @@ def _has(*members):
     "Return a check for `None` or an object that has these"
     def check(what, value):
         missing = [] if value is None else [name for name in members if not hasattr(value, name)]
-        if missing: raise ValueError(f'{what} must be None or have `{missing[0]}`, not {value!r}: is it another thing?')
+        if missing: raise ValueError(f'{what} must be None or have `{missing[0]}`, not {value!r}')
     return check
 
 def _text(what, value):
@@ -112,6 +112,7 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
         _check_class(type(self))
         given,used = list(storages or ([] if storage is None else [storage])),[s for c in _cameras for s in c.storages]
         for one in given:           # it counts for one camera
+            no_class(one, 'storage')
             if any(one is storage for storage in used): raise StorageInUse(f'{one!r} has a camera already')
         self.storages = Storages(*(given or [Storage(folder, quota)]))
         self.log = get_logger(f'camera.{self.information.model}')

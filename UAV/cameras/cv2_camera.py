@@ -16,6 +16,7 @@ from .parameters import Option, Parameter
 from .values import *
 from ..utils import clock
 from ..utils.general import _begin_thread, cv2, _has_ended, timers
+from ..utils.pictures import _open_film
 
 # %% auto #0
 __all__ = ['CV2Camera']
@@ -298,7 +299,8 @@ def _open_source(source, open_timeout:float=5., read_timeout:float=5., backend:i
     "The `cv2.VideoCapture` of a source, and its first image; raises `CameraError` that names the source"
     arguments = _how_to_open(source, open_timeout, read_timeout, backend)
     with _silent_cv2():
-        capture = cv2.VideoCapture(*arguments)
+        film = _source_kind(source)=='file' and backend is None
+        capture = _open_film(*arguments[:2]) if film else cv2.VideoCapture(*arguments)
         ok,image = capture.read() if capture.isOpened() else (False,None)
         if ok: return capture,image
         problem = 'gives no frames' if capture.isOpened() else 'cannot be opened'

@@ -108,9 +108,7 @@ def _sim_information(model:str, width:int, height:int)->CameraInformation:
 class SimCamera(Camera):
     "A camera in a `SimWorld`, with zoom, focus, modes and parameters"
     declared = sim_parameters
-    _parts = dict(number=int, plugged_in=bool, clock=callable, world=lambda value: hasattr(value, 'render'),
-        attitude=lambda value: value is None or callable(value),
-        mount=lambda value: value is None or hasattr(value, 'look'))
+    _parts = dict(number=int, plugged_in=bool)
     def __init__(self,
         width:int=640, # px
         height:int=480, # px

@@ -20,6 +20,7 @@ from ..gimbals.gimbal_camera import camera_kind, CardCamera, gimbal_camera, take
 from ..mavlink.viewsheen_server import _Tracking
 from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device
+from ..utils.files import read_secret
 from ..utils.general import Closes, inside, known, one_of
 from ..video.units import codecs
 from ..video.rtsp_server import RTSPServer
@@ -135,7 +136,8 @@ def _mounting(text:str|None)->tuple|None:
 # %% ../../nbs/api/cli/02_serve.ipynb #fbf8e396
 def _viewer(user:str|None, file:str|None=None)->dict:
     "Return `user` and `password` of `RTSPServer`; none if all may watch. Raises `ValueError` or `OSError`"
-    typed = os.environ.get('UAV_RTSP_PASSWORD') if file is None else Path(file).read_text().partition('\n')[0].strip()
+    typed = os.environ.get('UAV_RTSP_PASSWORD')
+    if file is not None: typed = read_secret(Path(file)).decode().partition('\n')[0].strip()
     if user is None and typed is None: return {}
     if user is None: raise ValueError('a password of RTSP needs --rtsp-user')
     if not typed: raise ValueError('--rtsp-user needs a password, in UAV_RTSP_PASSWORD or --rtsp-password-file')

@@ -17,7 +17,7 @@ from ..utils import clock
 from ..utils.general import for_async, NAN
 from ..wire.dialect import Ack, address, MAVError, number_of
 from .asking import first_rto
-from .protocol import Busy, check_count, check_seconds, Command, Failed, Found, Lost, NoAnswer, receives
+from .protocol import Busy, check_count, check_seconds, check_which, Command, Failed, Found, Lost, NoAnswer, receives
 from .component import Component, sends, verb
 from .settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
 from .camera_asking import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
@@ -195,6 +195,7 @@ async def find_camera(self:CameraClient, name:str|None=None, # Part of its vendo
                      )->RemoteCamera:
     "Return the first camera that answers; raises `NoAnswer` with the components seen instead"
     check_seconds('timeout', timeout)
+    check_which(name, system, component)
     start,seen = clock.monotonic(),{}
     def meant(s): return s not in seen and system in (None,s[0]) and component in (None,s[1])
     def new(): return [*filter(meant, cameras_heard(self, start-1.5))]
@@ -292,9 +293,10 @@ def video_stop_streaming(self:CameraClient, video_stream_id:int=0): # 0: all
 @sends(mavlink.MAV_CMD_IMAGE_START_CAPTURE)
 async def image_start_capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     interval:float=0, # Seconds between two pictures
-    count:int=1, # Number of pictures; 0: unlimited
+    count:int=1, # Number of pictures; 0: unlimited, which needs an interval
 )->Ack:
-    "Take pictures, unverified; `RemoteCamera.capture` verifies them"
+    "Take pictures, unverified; `RemoteCamera.capture` verifies them. Raises `ValueError`"
+    if interval==count==0: raise ValueError('count=0 takes pictures until stopped, and needs an interval')
     target = self.target(target_system, target_component)
     if 0 not in target: await self.camera(*target)._pictures.mark()
     number = self._next_shot() if count==1 else 0
@@ -331,10 +333,17 @@ def _check_series(count:int, interval:float, timeout:float):
 @for_async
 async def capture(self:RemoteCamera,
     count:int=1, # Number of pictures; 0: until you leave the loop
-    interval:float=0, # Seconds between two pictures
+    interval:float=0, # Seconds between two pictures; 0: as fast as the camera can
     timeout:float=5., # Seconds without news before giving up; more on a slow link, or if the picture exists
 ):
-    "Take pictures and yield the CAMERA_IMAGE_CAPTURED of each; raises `CommandError`, `Lost`, `NoAnswer`"
+    """Take pictures and yield the CAMERA_IMAGE_CAPTURED of each; raises `CommandError`, `Lost`, `NoAnswer`
+
+    Each has `image_index` (from 0), `capture_result` (1: taken, 0: failed), `file_url` (for `files.fetch`),
+    `time_utc` (µs since 1970; 0: unknown), `lat` and `lon` (1e-7 degrees), `alt` and `relative_alt` (mm).
+    A picture that fails is yielded, too, and raises nothing. Leaving the loop ends the series.
+
+    async for notice in camera.capture(3, interval=.5): data = await camera.files.fetch(notice)
+    """
     self._check_camera()
     _check_series(count, interval, timeout)
     shots = Capture(self._pictures, interval, count, timeout)
@@ -349,7 +358,10 @@ async def capture(self:RemoteCamera,
 @patch
 @for_async
 async def pictures(self:RemoteCamera):
-    "Yield each CAMERA_IMAGE_CAPTURED from now on, your own and others'; raises `Lost`"
+    """Yield each CAMERA_IMAGE_CAPTURED from now on, your own and others'; raises `Lost`
+
+    Its fields are those that `capture` yields.
+    """
     self._check_camera()
     with self._pictures.following(ns(log=PictureLog(count=0))) as mine:
         status = await self.request(CAMERA_CAPTURE_STATUS)
@@ -390,7 +402,15 @@ def close(self:CameraClient):
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #10f63cae
 class Picture:
-    "A picture with its time and place, and its file if fetched"
+    """A picture with its time and place, and its file if fetched
+
+    index: its number in the camera, from 0
+    time: when it was taken, a `datetime` in UTC; `None` if unknown
+    lat, lon, alt, relative_alt: where, in degrees, m above the sea and m above home; `None` if unknown
+    path: its file on our disk; `None` without `to`
+    data: the bytes of its file, without `to`; `None` with it, or if not fetched
+    notice: its CAMERA_IMAGE_CAPTURED
+    """
     def __init__(self, notice, # Its CAMERA_IMAGE_CAPTURED
                  file:bytes|Path|None=None): # Its bytes, or its local path; `None`: not fetched
         self.notice,self.index = notice,notice.image_index
@@ -436,7 +456,10 @@ async def take_picture(self:RemoteCamera,
     timeout:float=5., # As for `capture`
     progress=None, # As for `files.fetch`
 )->Picture:
-    "Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`"
+    """Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`
+
+    The `Picture` has `path` or `data`, `time`, `lat`, `lon`, `alt`, `relative_alt`, `index` and `notice`.
+    """
     if to is not None: place_on_disk(to, '')         # or an error before there is a picture
     return await self._fetched(await self._shot(timeout), to, progress)
 

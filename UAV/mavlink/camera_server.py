@@ -349,10 +349,17 @@ def _greet(self:CameraServer, msg):
     except (Busy, Denied) as e: self.log.info('no greeting for %s/%s: %s', *address(msg), e)
 
 @patch
+def _lose(self:CameraServer, source:tuple, why:str):
+    "Drop a lost peer"
+    Component._lose(self, source, why)
+    self.settings.lose(source)
+
+@patch
 def _send_requested(self:CameraServer, msg_id:int, values, msg, to_all:bool=False):
     "Send a requested message; greet the sender of a new request for CAMERA_INFORMATION"
     wanted = self._greetings.find(address(msg), [])
     if msg_id in wanted: wanted.remove(msg_id)
+    if msg_id==CAMERA_INFORMATION: self.settings.renew(address(msg))
     Component._send_requested(self, msg_id, values, msg, to_all)
     asker = address(msg),getattr(msg, 'came_by', None)
     if msg_id==CAMERA_INFORMATION and self._greeted.setdefault(asker, msg) is msg: self._greet(msg)
@@ -498,10 +505,11 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
 @patch
 @command(mavlink.MAV_CMD_IMAGE_START_CAPTURE, once=True)
 def _image_start_capture(self:_CameraVerbs, camera_id:int=0, interval:float=0., count:int=1, sequence:int=0, *, msg):
-    "Take `count` pictures (0: until stopped), one every `interval` s (MAV_CMD_IMAGE_START_CAPTURE)"
+    "Take `count` pictures (0: until stopped), one every `interval` s; 0 and 0: one (MAV_CMD_IMAGE_START_CAPTURE)"
     self.for_us(camera_id)
     if camera_id and not msg.target_component: raise Denied('parameter 1 is for relays: a broadcast names no camera')
     if sequence<0: raise Denied(f'sequence is {sequence}')
+    if interval==count==0: count,sequence = 1,0
     return self._shoot(interval, count, sequence, msg)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #fb6ca2ca

@@ -135,6 +135,8 @@ def lose(self:Heart, source:tuple):
         if hasattr(c, '_lose'): c._lose(source, why)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #024c88df
+_another = '; give one another system (source_system, --system) or component'
+
 @patch
 def check_double(self:Heart, msg, source:tuple):
     "Log an error if two components seem to use the address `source`"
@@ -144,7 +146,7 @@ def check_double(self:Heart, msg, source:tuple):
     numbers = msg.get_seq(),channel.number,frames,heard.restarts,clock.monotonic()
     if not self.remotes.note_sequence(source, *numbers): return
     name = self.remotes[source].name
-    self.com.log.error('%s: two components use this address; both obey its commands, and you see one', name)
+    self.com.log.error('%s: two components use this address; both obey its commands, and you see one'+_another, name)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #b0eb72ec
 def _essence(frame:bytes)->bytes:
@@ -156,7 +158,7 @@ def check_echo(self:Heart, msg, source:tuple):
     "Log an error if a frame with our own address is not an echo"
     if msg.get_msgId()!=mavlink.MAVLINK_MSG_ID_HEARTBEAT or self.sent.find(_essence(msg.get_msgbuf())): return
     if self.sent.again(('stranger', source)): return
-    self.com.log.error('%s/%s is ours, and another one uses it too', *source)
+    self.com.log.error('%s/%s is ours, and another one uses it too'+_another, *source)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #3ccd1d9b
 _all_ = ['date_time_str', 'time_since_boot_ms', 'time_UTC_usec']
@@ -727,6 +729,7 @@ def leave_loop(self:Channel, loop):
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #d912a1c0
 @patch
 async def __aenter__(self:MAVCom):
+    "Read the links on the running event loop, for an `async with`"
     import asyncio
     loop = asyncio.get_running_loop()
     try:
@@ -738,4 +741,4 @@ async def __aenter__(self:MAVCom):
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #559d9fc4
 @patch
-async def __aexit__(self:MAVCom, *args): self.close()
+async def __aexit__(self:MAVCom, *args): "Close the links"; self.close()

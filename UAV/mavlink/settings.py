@@ -145,9 +145,10 @@ def definition_version(information:CameraInformation, # Vendor and model for the
 
 def definition_xml(information:CameraInformation, # Vendor and model for the file
                    declared, # List of `Parameter`
+                   version:int|None=None, # Its version; `None`: that of its content
                   )->bytes:
     "Return the camera definition file; raises `ValueError` for a value that does not fit its type"
-    tree = _tree(information, declared, definition_version(information, declared))
+    tree = _tree(information, declared, version or definition_version(information, declared))
     return b'<?xml version="1.0" encoding="UTF-8"?>\n'+ET.tostring(tree, 'utf-8')+b'\n'
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #09aa44a5

@@ -12,10 +12,11 @@ from typing import NamedTuple
 import errno, lzma, os, re, stat, zlib
 
 from fastcore.basics import patch
+from ..logging import get_logger
 from . import clock
 
 # %% auto #0
-__all__ = ['most_bytes', 'most_name', 'FileEntry', 'FileTree', 'unpacked', 'local_name']
+__all__ = ['most_bytes', 'most_name', 'FileEntry', 'FileTree', 'read_secret', 'unpacked', 'local_name']
 
 # %% ../../nbs/api/utils/02_files.ipynb #892c7433
 most_bytes,_odd = 255,re.compile(r'[\x00-\x1f\\\x7f]')     # of a name; characters that no name of ours has
@@ -308,6 +309,14 @@ def truncate(self:FileTree, path:str, size:int):
     with jail.open(names, os.O_RDWR) as file:
         if size>os.fstat(file.fileno()).st_size: raise ValueError(f'{path} is shorter than {size} bytes')
         file.truncate(size)
+
+# %% ../../nbs/api/utils/02_files.ipynb #d5deae78
+def read_secret(path:Path)->bytes:
+    "Return the bytes of a file with a secret; logs a warning if all users may read or write it. Raises `OSError`"
+    data,mode = path.read_bytes(),path.stat().st_mode
+    if os.name=='posix' and stat.S_ISREG(mode) and mode&(stat.S_IROTH|stat.S_IWOTH):
+        get_logger('files').warning('%s is open to every user of this computer: chmod 600 %s', path, path)
+    return data
 
 # %% ../../nbs/api/utils/02_files.ipynb #77bd3407
 _packers = {b'\xfd7zXZ\0': lambda: lzma.LZMADecompressor(lzma.FORMAT_XZ, memlimit=1<<26),     # by how a file begins

@@ -12,9 +12,9 @@ from pathlib import Path
 import base64, io, os, sys, tempfile, zlib
 
 from fastcore.imports import in_ipython, in_jupyter
-from fastcore.basics import patch
+from fastcore.basics import GetAttr, patch
 
-from .general import Closes, cv2, np
+from .general import av, Closes, cv2, np
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #f8cb565e
 def _not_a_picture(im): return ValueError(f'not a picture: an array of shape {im.shape}')
@@ -248,10 +248,54 @@ def add(self:VideoWriter, img): # Picture, see `as_bgr`; all of one size
     self._writer.write(cv2.cvtColor(im, cv2.COLOR_RGB2BGR) if self.rgb2bgr else im)
     self.frames += 1
 
+# %% ../../nbs/api/utils/03_pictures.ipynb #52a0e8cf
+def _turns(matrix)->tuple|None:
+    "Whether to transpose a picture, to flip its columns and to flip its rows, for a display matrix of nine numbers"
+    a,b,_,c,d,*_ = np.sign(np.asarray(matrix, np.int64)) if matrix is not None and len(matrix)==9 else (1,0,0,0,1)
+    if a and d and not (b or c): turns = False,a<0,d<0
+    elif b and c and not (a or d): turns = True,c<0,b<0
+    else: return None
+    return turns if any(turns) else None
+
+def _frame_turns(frame)->tuple|None:
+    "As `_turns`, for an `av.VideoFrame`"
+    said = frame.side_data.get('DISPLAYMATRIX')
+    return _turns(np.frombuffer(said, np.int32)) if said else None
+
+def _turned(image, turns:tuple|None):
+    "The picture, upright"
+    if not turns: return image
+    transposed,columns,rows = turns
+    if transposed: image = cv2.transpose(image)
+    return image if not (columns or rows) else cv2.flip(image, -1 if columns and rows else int(columns))
+
+# %% ../../nbs/api/utils/03_pictures.ipynb #8b3f1c96
+class _Upright(GetAttr):
+    "A `cv2.VideoCapture` of a film whose pictures have to be turned"
+    _default = 'capture'
+    def __init__(self, capture, turns:tuple): self.capture,self._turns = capture,turns
+
+    def read(self):
+        "As OpenCV's, upright"
+        ok,image = self.capture.read()
+        return ok,_turned(image, self._turns) if ok else image
+
+def _film_turns(file)->tuple|None:
+    "As `_turns`, for a film"
+    try:
+        with av.open(str(file)) as film: return next((_frame_turns(frame) for frame in film.decode(video=0)), None)
+    except Exception: return None           # the reader will say what is wrong with it
+
+def _open_film(file, *arguments):
+    "As `cv2.VideoCapture` of a file, with upright pictures"
+    capture = cv2.VideoCapture(str(file), *arguments)
+    turns = capture.isOpened() and _film_turns(file)
+    return _Upright(capture, turns) if turns and capture.set(cv2.CAP_PROP_ORIENTATION_AUTO, 0) else capture
+
 # %% ../../nbs/api/utils/03_pictures.ipynb #d04c624b
 def _frames(file):
     "The frames of video `file`, with the number of them in a second; `OSError` when it cannot be read"
-    cap = cv2.VideoCapture(str(file))
+    cap = _open_film(file)
     if not cap.isOpened(): raise OSError(f"cannot read a video from '{file}'")
     try:
         while (frame := cap.read()[1]) is not None: yield frame,cap.get(cv2.CAP_PROP_FPS) or 30.

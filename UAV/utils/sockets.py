@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections import deque
 from concurrent.futures import Future, TimeoutError as TooLate
 from urllib.parse import quote, urljoin, urlsplit
-import asyncio, errno, math, selectors, socket
+import asyncio, errno, math, selectors, socket, ipaddress
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
@@ -110,6 +110,34 @@ def serve(self:Loop, listener, # From `listen_tcp`
         welcome(sock, address)
     listener.setblocking(False)
     self.call(lambda: self.watch(listener, accept))
+
+# %% ../../nbs/api/utils/01_sockets.ipynb #0d5e7c92
+class _Guesses:
+    "Slows down who guesses passwords, by address"
+    def __init__(self, free:int=10, # Wrong ones in a row that nothing waits for
+                 pace:float=.5, # s between two looks after that
+                 most:int=1000): # Addresses that are remembered
+        store_attr()
+        self._until = {}            # when all is forgiven, monotonic s
+
+    @staticmethod
+    def _place(host:str)->str:
+        try: address = ipaddress.ip_address(host.partition('%')[0])
+        except ValueError: return host
+        if address.version==4: return host
+        return str(address.ipv4_mapped or ipaddress.ip_network((int(address)>>64<<64, 64)))
+
+    def wait(self, host:str)->float: # s until the next password from there may be looked at
+        "Return 0 when it may be now"
+        return max(0., self._until.get(self._place(host), 0.)-self.free*self.pace-clock.monotonic())
+
+    def wrong(self, host:str):
+        "One from there was wrong"
+        place,now = self._place(host),clock.monotonic()
+        self._until[place] = max(now, self._until.get(place, 0.))+self.pace
+        if len(self._until)<=self.most: return
+        last = sorted(self._until, key=self._until.get)[-self.most//2:]
+        self._until = {place: self._until[place] for place in last if self._until[place]>now}
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #e2846a1f
 def _body(answer, most:int, take)->bytes:
