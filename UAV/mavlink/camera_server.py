@@ -5,7 +5,7 @@
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d53ece1i
 from __future__ import annotations
 from collections import deque
-from itertools import count
+import itertools
 import inspect, math, re
 
 from fastcore.basics import patch
@@ -94,7 +94,7 @@ class _Levels:
     window = 2.     # s after which an order is no echo
 
     def __init__(self):
-        self._told,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),count(1)
+        self._told,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),itertools.count(1)
         self._orders = Seen(self.window, most=256)      # by drive and sender: its last order's turn and level
         self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
 
