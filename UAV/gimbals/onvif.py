@@ -226,7 +226,8 @@ def here(self:_OnvifLine, url:str, *schemes:str)->str: # `schemes` in place of h
         host,port = parts.hostname,f':{parts.port}' if parts.port else ''
     except ValueError: raise _BadAddress(f'{self!r} names {_shown(url)!r}, which is no address') from None
     scheme = parts.scheme or (schemes[0] if url.startswith('/') else '')
-    if scheme not in schemes: raise _BadAddress(f'{self!r} names {_shown(url)!r}, and not an address of {" or ".join(schemes)}')
+    ways = ' or '.join(schemes)
+    if scheme not in schemes: raise _BadAddress(f'{self!r} names {_shown(url)!r}, and not an address of {ways}')
     if host==self.host.lower(): return urlunsplit(parts._replace(scheme=scheme))
     place = self.place if scheme=='http' else (f'[{self.host}]' if ':' in self.host else self.host)+port
     return urlunsplit(parts._replace(scheme=scheme, netloc=place))

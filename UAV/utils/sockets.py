@@ -111,6 +111,12 @@ def serve(self:Loop, listener, # From `listen_tcp`
     listener.setblocking(False)
     self.call(lambda: self.watch(listener, accept))
 
+# %% ../../nbs/api/utils/01_sockets.ipynb #be2713f8
+def _shut(sock):
+    "Wake the one who reads"
+    try: sock.shutdown(socket.SHUT_RDWR)
+    except OSError: pass                # it is gone
+
 # %% ../../nbs/api/utils/01_sockets.ipynb #4425884b
 class _Deadline:
     "A moment at which the sockets of a request are shut, so nobody reads on; `with` closes them"
@@ -147,11 +153,6 @@ class _Deadline:
             except OSError as e: why = e
             sock.close()
         raise why
-
-def _shut(sock):
-    "Wake the one who reads"
-    try: sock.shutdown(socket.SHUT_RDWR)
-    except OSError: pass                # it is gone
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #c0683c48
 def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes|None=None, **headers)->tuple:
