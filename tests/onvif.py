@@ -348,7 +348,8 @@ def _reply(handler, status:int, data:bytes, kind:str='application/soap+xml; char
 
 class _Drip:
     "A file to write to, by which a byte a second goes out"
-    def __init__(self, file, ended): self.file,self.ended,self.flush,self.close,self.closed = file,ended,file.flush,file.close,False
+    def __init__(self, file, ended):
+        self.file,self.ended,self.flush,self.close,self.closed = file,ended,file.flush,file.close,False
     def write(self, data):
         for n in range(len(data)):
             if self.ended.wait(1.): return

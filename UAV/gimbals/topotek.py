@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #bd59e4c6
 from __future__ import annotations
+from collections import deque
 from dataclasses import replace
 import math, re, socket
 
@@ -175,6 +176,8 @@ class Topotek(Gimbal):
         self._began,self._starts,self._asked = -math.inf,{},-math.inf     # of the setpoint: since when, from where
         self._below = VehicleState()        # the vehicle, when the attitude came
         self._said = {}             # what is repeated: `{subject: (frame, since when)}`
+        self.card = None            # has it a card? `None`: unknown
+        self._questions = deque((('D','SDC'), ('D','VSN'), ('G','PA2')))
         self._forget()
         make = (lambda: _serial(host, baudrate)) if serial else (lambda: _UDP(host, port, local))
         self.line = line or _TopotekLine(host if serial else f'UDP {host}:{port}', make)
@@ -290,12 +293,32 @@ def _settle(self:Topotek):
     try: self.setpoint = replace(now, **{axis: Gimbal._held(self, axis, now.lock) for axis in loose})
     except HeadingUnknown: pass                 # the device holds it meanwhile
 
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #ea5c9511
+@patch
+def _ask(self:Topotek):
+    "Ask the next question"
+    receiver,what = self._questions[0]
+    self._questions.rotate(-1)
+    self.line.send(topotek_frame(receiver, what, '00', self.sender, 'r'))
+
+@patch
+def _learn(self:Topotek, sender:str, what:str, data:bytes):
+    "Note the answer to a question"
+    text = data.decode('ascii', 'replace').strip()
+    if what=='SDC': self.card = not text.startswith('NNNN')
+    elif what=='PA2' and text: self.information = replace(self.information, model=text)
+    elif what=='VSN' and (numbers := re.findall(r'\d+' if '.' in text else r'\d', text)):
+        version = tuple(min(int(n), 255) for n in (*numbers,0,0,0,0)[:4])
+        self.information = replace(self.information, firmware_version=version)
+    if what in ('PA2','VSN'): self._questions = deque(q for q in self._questions if q[1]!=what)
+
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #9bee4f77
 @patch
 def _hear(self:Topotek, data:bytes):
     with self._lock:
-        now = self.clock()
-        for angles in filter(None, (_attitude_in(*frame) for frame in self._reader.feed(data))):
+        now,frames = self.clock(),self._reader.feed(data)
+        for frame in frames: self._learn(*frame)
+        for angles in filter(None, (_attitude_in(*frame) for frame in frames)):
             if now-self._heard>self.silence: self._said = {what: (frame,now) for what,(frame,_) in self._said.items()}
             self._angles,self._heard,self._below = angles,now,self.vehicle or VehicleState()
 
@@ -310,6 +333,7 @@ def tick(self:Topotek):
         if self.clock()>=self._asked+self.ask_pace:
             self._asked = self.clock()
             self._send('G', 'GIA', '01')
+            self._ask()
             for what,data in _vehicle_data(self.vehicle or VehicleState()).items(): self._send('D', what, data)
         self._settle()
         self._steer(self.setpoint)
@@ -321,6 +345,10 @@ def tick(self:Topotek):
 def _order(self:Topotek, receiver:str, what:str, data:str):
     if self.closed or self.fault: raise GimbalError(self.fault or f'{self!r} is closed')
     self._send(receiver, what, data)
+
+@patch
+def _need_card(self:Topotek):
+    if self.card is False: raise GimbalError('there is no card in it')
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #e348549d
 @patch
@@ -349,6 +377,7 @@ def set_camera_focus(self:Topotek, kind:str, # 'continuous', or 'auto', 'auto_si
 @patch
 def video_start_capture(self:Topotek, stream_id:int=0):
     "Start recording; raises `GimbalError`"
+    self._need_card()
     self._order('D', 'REC', '01')
 
 @patch
@@ -364,6 +393,7 @@ def image_start_capture(self:Topotek,
     "Take pictures; raises `ValueError` and `GimbalError`"
     interval,count = inside('interval', interval, 0, 1e6),int(inside('count', count, 0, 0xffff))
     with self._lock:
+        self._need_card()
         self._order('D', 'CAP', '01')
         interval = max(interval, self.least_interval)
         self.series = (count-1 if count else math.inf,self.clock()+interval,interval) if count!=1 else None
