@@ -25,6 +25,7 @@ from ..utils import clock, clock as _clock
 from ..utils.devices import DeviceURL
 from ..utils.general import cv2, inside, np
 from ..utils.geo import quaternion
+from ..utils.sockets import url_host
 
 # %% auto #0
 __all__ = ['OnvifCamera', 'Onvif']
@@ -114,7 +115,7 @@ class _OnvifLine:
     patience = 5.                   # s that `close` waits
     def __init__(self, host:str, port:int|None=None, user:str='', password:str='', clock=clock.now):
         store_attr()
-        self.place = (f'[{host}]' if ':' in host else host)+(f':{port}' if port else '')
+        self.place = url_host(host)+(f':{port}' if port else '')
         self.services = dict(tds=f'http://{self.place}/onvif/device_service')
         self.log,self.skew = get_logger('onvif'),None       # `skew`: s that its clock is ahead; `None`: not known
         self.hear = self.changed = lambda: None     # called when `status` is new, and when `error` comes or goes
@@ -193,7 +194,7 @@ def here(self:_OnvifLine, url:str)->str:
     parts = urlsplit(url)
     if parts.hostname in (None, self.host): return url
     port = f':{parts.port}' if parts.port and parts.scheme=='rtsp' else ''
-    place = self.place if parts.scheme!='rtsp' else (f'[{self.host}]' if ':' in self.host else self.host)+port
+    place = self.place if parts.scheme!='rtsp' else url_host(self.host)+port
     return urlunsplit(parts._replace(netloc=place))
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #3194f626

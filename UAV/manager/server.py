@@ -15,7 +15,7 @@ from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import Closes
-from ..utils.sockets import listen_tcp
+from ..utils.sockets import listen_tcp, url_host
 from ..wire.dialect import MAVError
 
 # %% auto #0
@@ -494,6 +494,7 @@ class PanelServer(Closes):
                  token:str|None=None, # `None`: a new one; set your own so that open pages find a restarted panel
                  names:tuple=()): # Further host names, such as that of a proxy
         if gui.closed: raise RuntimeError('the panel is closed')
+        host = host.strip('[]')
         store_attr('gui,host')
         self.site,self.visits,self.closed = Site(gui, Door(host, token, names)),{},False
         web = _web_class()                  # imports aiohttp here, so that the panel's loop doesn't wait
@@ -507,7 +508,7 @@ class PanelServer(Closes):
     def link(self, host:str, # Host name or address that the browser can reach
             )->str:
         "Return the address of the page, with its token"
-        return f'http://{f"[{host}]" if ":" in host else host}:{self.port}/#token={self.site.door.token}'
+        return f'http://{url_host(host)}:{self.port}/#token={self.site.door.token}'
 
     async def _start(self, web):
         self.web = web(self)

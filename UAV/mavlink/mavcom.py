@@ -325,7 +325,7 @@ def remove_component(self:MAVCom, component):
 def _twins(self:MAVCom)->list:
     "Return other `MAVCom`s of this process with our system id and a link to the same place"
     listens = re.compile('udp:|udpin:|tcpin:')
-    def leads(com): return {c.name.replace('localhost','127.0.0.1') for c in com.channels if not listens.search(c.name)}
+    def leads(com): return {c.name.replace('localhost','127.0.0.1').replace('[::1]','127.0.0.1') for c in com.channels if not listens.search(c.name)}
     alike = [com for com in _open if com is not self and com.source_system==self.source_system]
     return [com for com in alike if leads(com)&leads(self)]
 
@@ -423,25 +423,34 @@ def reaches(self:MAVCom, system:int, component:int)->bool:
 def own_host(host:str, # Host of the other side
             )->str|None:
     "Return our own address towards `host`; `None` without a route"
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
-        try: sock.connect((host, 9))
-        except OSError: return
-        return sock.getsockname()[0]
+    family = socket.AF_INET6 if ':' in host else socket.AF_INET
+    try:
+        with socket.socket(family, socket.SOCK_DGRAM) as sock:
+            sock.connect(socket.getaddrinfo(host, 9, family, socket.SOCK_DGRAM)[0][4])      # with its interface
+            return sock.getsockname()[0]
+    except OSError: return
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #983ed5eb
+def _host_at(address:tuple)->str:
+    "Return the host of a socket address; a link-local one with its interface"
+    host,_,*six = address
+    if '.' in host: return host.removeprefix('::ffff:')         # IPv4, perhaps in a socket of IPv6
+    return f'{host}%{six[1]}' if six and six[1] and '%' not in host else host
+
 def ends(channel, # A link of a `MAVCom`
          peer, # The link's name for it
         )->tuple:
     "Return `(our host, host of the peer)` on a link; both `None` if they are hidden"
     link = getattr(channel.link, 'link', channel.link)      # the link inside a LossyLink
     if isinstance(link, VirtualLink): return '127.0.0.1','127.0.0.1'
-    if isinstance(peer, tuple): ours,theirs = own_host(peer[0]),peer[0]     # UDP
+    if isinstance(peer, tuple): ours,theirs = None,_host_at(peer)       # UDP
     else:
         sock = getattr(peer, 'sock', None) or getattr(link, 'sock', None)
-        try: ours,theirs = sock.getsockname()[0],sock.getpeername()[0]
+        try: ours,theirs = _host_at(sock.getsockname()),_host_at(sock.getpeername())
         except (AttributeError, OSError): return None,None      # no socket, or gone
+    ours = ours or own_host(theirs)
     systems = {system for system,_ in list(channel.readers[peer].seen)} if peer in channel.readers else ()
-    is_router = theirs.startswith('127.') and len(systems)>1    # several systems speak through it
+    is_router = (theirs.startswith('127.') or theirs=='::1') and len(systems)>1    # several systems speak through it
     return (None,None) if is_router else (ours,theirs)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #5270d829

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections import deque
 from concurrent.futures import Future, TimeoutError as TooLate
 from urllib.parse import urljoin, urlsplit
-import asyncio, errno, math, selectors, socket
+import asyncio, errno, ipaddress, math, re, selectors, socket
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
@@ -15,7 +15,8 @@ from . import clock
 from .general import _begin_thread, Closes, inside, timers
 
 # %% auto #0
-__all__ = ['log', 'Loop', 'listen_tcp', 'get_web', 'TCPClient', 'LoopThread', 'LoopClosed', 'set_within']
+__all__ = ['log', 'Loop', 'listen_tcp', 'url_host', 'host_in', 'plain_host', 'get_web', 'TCPClient', 'LoopThread', 'LoopClosed',
+           'set_within']
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #0dce5f49
 log = get_logger('sockets')
@@ -111,6 +112,24 @@ def serve(self:Loop, listener, # From `listen_tcp`
     listener.setblocking(False)
     self.call(lambda: self.watch(listener, accept))
 
+# %% ../../nbs/api/utils/01_sockets.ipynb #54eeb0bc
+def url_host(host:str, # An address or a name
+            )->str:
+    "Return a host as a URL needs it: IPv6 in brackets"
+    return f'[{host}]' if ':' in host else host
+
+def host_in(parts, # From `urlsplit`
+           )->str:
+    "Return the host of a split URL, '' if there is none"
+    return re.sub('%25(?=.)', '%', parts.hostname or '')
+
+def plain_host(host:str, # An address, or a name
+              )->str:
+    "Return an address without its IPv6 wrapping and zone; a name as it is"
+    try: address = ipaddress.ip_address(host.partition('%')[0])
+    except ValueError: return host
+    return str(getattr(address, 'ipv4_mapped', None) or address)
+
 # %% ../../nbs/api/utils/01_sockets.ipynb #4425884b
 def _get(url:str, hosts, most:int, opened:list, end:float)->bytes:
     "GET, by connections whose sockets will be in `opened`, and follow five redirects at most"
@@ -121,10 +140,12 @@ def _get(url:str, hosts, most:int, opened:list, end:float)->bytes:
         return sock
     for _ in range(6):
         parts = urlsplit(url)
-        host = (parts.hostname or '').replace('localhost', '127.0.0.1')
+        host = host_in(parts).replace('localhost', '127.0.0.1')
         if parts.scheme not in ('http','https') or not host: raise ValueError(f'{url!r} is no address of a web server')
-        if hosts is not None and host not in hosts:
+        allowed = {plain_host(h):h for h in hosts or ()}        # a URL can't name our interface to a link-local host
+        if hosts is not None and plain_host(host) not in allowed:
             raise PermissionError(f'{url} is not at {" or ".join(sorted(hosts))}')
+        host = allowed.get(plain_host(host), host)
         kind = dict(http=HTTPConnection, https=HTTPSConnection)[parts.scheme]
         connection = kind(host, parts.port, timeout=max(end-clock.monotonic(), .01))
         connection._create_connection = connect

@@ -14,6 +14,7 @@ import errno, os, re, selectors, socket
 from fastcore.basics import patch, store_attr
 from ..utils import clock
 from ..utils.general import Closes
+from ..utils.sockets import host_in
 from .senders import is_group
 from .units import AccessUnit, byte_stream, clock_rate, codecs, is_key, parameter_sets, VideoFormat
 
@@ -395,7 +396,7 @@ def _listen_pair(host:str, port:int=0, blocking:bool=False)->list:
 def own_host(place, # From `urlsplit`
             )->str:
     "The address of a split URL; `@` and nothing are all of ours, as VLC writes them"
-    return place.netloc.rpartition('@')[2] and place.hostname or ''
+    return place.netloc.rpartition('@')[2] and host_in(place)
 
 # %% ../../nbs/api/video/03_receivers.ipynb #9e2d2dad
 class TSReceiver(Receiver):
