@@ -14,8 +14,8 @@ from ..logging import get_logger, line_limit, LogLevels
 from .asking import Remotes
 from .protocol import accepts, _check_component, check_id, opened
 from ..utils import clock
-from ..utils.general import (Closes, date_time_str, _explain, Opened, Seen, show_unawaited, time_since_boot_ms,
-    time_UTC_usec, timers)
+from ..utils.general import (Closes, date_time_str, _explain, HangWatch, Lateness, Opened, Seen, show_unawaited,
+    time_since_boot_ms, time_UTC_usec, timers)
 from ..wire.dialect import address, LinkError
 from ..wire.frames import decode, FrameReader, Sources, target, Wanted
 from ..wire.links import Link, UDPLink, VirtualLink
@@ -33,7 +33,7 @@ class Heart:
         self.remotes,self.sent = Remotes(),Seen(60., most=256)      # other components; our own recent heartbeats
         self.remotes.lost_after = com.lost_after
         self.ways = Seen(com.lost_after, most=256)      # `(channel, peer)` of recent heartbeats
-        self.stuck,self.greeted,self.job = False,0.,None
+        self.stuck,self.greeted,self.job,self.lateness = False,0.,None,Lateness(com.beat_period)
         self.alone_since = clock.monotonic()    # `None`: a component was heard, or it was said that none is
 
     def start(self):
@@ -46,6 +46,7 @@ class Heart:
 
     def tick(self):
         "Send heartbeats and check for silent components, on the timer"
+        self.lateness.look(clock.monotonic())
         if not self.check_stuck(): self.beat()
         self.watch()
         self.check_alone()
@@ -66,10 +67,8 @@ def beat(self:Heart):
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #85147039
 @patch
 def check_stuck(self:Heart)->bool:
-    "True if a handler has blocked a reader for `stuck_after` seconds"
-    now,were = clock.monotonic(),self.stuck
-    busy = [c.busy_since for c in self.com.channels]
-    self.stuck = any(since is not None and now-since>self.com.stuck_after for since in busy)
+    "True if a handler hangs, which blocks a reader for `stuck_after` seconds"
+    were,self.stuck = self.stuck,any([c.hangs() for c in self.com.channels])
     if self.stuck and not were: self.com.log.error('a handler does not return: no heartbeats until it does')
     return self.stuck
 
@@ -117,7 +116,7 @@ def lost(self:Heart, address:tuple)->str:
 def watch(self:Heart):
     "Report components that fell silent or are back"
     were = [r for r in self.remotes.values() if r.lost]
-    for remote in self.remotes.silent(clock.monotonic(), self.frames):
+    for remote in self.remotes.silent(clock.monotonic(), self.frames, self.lateness.total):
         if remote.address in self.com._here: remote.lost = False
         else: self.lose(remote.address)
     for remote in were:
@@ -177,9 +176,14 @@ class Channel:
         self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
         self.readers,self.sources,self._passing = {},Sources(),[]     # the last: frames of these bytes to forward
         self.busy_since,self._stop = None,clock.Event()     # arrival time of the bytes in work
+        self.watch = HangWatch(com.beat_period)
         self.thread = clock.Thread(target=self._read, name=f'reader of {name}', daemon=True)
 
     def __repr__(self): return f'{self.name}{"" if self.up else " (gone)"}'
+
+    def hangs(self)->bool:
+        "True if a handler of what came does not return; called at each heartbeat of ours"
+        return self.watch.look(self.busy_since, self.thread, self.com.stuck_after)
 
     def _read(self):
         "Read the link until `close`, on the thread"
