@@ -148,7 +148,6 @@ def _beyond(gimbal, pitch:float, yaw:float, frame:str)->str:
             if abs(wrap(limit-angle))>.1]
     return 'limit reached: '+' and '.join(over) if over else ''
 
-# %% ../../nbs/api/cli/04_gimbal.ipynb #0700b1d0
 @patch
 async def arrive(self:Steering, gimbal):
     "Wait until a gimbal has reached its angles; raises `NotReached`"

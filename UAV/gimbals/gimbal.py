@@ -58,16 +58,19 @@ class Gimbal(KeepsNames):
     def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
-    def close(self):
-        "Stop, and accept no more setpoints; may be called twice"
-        free = self._lock.acquire(timeout=self.patience)
-        try:
-            if free and not self.closed: self._try_to_stop()
-            if not free: self.log.error('the driver hangs: it cannot be stopped')
-            self.closed = True
-        finally:
-            if free: self._lock.release()
-        if self._alarm: self._timers.cancel(self._alarm, timeout=self.patience)
+
+# %% ../../nbs/api/gimbals/01_gimbal.ipynb #03615c29
+@patch
+def close(self:Gimbal):
+    "Stop, and accept no more setpoints; may be called twice"
+    free = self._lock.acquire(timeout=self.patience)
+    try:
+        if free and not self.closed: self._try_to_stop()
+        if not free: self.log.error('the driver hangs: it cannot be stopped')
+        self.closed = True
+    finally:
+        if free: self._lock.release()
+    if self._alarm: self._timers.cancel(self._alarm, timeout=self.patience)
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #87959083
 @patch

@@ -213,7 +213,8 @@ class SimGimbal(Gimbal):
     ):
         self.information = GimbalInformation(model=model, roll=roll, pitch=pitch, yaw=yaw)
         super().__init__(clock)
-        self.mount,self.stand_in,self.faults = no_class(vehicle, 'vehicle'),stand_in,{}      # what is broken, and its flag
+        self.mount,self.stand_in = no_class(vehicle, 'vehicle'),stand_in
+        self.faults = {}        # what is broken, and its flag
         self._place,self._origin,self._hangs = (0.,0.,30.),None,vehicle is not None     # where it is without one
         self.stowed = [self.information.limited(axis, angle) for axis,angle in zip(axes, stowed)]
         self.steps,self.driven = _Steps(clock, .02),_Delayed(self.setpoint, inside('delay', delay, 0, 60))

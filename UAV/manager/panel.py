@@ -226,7 +226,8 @@ class Panel(Closes):
                  title:str='UAV'): # Shown above the panel
         for client,verb,kind in ((camera_client,'find_cameras','Camera'), (gimbal_client,'find_gimbals','Gimbal')):
             is_class = isinstance(client, type)
-            if client is None or hasattr(client, verb) and not is_class and not hasattr(client, 'add_component'): continue
+            finds = hasattr(client, verb) and not hasattr(client, 'add_component')      # a `MAVCom` has both
+            if client is None or finds and not is_class: continue
             name,cls = f'{kind.lower()}_client',f'{kind}Client'
             got = f'the class {client.__name__}' if is_class else f'a {type(client).__name__}'
             write = f'write {type(self).__name__}({name}=com.add_component({cls}(…)))'

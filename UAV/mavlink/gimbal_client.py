@@ -12,7 +12,8 @@ from ..logging import LogLevels
 from .component import Component, sends
 from .gimbal_flags import *
 from .gimbal_flags import _ways
-from .protocol import check_count, check_seconds, check_which, comes_from, Expectations, Found, Lost, NoAnswer, receives
+from UAV.mavlink.protocol import (check_count, check_seconds, check_which, comes_from, Expectations, Found, Lost,
+    NoAnswer, receives)
 from UAV.mavlink.remote_gimbal import (about, _device_address, _of_device, _of_manager, ATTITUDE, HOME_POSITION,
     RemoteGimbal)
 from ..utils import clock

@@ -284,7 +284,8 @@ def check_which(name, # Part of vendor and model
                 system, component): # Ids
     "Raise `TypeError` or `ValueError` for what can't choose a device; `None` is any"
     hint = f': write system={name}' if hasattr(name, '__index__') else ''
-    if not isinstance(name, (str,type(None))): raise TypeError(f'name is a part of vendor and model, not {name!r}{hint}')
+    if not (name is None or isinstance(name, str)):
+        raise TypeError(f'name is a part of vendor and model, not {name!r}{hint}')
     for what,number in (('system',system), ('component',component)):
         if number is not None: check_id(what, number)
 

@@ -303,7 +303,8 @@ def _serves(base:type, name:str, value, of_class:bool)->bool:
     if name in (parts := vars(base)['_parts']):
         return isinstance(value, parts[name]) if isinstance(parts[name], type) else parts[name](value)
     ours = vars(base).get(name)
-    if not isinstance(ours, property) and (not isfunction(ours) or value is None or callable(value)): return True
+    calls = callable(value) and not isinstance(value, type)
+    if not isinstance(ours, property) and (not isfunction(ours) or value is None or calls): return True
     if not of_class or callable(value) or not hasattr(value, '__get__') or ismemberdescriptor(value): return False
     return isinstance(ours, property) or not (isdatadescriptor(value) or isinstance(value, cached_property))
 
