@@ -45,6 +45,7 @@ class QGroundControl5(Actor):
         super().__init__(connection, 255, 190, (vehicle,mavlink.MAV_COMP_ID_CAMERA), speed)
         self.cache,self.cameras,self._ftp,self.received = cache,{},None,0       # bytes of MAVLink FTP
         self._queues,self._later = {},[]        # by component: its questions, the first of which is asked; one-shots
+        self._waits = {}                        # when each `(component, command)` without an ack was sent
         for period,job in ((1., self.beat), (.1, self._do_later), (.5, self._look)): self.every(period, job)
 
     def command(self, command, *params, to=None, confirmation=255):
@@ -192,12 +193,27 @@ def on_camera_settings(self:QGroundControl5, m):
 
 @patch
 def slide(self:QGroundControl5, level:float, component:int=mavlink.MAV_COMP_ID_CAMERA):
-    "Move the slider of a camera to `level` %; true if that is an order"
+    "Move the slider of a camera to `level` %, which is an order if it changes anything"
     camera,level = self.camera(component),min(max(level, 0.), 100.)
-    if camera.slider==level: return False
+    if camera.slider==level: return
     camera.slider = level
-    self.send(self.command('SET_CAMERA_ZOOM', mavlink.ZOOM_TYPE_RANGE, level, to=(self.other[0],component)))
+    self.order('SET_CAMERA_ZOOM', mavlink.ZOOM_TYPE_RANGE, level, to=(self.other[0],component))
+
+@patch
+def order(self:QGroundControl5, command:str, *params:float, to:tuple|None=None)->bool:
+    "Send a command, unless one of its kind waits for its ack; true if it was sent"
+    msg = self.command(command, *params, to=to)
+    key = msg.target_component,msg.command
+    if self.now-self._waits.get(key, -math.inf)<3: return False
+    self._waits[key] = self.now
+    self.send(msg)
     return True
+
+@patch
+def on_command_ack(self:QGroundControl5, m):
+    "Another command of that kind may be sent"
+    ours = (m.target_system,m.target_component)==self.address
+    if ours and m.result!=mavlink.MAV_RESULT_IN_PROGRESS: self._waits.pop((m.get_srcComponent(),m.command), None)
 
 # %% qgroundcontrol5.ipynb #61dc99f1
 @patch

@@ -1,7 +1,7 @@
 import test from 'node:test'
 import { panel, same } from './panel.js'
 
-const { Refused, holdsOf, actionsOf, takeOf, whenAway } = panel
+const { Refused, holdsOf, actionsOf, idling, takeOf, whenAway } = panel
 
 test("All that is held ends at once", () => {
   const told = [], { hold, letGo } = holdsOf()
@@ -46,4 +46,51 @@ test("The window loses the focus, or is hidden", () => {
   stay()
   window.dispatchEvent(new Event('blur'))
   same(told.length, 2)
+})
+
+// A panel in which the controls have vanished, and what comes through to it
+function resting(opacity) {
+  const element = new EventTarget(), marks = new Set(['data-idle']), through = []
+  globalThis.window = { getComputedStyle: () => ({ opacity }) }
+  Object.assign(element, { querySelector: () => null, querySelectorAll: () => [{}], hasAttribute: name => marks.has(name),
+    setAttribute: name => marks.add(name), removeAttribute: name => marks.delete(name) })
+  const stop = idling(element)
+  marks.add('data-idle')
+  for (const kind of ['pointerdown', 'touchstart', 'pointerup', 'click']) element.addEventListener(kind, () => through.push(kind))
+  const send = (kind, more) => {
+    const event = Object.assign(new Event(kind, { cancelable: true }), more)
+    element.dispatchEvent(event)
+    return event.defaultPrevented
+  }
+  const tap = pointerType => ['pointerdown', 'touchstart', 'pointerup', 'click'].map(kind =>
+    send(kind, { pointerType: kind === 'touchstart' ? undefined : pointerType, isPrimary: true, ...kind === 'click' && { detail: 1 } }))
+  return { marks, through, send, tap, stop }
+}
+
+test("The touch that brings controls back does nothing else", () => {
+  const { marks, through, send, tap, stop } = resting('0')
+  same(tap('touch'), [true, true, true, true])
+  same([through, [...marks]], [[], []])
+  send('click', { pointerType: '', detail: 0 })           // a key presses a button
+  same(through.splice(0), ["click"])
+  send('pointerdown', { pointerType: 'touch', isPrimary: false })         // a second finger of that touch, if it lasts
+  same(through.splice(0), [])
+  same(tap('touch'), [false, false, false, false])
+  same(through, ["pointerdown", "touchstart", "pointerup", "click"])
+  stop()
+})
+
+test("A pen is a finger, and a mouse has moved there", () => {
+  const pen = resting('0'), mouse = resting('0')
+  pen.tap('pen')
+  mouse.tap('mouse')
+  same([pen.through.length, mouse.through.length], [0, 4])
+  for (const one of [pen, mouse]) one.stop()
+})
+
+test("Controls that are seen act at once", () => {
+  const { through, tap, stop } = resting('1')
+  tap('touch')
+  same(through.length, 4)
+  stop()
 })

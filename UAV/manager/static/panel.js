@@ -148,19 +148,34 @@ function keyMap(element, cards, log, help) {
   }
 }
 
-// Controls fade when nothing happens for five seconds, unless something turns, a drawer is open, or the pointer or the
-// focus is on one of them.
+// Controls vanish when nothing happens for five seconds, unless something turns, a drawer is open, or the pointer or
+// the focus is on one of them. Who can't see a control can't mean it: where they have vanished, a touch only brings
+// them back, from its first event to the click. A mouse has moved there before, which has brought them back.
 const IDLE = 5000
 const BUSY = '.drawer:not([hidden]), dialog[open], [data-turning], ' +
   ':is(.rail, .turned, .shots, .looks, .top .group):is(:hover, :focus-within)'
+const GESTURE = ['pointerdown', 'pointermove', 'pointerup', 'pointercancel', 'touchstart', 'touchmove', 'touchend',
+  'mousedown', 'mouseup', 'click', 'dblclick', 'contextmenu']
 function idling(element) {
-  let timer
+  let timer, waking = false
+  const hidden = node => Number(window.getComputedStyle(node).opacity) < .5
+  const asleep = () => element.hasAttribute('data-idle') &&
+    [...element.querySelectorAll('.card[data-main] > :is(.rail, .looks, .shots, .turned)')].some(hidden)
   const rest = () => element.querySelector(BUSY) ? wake() : element.setAttribute('data-idle', '')
   function wake() {
     element.removeAttribute('data-idle')
     clearTimeout(timer)
     timer = setTimeout(rest, IDLE)
   }
+  function first(event) {
+    const { type, pointerType, isPrimary, detail } = event
+    if (type === 'pointerdown' && isPrimary) waking = pointerType !== 'mouse' && asleep()
+    if (!waking || pointerType === 'mouse' || type === 'click' && !detail) return       // 0: it was a key
+    event.stopImmediatePropagation()
+    if (event.cancelable) event.preventDefault()
+    if (type === 'pointerdown') wake()
+  }
+  for (const kind of GESTURE) element.addEventListener(kind, first, { capture: true, passive: false })
   for (const kind of ['pointermove', 'pointerdown', 'keydown', 'focusin']) element.addEventListener(kind, wake)
   wake()
   return () => clearTimeout(timer)
