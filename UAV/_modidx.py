@@ -3252,6 +3252,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
             'UAV.manager.server': { 'UAV.manager.server.Door': ('api/manager/server.html#door', 'UAV/manager/server.py'),
                                     'UAV.manager.server.Door.__init__': ('api/manager/server.html#door.__init__', 'UAV/manager/server.py'),
                                     'UAV.manager.server.Door.__repr__': ('api/manager/server.html#door.__repr__', 'UAV/manager/server.py'),
+                                    'UAV.manager.server.Door.admit': ('api/manager/server.html#door.admit', 'UAV/manager/server.py'),
                                     'UAV.manager.server.Door.check_host': ( 'api/manager/server.html#door.check_host',
                                                                             'UAV/manager/server.py'),
                                     'UAV.manager.server.Door.check_origin': ( 'api/manager/server.html#door.check_origin',

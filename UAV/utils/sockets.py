@@ -129,7 +129,7 @@ class _Guesses:
 
     def wait(self, host:str)->float: # s until the next password from there may be looked at
         "Return 0 when it may be now"
-        return max(0., self._until.get(self._place(host), 0.)-self.free*self.pace-clock.monotonic())
+        return max(0., self._until.get(self._place(host), 0.)-(self.free-.5)*self.pace-clock.monotonic())
 
     def wrong(self, host:str):
         "One from there was wrong"
