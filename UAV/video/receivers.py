@@ -24,18 +24,19 @@ __all__ = ['ts_size', 'RTPReader', 'Receiver', 'own_host', 'TSReceiver', 'RTPRec
 # %% ../../nbs/api/video/03_receivers.ipynb #9d2f61c8
 class _SenderTimes:
     "Times on our clock from time stamps of `bits` bits"
-    jump,ahead,gain = 10.,5.,1/32       # s that no stamp steps; s that none is ahead; share of a difference to make up
+    jump,off,gain = 10.,5.,1/128        # s that no stamp steps; s that none is off by; share of a difference to make up
     def __init__(self, bits:int=32):
         self._half = 1<<bits-1
-        self._stamp,self._time,self._same,self._trusted = None,0.,0,True
+        self._stamp,self._time,self._came,self._same,self._trusted = None,0.,0.,0,True
 
     def __call__(self, stamp:int, now:float)->float:
         "When to show a picture with this stamp that has come `now`, monotonic s"
         half,before,self._stamp = self._half,self._stamp,stamp
         step = 0. if before is None else ((stamp-before+half)%(2*half)-half)/clock_rate
         self._same = 0 if step else self._same+1
-        due = self._time+step
-        if due-now>self.ahead and abs(step)<self.jump: self._trusted = False       # its clock is too fast
+        due,waited,self._came = self._time+step,now-self._came,now
+        is_fast,is_slow = due-now>self.off,now-due>self.off and 2*abs(step)<waited<1       # its clock, not the network
+        if abs(step)<self.jump and (is_fast or is_slow): self._trusted = False
         anew = abs(step)>self.jump or now-due>self.jump or self._same>1 or not self._trusted
         if before is None: self._time = now
         elif anew: self._time = max(now, self._time+1/clock_rate)
