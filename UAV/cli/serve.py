@@ -29,7 +29,7 @@ from ..wire.signing import secret_key, Signing
 __all__ = ['main', 'add_streams', 'serving', 'Aboard', 'Teller', 'log_to', 'serve_camera']
 
 # %% ../../nbs/api/cli/02_serve.ipynb #834fa745
-def _is_device(text:str)->bool: return text.partition('://')[0] in device_schemes()
+def _is_device(text:str)->bool: return text.partition('://')[0].lower() in device_schemes()
 
 def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **storage)->Camera:
     "Open the camera described by `text`, the video of `gimbal`; a simulated one hangs on `mount`. Raises `CameraError`"
