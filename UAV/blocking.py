@@ -113,8 +113,8 @@ def _iterate(self):
         with suppress(LinkError): hasattr(items, 'aclose') and _wait(self._loop, items.aclose)
 
 # %% ../nbs/api/02_blocking.ipynb #4f6bf9d3
-def _enter(self): return _wrapped(_wait(self._loop, self._target.__aenter__), self._loop)
-def _exit(self, *error): return _wait(self._loop, lambda: self._target.__aexit__(*error))
+def _enter(self): "Open it for a `with`"; return _wrapped(_wait(self._loop, self._target.__aenter__), self._loop)
+def _exit(self, *error): "Close it"; return _wait(self._loop, lambda: self._target.__aexit__(*error))
 
 # %% ../nbs/api/02_blocking.ipynb #feea58c4
 _special = '__call__ __contains__ __enter__ __exit__ __getitem__ __iter__ __len__ __next__'.split()

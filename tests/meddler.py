@@ -126,7 +126,8 @@ def on_air(name:str, camera, **options):
     from UAV.mavlink import CameraServer, MAVCom
     link = broken(f'virtual:{name}')
     vehicle = MAVCom(link, source_system=1, loglevel=50)
-    vehicle.add_component(CameraServer(camera=camera, loglevel=50))
+    server = vehicle.add_component(CameraServer(camera=camera, loglevel=50))
+    server.settings._edition = 0        # the same version of the definition on each run
     p = Prober(f'virtual:{name}', **{'quiet':.3, **options})
     assert p.find(20)
     return link,vehicle,p

@@ -45,6 +45,11 @@ class Travel:
         self.go(self.position)
         self._speed = min(max(rate, -1), 1)*(self.high-self.low)/self.duration
 
+    @property
+    def moving(self)->bool:
+        "True while it moves by itself"
+        return self._speed!=0 and self.position!=(self.high if self._speed>0 else self.low)
+
 # %% ../../nbs/api/cameras/04_lens.ipynb #b265d4e8
 class Lens:
     "A zoom lens"
@@ -61,6 +66,8 @@ class Lens:
     focal_length = property(lambda self: self.travel.position, doc="mm, now")
 
     percent = property(lambda self: self.travel.percent, doc="0..100 % of the range, now")
+
+    moving = property(lambda self: self.travel.moving, doc="True while a continuous zoom runs")
 
     horizontal_fov = property(lambda self: self.fov(self.focal_length), doc="Horizontal field of view now, degrees")
 
@@ -102,6 +109,8 @@ class Focus:
         self.reset()
 
     percent = property(lambda self: self.travel.percent, doc="0 is nearest, 100 is infinity")
+
+    moving = property(lambda self: self.travel.moving, doc="True while a continuous focus runs")
 
     def reset(self):
         "Focus on what autofocus finds"

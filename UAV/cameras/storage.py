@@ -467,7 +467,7 @@ def save(self:Storage, jpeg:bytes, # A JPEG file
     if wrong: raise ValueError(f"a file beside a picture has a suffix such as '.nef', not {wrong[0]!r}")
     with self._lock:
         index,more = self.next_index,dict(beside)
-        if beside and pose: more['.xmp'] = sidecar(pose)
+        if beside and pose: more['.xmp'] = sidecar(pose, information.vendor if information else '')
         jpeg = add_metadata(jpeg, index, time_utc, pose, information, tags)
         name = _file_names(self.folder, index, self.ours, tuple(more))[-1]  # a file that is there stays
         files = {name[:-4]+suffix: content for suffix,content in more.items()} | {name: jpeg}

@@ -167,8 +167,10 @@ def picture(self:Storages, index:int, # From 0
 @patch(as_prop=True)
 def pictures(self:Storages)->list:
     "All shots of this count that are in a log, by index"
-    known = {p.index for s in self._counting() for p in list(s.pictures) if p.index < self.next_index}
-    return [self.picture(index) for index in sorted(known)]
+    end,known = self.next_index,{}
+    for picture in (p for s in self._counting() for p in list(s.pictures) if p.index < end):    # one look at each log
+        if picture.error != lost_line or picture.index not in known: known[picture.index] = picture
+    return [known[index] for index in sorted(known)]
 
 # %% ../../nbs/api/cameras/03_storages.ipynb #e0df35b8
 @patch

@@ -123,7 +123,7 @@ class CardCamera(_Verbs, Camera):
 @patch(as_prop=True)
 def fault(self:CardCamera)->str|None:
     "The device's fault; `None` when it works"
-    return self._fault or self.gimbal.fault
+    return self._fault_now or self.gimbal.fault
 
 @patch
 def read_still(self:CardCamera)->Frame:

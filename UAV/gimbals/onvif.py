@@ -21,10 +21,11 @@ from .values import *
 from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.devices import DeviceURL
-from ..utils.general import cv2, inside, np
+from ..utils.general import inside
 from ..utils.geo import quaternion
-from ..utils.sockets import _ask_web, _Deadline
+from ..utils.sockets import _ask_web, _Deadline, _web_path
 from ..video.rtsp import _authorization
+from ..utils.pictures import decode_picture
 
 # %% auto #0
 __all__ = ['OnvifCamera', 'Onvif']
@@ -135,14 +136,11 @@ def _shown(url:str)->str: return re.sub(r'(://)(?:[^/]*@)?([^/]*)/.*', r'\1\2/â€
 def _proof(self:_OnvifLine, url:str, method:str, headers)->str:
     "Return the header Authorization for the headers of a 401; empty: there is none. Raises `GimbalError`"
     asked = ', '.join(headers.get_all('www-authenticate') or ())
-    offers = {offer.partition(' ')[0].lower(): offer for offer in re.split(r',\s*(?=\w+\s+\w+=)', asked)[::-1]}
-    parts,way = urlsplit(url),offers.get('digest') or offers.get('basic')
-    if not self.user or not way: return ''
-    if 'digest' not in offers and parts.scheme!='https' and not self.basic:
+    proof = _authorization(asked, method, _web_path(url), self.user, self.password) if self.user else ''
+    if proof.startswith('Basic') and not (self.basic or url.startswith('https:')):
         raise GimbalError(f'{self!r} asks for the password in plain text, for all on its network to read: '
                           f'to allow that, write onvif://USER:PASSWORD@{self.place}?basic=yes')
-    path = (parts.path or '/')+(f'?{parts.query}' if parts.query else '')
-    return _authorization(way, method, path, self.user, self.password)
+    return proof
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #c1de876d
 @patch
@@ -454,8 +452,10 @@ def read_still(self:OnvifCamera)->Frame:
     taken,jpeg = clock.time(),b''
     try: jpeg = self.line.load(self.line.still) if self.line.still else b''
     except GimbalError as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
-    image = cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR) if jpeg else None
-    return URLCamera.read_still(self) if image is None else Still(image, next(self._numbers), taken, jpeg=jpeg)
+    try: return Still(decode_picture(jpeg), next(self._numbers), taken, jpeg=jpeg)
+    except ValueError as e:
+        if jpeg: self.log.warning('the snapshot is refused, so a frame of the video is taken: %s', e)
+    return URLCamera.read_still(self)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #517993fb
 @patch

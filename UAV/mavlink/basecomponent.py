@@ -133,7 +133,7 @@ def _encode_command(command:Command):
 class BaseComponent:
     "One component of a MAVLink system"
     autopilot = mavlink.MAV_AUTOPILOT_INVALID       # for the heartbeat: not an autopilot
-    base_mode = 0
+    base_mode = custom_mode = 0
     _results = {CommandError:None, NotImplementedError:mavlink.MAV_RESULT_UNSUPPORTED} # of errors; `None`: their own
     command_timeout:float|None = _Seconds(None) # s until each next copy; `None`: from measured round trips
     patience:float = _Seconds(patience) # s in which commands are retransmitted, unless `retries` is given
@@ -273,7 +273,7 @@ def send_message(self:BaseComponent, msg, # A message of our encoder `mav`
 @patch
 def _encode_heartbeat(self:BaseComponent):
     "Encode our HEARTBEAT"
-    return self.mav.heartbeat_encode(self.mav_type, self.autopilot, self.base_mode, 0, self.system_status)
+    return self.mav.heartbeat_encode(self.mav_type, self.autopilot, self.base_mode, self.custom_mode, self.system_status)
 
 @patch
 def beat(self:BaseComponent):
@@ -710,3 +710,5 @@ async def test_command(self:BaseComponent, target_system:int, target_component:i
     "Trigger a camera with MAV_CMD_DO_DIGICAM_CONTROL, with `camera_id` as the command identity"
     params = 0,0,0,0,1,camera_id
     return await self.send_command(target_system, target_component, mavlink.MAV_CMD_DO_DIGICAM_CONTROL, params)
+
+BaseComponent._test_command = BaseComponent.test_command        # the published page has both

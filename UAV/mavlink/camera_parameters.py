@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/mavlink/09_camera_parameters.ipynb #e32cb133
 from __future__ import annotations
+import secrets
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -30,6 +31,8 @@ class SettingsPart(Part):
         self.camera = component.camera
         self._wanted,self._lock = {},clock.Lock()       # pending values by name
         self._defined,self._told = (None,0),None    # content and version of the file; its last announcement
+        self._edition = secrets.randbelow(0xffff)   # added to the version of the content
+        self._given,self._gone = {},set()           # edition last given to each client; those that were lost since
 
     @property
     def parameters(self):
@@ -38,7 +41,8 @@ class SettingsPart(Part):
 
     def beat(self):
         "Announce a changed definition to all"
-        before,self._told = self._told,self.serve_definition()
+        content = self.serve_definition()[1],(self._defined[0] or ())[:2]
+        before,self._told = self._told,content
         if before in (None,self._told): return
         for msg in self.component._encode_requested(CAMERA_INFORMATION): self.component.send_message(msg)
 
@@ -146,15 +150,37 @@ def _param_ext_set(self:SettingsPart, msg):
 
 # %% ../../nbs/api/mavlink/09_camera_parameters.ipynb #108d881f
 @patch
+def _write_definition(self:SettingsPart, information, declared:list, edition:int)->int:
+    "Offer the definition file and return its version, or 0 if there is none"
+    if not declared: return 0
+    try:
+        version = 1+(definition_version(information, declared)-1+edition)%0xffff
+        self.component.files.add(self.definition_path, definition_xz(definition_xml(information, declared, version)))
+    except ValueError as e: return self.component.log.error('no definition file: %s', e) or 0
+    return version
+
+@patch
 def serve_definition(self:SettingsPart)->tuple:
     "Serve the definition file and return its version and URI; `(0, '')` for a camera without settings"
-    content = self.camera.information,self._declared()
-    if self._defined[0]!=content:
-        try: xml = definition_xml(*content) if content[1] else b''
-        except ValueError as e: xml = self.component.log.error('no definition file: %s', e)
-        if xml: self.component.files.add(self.definition_path, definition_xz(xml))
-        self._defined = content,definition_version(*content) if xml else 0
+    content = self.camera.information,self._declared(),self._edition
+    if self._defined[0]!=content: self._defined = content,self._write_definition(*content)
     version = self._defined[1]
     try: served = version and self.component.files.entry(self.definition_path)
     except OSError: served = None               # it was removed
     return (version,ftp_url(self.definition_path, self.component.source_component)) if served else (0,'')
+
+# %% ../../nbs/api/mavlink/09_camera_parameters.ipynb #a979cf80
+@patch
+def lose(self:SettingsPart, client:tuple):
+    "Note that `client`, `(system, component)`, is lost"
+    with self._lock: self._gone |= {client} & self._given.keys()
+
+@patch
+def renew(self:SettingsPart, client:tuple):
+    "Give the definition a new version if `client` is back and may have kept it under this one"
+    with self._lock:
+        before = self._given.pop(client, None)
+        if client in self._gone and before==self._edition: self._edition = (self._edition+1)%0xffff
+        self._given[client] = self._edition
+        if len(self._given)>self.component.most_peers: del self._given[next(iter(self._given))]
+        self._gone &= self._given.keys()-{client}

@@ -4,6 +4,8 @@
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d53ece1i
 from __future__ import annotations
+from collections import deque
+import itertools
 import inspect, math, re
 
 from fastcore.basics import patch
@@ -17,6 +19,7 @@ from ..cameras.values import (CameraBusy, CameraError, CameraInformation, Camera
 from ..ftp.frames import ftp_url
 from ..logging import LogLevels
 from .camera_parameters import SettingsPart
+from .basecomponent import Part
 from .camera_tracking import CAMERA_TRACKING_IMAGE_STATUS, TrackingPart
 from .camera_video import VIDEO_STREAM_INFORMATION, VIDEO_STREAM_STATUS, VideoPart
 from .component import Component, DeviceServer, Health
@@ -31,11 +34,11 @@ from ..wire.dialect import address, enum_name, enum_value
 # %% auto #0
 __all__ = ['storage_media', 'FakeCamera', 'CameraServer', 'media_of', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS',
            'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION',
-           'VIDEO_STREAM_STATUS', 'NAN', 'LogLevels', 'mavlink']
+           'VIDEO_STREAM_STATUS', 'NAN', 'Component', 'LogLevels', 'mavlink']
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d53ece11
 _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
-         'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN', 'LogLevels', 'mavlink']
+         'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN', 'Component', 'LogLevels', 'mavlink']
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #6b0586fd
 class FakeCamera:
@@ -43,11 +46,33 @@ class FakeCamera:
     information = CameraInformation('UAV', 'FakeCamera', (0,0,0,0), 2.8, 3.2, 2.4, 640, 480)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #cfe0f2be
+class _Dropped(Part):
+    "Shots refused because the camera was busy, said in a text: an autopilot reads no ack"
+    again = 5.          # s between two texts
+    def __init__(self, component):
+        super().__init__(component)
+        self.presses,self.count,self.why,self.said = Presses(),0,'',-math.inf
+
+    def add(self, msg, number:int, why:str):
+        "Count the shot of the command `msg`, unless it is the same press once more"
+        if self.presses.find(msg, number): return
+        self.presses.note(msg, number, Outcome(Busy.result))
+        self.count,self.why = self.count+1,why
+
+    def beat(self):
+        "Send the number of shots that were dropped since the last text"
+        us,now = self.component,clock.monotonic()
+        with us.presses.lock:
+            if not self.count or now-self.said<self.again: return
+            count,self.count,self.said = self.count,0,now
+        shots = f'{count} shot{"s"*(count>1)} dropped'
+        us.say(mavlink.MAV_SEVERITY_WARNING, f'{us.health.device.information.model}: {shots}: {self.why}')
+
 class _CameraVerbs(DeviceServer):
     "Zoom, focus and pictures of a device, each press taken once"
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)
-        self.presses = Presses()
+        self.presses,self.dropped = Presses(),self.add_part(_Dropped(self))
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #417eeaa7
 def _checked_camera(camera):
@@ -56,6 +81,46 @@ def _checked_camera(camera):
     if not hasattr(camera,'information'): raise TypeError(f'{camera!r} is no camera: it has no `information`')
     if hasattr(camera.information,'pitch'): raise TypeError(f'{camera!r} is a gimbal, not a camera')
     return camera
+
+def _checked_name(name:str, what:str='name')->str:
+    "Return a name for ground stations; raises `ValueError`"
+    fits = isinstance(name, str) and name.strip() and name.isprintable() and len(name.encode(errors='replace'))<=31
+    if not fits: raise ValueError(f'{what} is a text of 1 to 31 bytes, not {name!r}')
+    return name.strip()
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ae7ab24
+class _Levels:
+    "Levels of zoom and focus in recent CAMERA_SETTINGS, to recognize orders that only send one back"
+    window = 2.     # s after which an order is no echo
+
+    def __init__(self):
+        self._told,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),itertools.count(1)
+        self._orders = Seen(self.window, most=256)      # by drive and sender: its last order's turn and level
+        self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
+
+    def tell(self, **levels):
+        "Note levels that are sent; one that stays the same isn't news"
+        for drive,level in levels.items():
+            told = self._told[drive]
+            if not told or told[-1][2]!=level: told.append((next(self._turns), clock.monotonic(), level))
+
+    def order(self, drive:str, source:tuple, level:float|None):
+        "Note an order of `source`; `level` is its place in the range, if it names one"
+        self._orders.note((drive,source), (next(self._turns), level))
+
+    def sent_back(self, drive:str, source:tuple, level:float)->bool:
+        "True if `level` was sent since the last order of `source`; true once for each time it was sent"
+        since,own = self._orders.find((drive,source), (0,None))
+        recent = [(turn,told) for turn,when,told in list(self._told[drive]) if clock.monotonic()-when<self.window]
+        turn = next((turn for turn,told in recent if turn>since and math.isclose(told, level, rel_tol=1e-6)), 0)
+        if not turn or own==level: return False
+        self._orders.note((drive,source), (turn, None))
+        self._echoes.note(source, self._echoes.find(source, 0)+1)
+        return True
+
+    def is_echoing(self, msg)->bool:
+        "True if the sender of the order `msg` is known to send levels back"
+        return getattr(msg, 'confirmation', 0)==255 or self._echoes.find(address(msg), 0)>1
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d31f0627
 class CameraServer(_CameraVerbs):
@@ -70,6 +135,7 @@ class CameraServer(_CameraVerbs):
         loglevel:int=LogLevels.INFO,
         guard=None, # Senders that may delete: `None` (all), `'signed'`, systems or addresses, or a function
         video_host:str|None=None, # Host in the URLs of our streams; `None`: the address at which each viewer reaches us
+        name:str|None=None, # Its name at ground stations, at most 31 bytes; `None`: the model
     ):
         if hasattr(source_component, 'information'):
             raise TypeError('the first argument is a component id: write CameraServer(camera=…)')
@@ -79,11 +145,14 @@ class CameraServer(_CameraVerbs):
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
         if isinstance(guard, str) and guard!='signed': raise ValueError(f'guard is {guard!r}, not \'signed\'')
         self.camera,self.guard = FakeCamera() if camera is None else _checked_camera(camera),guard
+        self.name = None if name is None else _checked_name(name)
         self._greeted = Seen(self.greet_again, self.most_peers)
         self._greetings = Seen(10., self.most_peers)    # messages still to be sent to each peer
         self.health = Health(self, self.camera)
         self._doing = 0.,False          # interval and recording, as last announced
         self._begun = math.inf          # start of a picture not yet announced
+        self._levels,self._runs = _Levels(),{}          # levels that were sent; drives that a command has started
+        self._said,self._runs_on = {},False             # settings as last announced; is the end of a motion to come?
         self.ftp = self.add_part(FtpServer(self, guard=self.check_guard))
         self.video = self.add_part(VideoPart(self, video_host))
         self.tracking,self.settings = self.add_part(TrackingPart(self)),self.add_part(SettingsPart(self))
@@ -142,7 +211,7 @@ def check_guard(self:CameraServer, msg):
 @patch
 def _tell_failure(self:CameraServer, why:str, now:bool=False):
     "Send the reason of a failed capture as STATUSTEXT, once per series and reason"
-    self.health.tell(mavlink.MAV_SEVERITY_ERROR, f'{self.camera.information.model}: {why}', now)
+    self.health.tell(mavlink.MAV_SEVERITY_ERROR, f'{self.name or self.camera.information.model}: {why}', now)
 
 @patch
 def _result_of(self:CameraServer, error:BaseException, what:str)->int:
@@ -199,7 +268,9 @@ def flags(self:CameraServer)->int:
     return sum(enum_value('CAMERA_CAP_FLAGS', n, 'CAMERA_CAP_FLAGS_') for n in names)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #4a7fa1e7
-def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))    # ends with 0: others read C strings
+def _name32(text:str)->list:
+    "The bytes of a name, whole characters only; ends with 0, as others read C strings"
+    return list(text.encode()[:31].decode(errors='ignore').encode().ljust(32, b'\0'))
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #3c6280ae
 @patch
@@ -208,8 +279,8 @@ def _camera_information(self:CameraServer):
     "Encode CAMERA_INFORMATION: model, lens, firmware and capabilities"
     i,(number,uri) = self.camera.information,self.settings.serve_definition()
     version = sum(v<<8*n for n,v in enumerate(i.firmware_version))
-    return self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version,
-        i.focal_length, i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id,
+    return self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(self.name or i.model),
+        version, i.focal_length, i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id,
         self.flags, number, uri.encode()[:139], getattr(self.camera,'gimbal_device_id',0))
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #25daf4da
@@ -219,6 +290,7 @@ def _camera_settings(self:CameraServer):
     "Encode CAMERA_SETTINGS: mode, zoom and focus"
     s = self.need('settings')()
     mode = enum_value('CAMERA_MODE', s.mode, 'CAMERA_MODE_')
+    self._levels.tell(zoom=s.zoom, focus=s.focus)
     return self.mav.camera_settings_encode(time_since_boot_ms(), mode, s.zoom, s.focus)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #97d3f301
@@ -277,10 +349,17 @@ def _greet(self:CameraServer, msg):
     except (Busy, Denied) as e: self.log.info('no greeting for %s/%s: %s', *address(msg), e)
 
 @patch
+def _lose(self:CameraServer, source:tuple, why:str):
+    "Drop a lost peer"
+    Component._lose(self, source, why)
+    self.settings.lose(source)
+
+@patch
 def _send_requested(self:CameraServer, msg_id:int, values, msg, to_all:bool=False):
     "Send a requested message; greet the sender of a new request for CAMERA_INFORMATION"
     wanted = self._greetings.find(address(msg), [])
     if msg_id in wanted: wanted.remove(msg_id)
+    if msg_id==CAMERA_INFORMATION: self.settings.renew(address(msg))
     Component._send_requested(self, msg_id, values, msg, to_all)
     asker = address(msg),getattr(msg, 'came_by', None)
     if msg_id==CAMERA_INFORMATION and self._greeted.setdefault(asker, msg) is msg: self._greet(msg)
@@ -345,7 +424,13 @@ def _capture_news(self:CameraServer, event:CaptureStatus):
 
 @patch
 @announced(CameraSettings)
-def _settings_news(self:CameraServer, event:CameraSettings): return self._camera_settings()
+def _settings_news(self:CameraServer, event:CameraSettings):
+    "Encode CAMERA_SETTINGS, unless all that changes is a zoom or focus that still runs"
+    rests = {name:getattr(event, name) for name in ('mode','zoom','focus') if not self._is_running(name)}
+    same = all(v!=v or v==self._said.get(name, v) for name,v in rests.items())         # NaN: unknown
+    self._said.update(rests)
+    self._runs_on = len(rests)<3
+    if not (self._runs_on and same): return self._camera_settings()
 
 @patch
 @announced(StorageInformation)
@@ -367,8 +452,11 @@ def _on_camera(self:CameraServer, event):
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #1e2414fb
 @patch
 def beat(self:CameraServer):
-    "Send a heartbeat with the camera's state, and the status of a single slow picture"
+    "Send a heartbeat with the camera's state, the end of a zoom or focus, and the status of a single slow picture"
     self.health.beat()
+    if self._runs_on and not (self._is_running('zoom') or self._is_running('focus')):
+        self._runs_on = False           # it came to the end of its range
+        self.send_message(self._camera_settings())
     if clock.monotonic()-self._begun<self.slow_picture: return
     self._begun = math.inf
     now = self.camera.capture_status()
@@ -403,7 +491,10 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
             if number: self._note_number(number, msg, before)
         elif before := single and self.served.find_number(msg, number): self._tell_again(number, msg, before)
         if before: return before.value
-        index = start(interval, count)
+        try: index = start(interval, count)
+        except CameraBusy as e:
+            if single: self.dropped.add(msg, number, str(e))
+            raise
         outcome = Outcome(mavlink.MAV_RESULT_ACCEPTED, index+1 if type(index) is int else 0)
         if not single: return outcome.value
         if number or msg.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE: self._note_number(number, msg, outcome)
@@ -414,10 +505,11 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
 @patch
 @command(mavlink.MAV_CMD_IMAGE_START_CAPTURE, once=True)
 def _image_start_capture(self:_CameraVerbs, camera_id:int=0, interval:float=0., count:int=1, sequence:int=0, *, msg):
-    "Take `count` pictures (0: until stopped), one every `interval` s (MAV_CMD_IMAGE_START_CAPTURE)"
+    "Take `count` pictures (0: until stopped), one every `interval` s; 0 and 0: one (MAV_CMD_IMAGE_START_CAPTURE)"
     self.for_us(camera_id)
     if camera_id and not msg.target_component: raise Denied('parameter 1 is for relays: a broadcast names no camera')
     if sequence<0: raise Denied(f'sequence is {sequence}')
+    if interval==count==0: count,sequence = 1,0
     return self._shoot(interval, count, sequence, msg)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #fb6ca2ca
@@ -447,19 +539,50 @@ def _set_camera_mode(self:CameraServer, camera_id:int=0, mode_id:int=None):
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #563809d6
 @patch
+def _move(self:_CameraVerbs, drive:str, kind:str, value:float, msg):
+    "Zoom or focus"
+    self.need(f'set_camera_{drive}')(kind, value)
+
+@patch
 @command(mavlink.MAV_CMD_SET_CAMERA_ZOOM, once=True)
-def _set_camera_zoom(self:_CameraVerbs, zoom_type:int, zoom_value:float, camera_id:int=0):
+def _set_camera_zoom(self:_CameraVerbs, zoom_type:int, zoom_value:float, camera_id:int=0, *, msg):
     "Zoom by step, speed, %, mm or degrees (MAV_CMD_SET_CAMERA_ZOOM)"
     self.for_us(camera_id)
-    self.need('set_camera_zoom')(enum_name('CAMERA_ZOOM_TYPE', zoom_type, 'ZOOM_TYPE_').lower(), zoom_value)
+    self._move('zoom', enum_name('CAMERA_ZOOM_TYPE', zoom_type, 'ZOOM_TYPE_').lower(), zoom_value, msg)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #79c8b919
 @patch
 @command(mavlink.MAV_CMD_SET_CAMERA_FOCUS, once=True)
-def _set_camera_focus(self:_CameraVerbs, focus_type:int=0, focus_value:float=0., camera_id:int=0):
+def _set_camera_focus(self:_CameraVerbs, focus_type:int=0, focus_value:float=0., camera_id:int=0, *, msg):
     "Focus by step, speed, %, metres, or automatically (MAV_CMD_SET_CAMERA_FOCUS)"
     self.for_us(camera_id)
-    self.need('set_camera_focus')(enum_name('SET_FOCUS_TYPE', focus_type, 'FOCUS_TYPE_').lower(), focus_value)
+    self._move('focus', enum_name('SET_FOCUS_TYPE', focus_type, 'FOCUS_TYPE_').lower(), focus_value, msg)
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #0bd556e7
+@patch
+def _is_running(self:CameraServer, drive:str)->bool:
+    "True while a continuous zoom or focus runs"
+    return getattr(getattr(self.camera, dict(zoom='lens').get(drive, drive), None), 'moving', self._runs.get(drive, False))
+
+@patch
+def _move(self:CameraServer, drive:str, kind:str, value:float, msg):
+    "Zoom or focus, unless the order only sends back a level of our CAMERA_SETTINGS"
+    verb,source = self.need(f'set_camera_{drive}'),address(msg)
+    if kind=='range' and self._levels.sent_back(drive, source, value):
+        if self._is_running(drive) or self._levels.is_echoing(msg): return self._drop_echo(drive, value, source)
+    self._levels.order(drive, source, value if kind=='range' else None)
+    before,self._runs[drive] = self._runs.get(drive, False),kind=='continuous' and value!=0
+    try: verb(kind, value)
+    except BaseException:
+        self._runs[drive] = before          # what runs goes on
+        raise
+
+@patch
+def _drop_echo(self:CameraServer, drive:str, level:float, source:tuple):
+    "Answer an echo with CAMERA_SETTINGS if the camera stands there; else that would be echoed, too"
+    self.log.debug('%s/%s sends %s %g back, which moves nothing', *source, drive, level)
+    there = math.isclose(getattr(self.camera.settings(), drive), level, rel_tol=1e-6)
+    if there and not self._is_running(drive): self.send_message(self._camera_settings())
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d5a4f274
 @patch
@@ -479,7 +602,9 @@ def _storage_format(self:CameraServer, storage_id:int=0, format:int=0, reset_log
 def _reset_camera_settings(self:CameraServer, reset:int=0, camera_id:int=0):
     self.for_us(camera_id)
     if reset not in (0, 1): raise Denied(f'reset is {reset}')
-    if reset: self.need('reset_camera_settings')()
+    if not reset: return
+    self._runs.clear()
+    self.need('reset_camera_settings')()
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #4076ff9b
 _legacy = {mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION:CAMERA_INFORMATION,

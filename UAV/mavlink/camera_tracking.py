@@ -183,10 +183,10 @@ def _tracking_changed(self:TrackingPart, event:TrackingStatus)->list:
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #0e5aa7c8
 @patch
 def interval_set(self:TrackingPart, asker:tuple, # `(system, component)`
-                 interval:float): # µs; 0: the default, -1: none
+                 interval:float): # µs; 0: the default, -1: none until the next start
     "Store the interval of the tracking status that `asker` has set"
     self._followers.pop(asker, None)
-    if interval and len(self._followers)<self.component.most_peers: self._followers[asker] = False
+    if interval>0 and len(self._followers)<self.component.most_peers: self._followers[asker] = False
     elif not interval and self._tracking().status!='idle': self._show_tracking(asker)
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #f21be848

@@ -21,14 +21,16 @@ def quaternion(roll:float=0., # Degrees, right side down is positive
     return (cr*cp*cy + sr*sp*sy, sr*cp*cy - cr*sp*sy, cr*sp*cy + sr*cp*sy, cr*cp*sy - sr*sp*cy)
 
 # %% ../../nbs/api/utils/04_geo.ipynb #4c255287
-def euler(q:tuple, # A unit quaternion
+def euler(q:tuple, # A quaternion of any length
          )->tuple:
     "`(roll, pitch, yaw)` in degrees; straight up and down the roll is 0, and yaw has it all"
     w,x,y,z = q
-    sine = 2*(w*y - z*x)
-    if abs(sine) > 1-1e-9: return 0., math.copysign(90., sine), wrap(math.degrees(2*math.atan2(z, w)))
-    roll,yaw = math.atan2(2*(w*x + y*z), 1-2*(x*x + y*y)),math.atan2(2*(w*z + x*y), 1-2*(y*y + z*z))
-    return math.degrees(roll), math.degrees(math.asin(sine)), math.degrees(yaw)
+    ww,xx,yy,zz = w*w,x*x,y*y,z*z
+    north,east,up = ww+xx-yy-zz,2*(w*z + x*y),2*(w*y - z*x)         # where the nose points
+    level = math.hypot(north, east)
+    if level < 4e-5*(ww+xx+yy+zz): return 0., math.copysign(90., up), wrap(math.degrees(2*math.atan2(z, w)))
+    roll = math.atan2(2*(w*x + y*z), ww-xx-yy+zz)
+    return math.degrees(roll), math.degrees(math.atan2(up, level)), math.degrees(math.atan2(east, north))
 
 # %% ../../nbs/api/utils/04_geo.ipynb #5dcd421e
 def wrap(angle:float, # Degrees

@@ -6,8 +6,8 @@
 from __future__ import annotations
 from collections import deque
 from concurrent.futures import Future, TimeoutError as TooLate
-from urllib.parse import urljoin, urlsplit
-import asyncio, errno, math, selectors, socket
+from urllib.parse import quote, urljoin, urlsplit
+import asyncio, errno, math, selectors, socket, ipaddress
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
@@ -111,6 +111,46 @@ def serve(self:Loop, listener, # From `listen_tcp`
     listener.setblocking(False)
     self.call(lambda: self.watch(listener, accept))
 
+# %% ../../nbs/api/utils/01_sockets.ipynb #0d5e7c92
+class _Guesses:
+    "Slows down who guesses passwords, by address"
+    def __init__(self, free:int=10, # Wrong ones in a row that nothing waits for
+                 pace:float=.5, # s between two looks after that
+                 most:int=1000): # Addresses that are remembered
+        store_attr()
+        self._until = {}            # when all is forgiven, monotonic s
+
+    @staticmethod
+    def _place(host:str)->str:
+        try: address = ipaddress.ip_address(host.partition('%')[0])
+        except ValueError: return host
+        if address.version==4: return host
+        return str(address.ipv4_mapped or ipaddress.ip_network((int(address)>>64<<64, 64)))
+
+    def wait(self, host:str)->float: # s until the next password from there may be looked at
+        "Return 0 when it may be now"
+        return max(0., self._until.get(self._place(host), 0.)-self.free*self.pace-clock.monotonic())
+
+    def wrong(self, host:str):
+        "One from there was wrong"
+        place,now = self._place(host),clock.monotonic()
+        self._until[place] = max(now, self._until.get(place, 0.))+self.pace
+        if len(self._until)<=self.most: return
+        last = sorted(self._until, key=self._until.get)[-self.most//2:]
+        self._until = {place: self._until[place] for place in last if self._until[place]>now}
+
+# %% ../../nbs/api/utils/01_sockets.ipynb #e2846a1f
+def _body(answer, most:int, take)->bytes:
+    "Return the first `most` bytes of an `HTTPResponse`, or give all pieces to `take`; raises `OSError`, `ValueError`"
+    size,done,data = answer.length or 0,0,b''
+    if take is None: data = answer.read(most)
+    elif size>most: raise ValueError(f'it has {size} bytes, more than {most}')
+    while take and (piece := answer.read(1<<14)):
+        if (done := done+len(piece))>most: raise ValueError(f'it has more than {most} bytes')
+        take(piece, size)
+    if answer.length and len(data)<most: raise OSError(f'it broke off: {answer.length} of {size} bytes did not come')
+    return data
+
 # %% ../../nbs/api/utils/01_sockets.ipynb #be2713f8
 def _shut(sock):
     "Wake the one who reads"
@@ -121,16 +161,24 @@ def _shut(sock):
 class _Deadline:
     "A moment at which the sockets of a request are shut, so nobody reads on; `with` closes them"
     def __init__(self, seconds:float): # From now
-        self.end,self.late,self._opened = clock.monotonic()+seconds,clock.Event(),[]
+        self.seconds,self.end,self.late,self._opened = seconds,clock.monotonic()+seconds,clock.Event(),[]
 
     def __enter__(self):
-        self._alarm = timers.alarm(self.give_up)
+        self._alarm = timers.alarm(self._ring)
         timers.move(self._alarm, self.end)
         return self
 
     def __exit__(self, *args):
         timers.cancel(self._alarm)
         for sock in self._opened: sock.close()
+
+    def extend(self):
+        "Begin anew, as something came"
+        self.end = clock.monotonic()+self.seconds
+
+    def _ring(self):
+        if clock.monotonic()<self.end: timers.move(self._alarm, self.end)       # it was extended
+        else: self.give_up()
 
     def give_up(self):
         "Wake the one who reads or connects"
@@ -155,7 +203,13 @@ class _Deadline:
         raise why
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #c0683c48
-def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes|None=None, **headers)->tuple:
+def _web_path(url:str)->str:
+    "Return path and query of a URL, as a request needs them"
+    parts = urlsplit(url)
+    return quote(parts.path or '/', safe="/%:@!$&'()*+,;=~")+(f'?{parts.query}' if parts.query else '')
+
+def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes|None=None, take=None,
+             **headers)->tuple:
     "Status, reason, headers and body of one answer, to a POST of `body` or a GET; raises `ValueError` and `OSError`"
     from http.client import HTTPConnection, HTTPException, HTTPSConnection
     parts = urlsplit(url)
@@ -165,17 +219,17 @@ def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes
     connection = dict(http=HTTPConnection, https=HTTPSConnection)[parts.scheme](host, parts.port, timeout=deadline.left)
     connection._create_connection = deadline.connect
     try:
-        path = (parts.path or '/')+(f'?{parts.query}' if parts.query else '')
-        connection.request('GET' if body is None else 'POST', path, body, {'Connection':'close', **headers})
+        connection.request('GET' if body is None else 'POST', _web_path(url), body, {'Connection':'close', **headers})
         answer = connection.getresponse()
-        return answer.status,answer.reason,answer.headers,answer.read(most)
+        data = _body(answer, most, take) if answer.status==200 else answer.read(most)
+        return answer.status,answer.reason,answer.headers,data
     except HTTPException as e: raise OSError(f'{url}: {e!r}') from None
     finally: connection.close()
 
-def _get(deadline:_Deadline, url:str, hosts, most:int)->bytes:
+def _get(deadline:_Deadline, url:str, hosts, most:int, take)->bytes:
     "GET, and follow five redirects at most"
     for _ in range(6):
-        status,reason,headers,data = _ask_web(deadline, url, hosts, most)
+        status,reason,headers,data = _ask_web(deadline, url, hosts, most, take=take)
         if status==200: return data
         to = headers.get('location')
         if not 300<=status<400 or not to: raise OSError(f'{status} {reason}')
@@ -186,11 +240,15 @@ def _get(deadline:_Deadline, url:str, hosts, most:int)->bytes:
 def get_web(url:str, # http:// or https://
             hosts=None, # Addresses that we may connect to; `None`: any, and names too
             most:int=1<<20, # Bytes
-            seconds:float=30., # For all of it
+            seconds:float=30., # For all of it; with `take` for each piece
+            take=None, # Called with each piece and the size (0: unknown), in place of the returned bytes
            )->bytes:
     "Return the first `most` bytes of a page; raises `ValueError`, `OSError`, `PermissionError` among them"
     with _Deadline(seconds) as deadline:
-        try: data = _get(deadline, url, hosts, most)
+        def piece(*args):
+            deadline.extend()
+            take(*args)
+        try: data = _get(deadline, url, hosts, most, take and piece)
         except OSError:
             if not deadline.late.is_set(): raise
     if deadline.late.is_set(): raise TimeoutError(f'{url} did not come in {seconds:g} s')

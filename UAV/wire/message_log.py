@@ -127,7 +127,9 @@ def fields(self:LogEntry, times:bool=True, # With times and serial numbers, whic
     "`name: value` of each field; nothing for a message that the dialect does not know"
     m = self.message
     if not m: return []
-    def changes(f): return f.startswith('time') or f=='param4' and m.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE
+    def changes(f):
+        shot = f=='param4' and m.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE
+        return shot or f.startswith('time') or f=='cam_definition_version'
     return [f'{field}: {_value(m, field)}' for field in m.fieldnames if times or not changes(field)]
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #84900d24
