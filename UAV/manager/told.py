@@ -10,6 +10,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
     CAMERA_SETTINGS, STORAGE_INFORMATION)
+from ..mavlink.component import Texts
 from ..utils import clock
 from ..utils.general import known, NAN
 from ..wire.dialect import enum_name
@@ -97,22 +98,22 @@ def _battery_of(msg)->int|None:
 
 # %% ../../nbs/api/manager/03_told.ipynb #76d167c6
 class _Texts:
-    "The last texts of a component, joined from their chunks"
+    "The last texts of a component"
     most,longest = 3,200        # texts kept; characters of one
-    def __init__(self): self.lines,self._id = [],0      # dicts; id of a text that may continue
+    def __init__(self): self.joined,self.told = Texts(),[]      # `(time of day, StatusText)`
 
     def __repr__(self): return '; '.join('{severity}: {text}'.format(**line) for line in self.lines) or 'no texts'
 
+    @property
+    def lines(self)->list:
+        "Time, severity and text of each"
+        return [dict(at=at, severity=enum_name('MAV_SEVERITY', text.severity, 'MAV_SEVERITY_'),
+                     text=str(text)[:self.longest]) for at,text in self.told]
+
     def add(self, msg):
         "Add a STATUSTEXT, which may be a chunk of a longer text"
-        text,number = printable(msg.text),getattr(msg, 'id', 0)
-        if number and number==self._id and msg.chunk_seq:
-            self.lines[-1] = self.lines[-1]|dict(text=(self.lines[-1]['text']+text)[:self.longest])
-        else:
-            severity = enum_name('MAV_SEVERITY', msg.severity, 'MAV_SEVERITY_')
-            line = dict(at=clock.strftime('%H:%M:%S'), severity=severity, text=text)
-            self.lines = [*self.lines, line][-self.most:]
-        self._id = number
+        text,is_new = self.joined.take(msg)
+        if is_new: self.told = [*self.told, (clock.strftime('%H:%M:%S'), text)][-self.most:]
 
 # %% ../../nbs/api/manager/03_told.ipynb #e568751d
 def _picture_of(msg, key:int=-1)->dict:
