@@ -10,9 +10,12 @@ from types import FunctionType, MethodType
 import asyncio, atexit, inspect
 
 import UAV
+from .cameras.values import CameraError
+from .gimbals.values import GimbalError
+from .logging import get_logger
 from .utils.general import Opened
 from .utils.sockets import LoopClosed, LoopThread
-from .wire.dialect import LinkError
+from .wire.dialect import LinkError, MAVError
 
 # %% auto #0
 __all__ = ['MAVCom', 'capture_together', 'ask_all', 'Blocking', 'BlockingMAVCom']
@@ -33,6 +36,30 @@ def _wait(loop:LoopThread, start):
     _check(loop)
     try: return loop.wait(start)
     except LoopClosed: raise LinkError(_gone) from None
+
+# %% ../nbs/api/02_blocking.ipynb #ba7bf717
+log = get_logger('blocking')
+_said = MAVError,CameraError,GimbalError        # whose sentence says what's wrong
+
+def _is_inner(traceback)->bool:
+    "True if all frames are of this package or of what it waits with"
+    while traceback is not None:
+        module = traceback.tb_frame.f_globals.get('__name__', '')
+        if module.partition('.')[0] not in ('UAV','asyncio','concurrent','contextlib','threading'): return False
+        traceback = traceback.tb_next
+    return True
+
+def _short(error:Exception)->Exception:
+    "Return an error without our frames, if there are no others"
+    chain,e = [],error
+    while e is not None and e not in chain:
+        chain.append(e)
+        e = e.__cause__ or (None if e.__suppress_context__ else e.__context__)
+    if not all(_is_inner(e.__traceback__) for e in chain): return error
+    log.debug('%s', error, exc_info=error)
+    for e in chain[1:]: e.__traceback__ = None
+    error.__suppress_context__ = True
+    return error.with_traceback(None)
 
 # %% ../nbs/api/02_blocking.ipynb #98378a89
 @cache
@@ -74,7 +101,8 @@ def _call(f, loop:LoopThread):
     @wraps(f)
     def call(*args, **kwargs):
         _check(loop)
-        return _wrapped(f(*map(_bare, args), **{k: _bare(v) for k,v in kwargs.items()}), loop)
+        try: return _wrapped(f(*map(_bare, args), **{k: _bare(v) for k,v in kwargs.items()}), loop)
+        except _said as e: raise _short(e)
     return call
 
 # %% ../nbs/api/02_blocking.ipynb #c00b3d7d
@@ -86,7 +114,8 @@ class Blocking:
 
     def __getattr__(self, name):
         if '_target' not in vars(self): raise AttributeError(name)      # a copy that is being made
-        return _wrapped(getattr(self._target, name), self._loop)
+        try: return _wrapped(getattr(self._target, name), self._loop)
+        except _said as e: raise _short(e)
     def __setattr__(self, name, value): setattr(self._target, name, _bare(value))
     def __dir__(self): return dir(self._target)
     def __repr__(self): return repr(self._target)
@@ -97,7 +126,9 @@ class Blocking:
 # %% ../nbs/api/02_blocking.ipynb #f9558874
 def _forward(name:str):
     "Return a method that calls the handle's special method `name`"
-    def method(self, *args): return _wrapped(getattr(self._target, name)(*map(_bare, args)), self._loop)
+    def method(self, *args):
+        try: return _wrapped(getattr(self._target, name)(*map(_bare, args)), self._loop)
+        except _said as e: raise _short(e)
     return method
 
 # %% ../nbs/api/02_blocking.ipynb #cc726b59
@@ -108,13 +139,21 @@ def _iterate(self):
         while True:
             try: item = _wait(self._loop, items.__anext__)
             except StopAsyncIteration: return
+            except _said as e: raise _short(e)
             yield _wrapped(item, self._loop)
     finally:
         with suppress(LinkError): hasattr(items, 'aclose') and _wait(self._loop, items.aclose)
 
 # %% ../nbs/api/02_blocking.ipynb #4f6bf9d3
-def _enter(self): return _wrapped(_wait(self._loop, self._target.__aenter__), self._loop)
-def _exit(self, *error): return _wait(self._loop, lambda: self._target.__aexit__(*error))
+def _enter(self):
+    "Open it for a `with`"
+    try: return _wrapped(_wait(self._loop, self._target.__aenter__), self._loop)
+    except _said as e: raise _short(e)
+
+def _exit(self, *error):
+    "Close it"
+    try: return _wait(self._loop, lambda: self._target.__aexit__(*error))
+    except _said as e: raise _short(e)
 
 # %% ../nbs/api/02_blocking.ipynb #feea58c4
 _special = '__call__ __contains__ __enter__ __exit__ __getitem__ __iter__ __len__ __next__'.split()
@@ -133,7 +172,9 @@ class BlockingMAVCom(Blocking):
     "A `UAV.MAVCom` for programs without `async`"
     @wraps(UAV.MAVCom.__init__)
     def __init__(self, *args, **kwargs):
-        super().__init__(UAV.MAVCom(*map(_bare, args), **kwargs), LoopThread('blocking'))
+        try: target = UAV.MAVCom(*map(_bare, args), **kwargs)
+        except _said as e: raise _short(e)
+        super().__init__(target, LoopThread('blocking'))
         _open.add(self)
 
     def close(self):

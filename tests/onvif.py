@@ -306,8 +306,10 @@ class DirectLine(_OnvifLine):
 # %% onvif.ipynb #568ea72c
 class OnvifSimulator(OnvifDevice):
     "An ONVIF camera behind a port; `close` ends it"
-    silent,slow,broken = False,0.,False         # faults
+    silent,slow,broken,drips = False,0.,False,False     # faults; `drips`: a byte a second
+    stuck = ()                                  # operations that are done, and never answered
     http_auth,guarded = 'digest',False          # how HTTP asks for a password; for messages, too, or only for pictures?
+    shown = ()                                  # ways in which a password was shown to it
     def __init__(self, **kwargs):
         super().__init__(**kwargs)
         self._changed,self._closed,self.pictures = threading.Condition(),threading.Event(),0
@@ -344,6 +346,15 @@ def _reply(handler, status:int, data:bytes, kind:str='application/soap+xml; char
     handler.end_headers()
     handler.wfile.write(data)
 
+class _Drip:
+    "A file to write to, by which a byte a second goes out"
+    def __init__(self, file, ended):
+        self.file,self.ended,self.flush,self.close,self.closed = file,ended,file.flush,file.close,False
+    def write(self, data):
+        for n in range(len(data)):
+            if self.ended.wait(1.): return
+            self.file.write(data[n:n+1])
+
 @patch
 def hangs(self:OnvifSimulator)->bool:
     "Was it silent? Waits until that is over; what came meanwhile is lost"
@@ -357,9 +368,12 @@ def serve(self:OnvifSimulator, handler):
     message = handler.rfile.read(int(handler.headers['Content-Length']))
     if self.slow: self._closed.wait(self.slow)
     if self.hangs(): return
+    if self.drips: handler.wfile = _Drip(handler.wfile, self._closed)
     if self.guarded and not self.knows(handler): return self.ask_password(handler)
     status,data = self.answer(message)
     with self._changed: self._changed.notify_all()
+    operation = ElementTree.fromstring(message).find('{*}Body')[0].tag.partition('}')[2]
+    while operation in self.stuck and not self._closed.wait(.05): pass
     try: _reply(handler, status, data[:len(data)//2] if self.broken else data)
     except OSError: pass            # nobody waits for it any more
 
@@ -371,9 +385,10 @@ def knows(self:OnvifSimulator, handler)->bool:
     "Has the request the right password?"
     kind,_,said = handler.headers.get('Authorization', '').partition(' ')
     plain = b64encode(f'{self.user}:{self.password}'.encode()).decode()
+    self.shown = (*self.shown, kind)
     if kind=='Basic': return self.http_auth=='basic' and said==plain
     told = dict(re.findall(r'(\w+)="?([^",]*)"?', said))
-    if kind!='Digest' or self.http_auth!='digest' or told.get('uri')!=handler.path: return False
+    if kind!='Digest' or self.http_auth=='basic' or told.get('uri')!=handler.path: return False
     middle = ':'.join(told.get(name, '') for name in ('nonce','nc','cnonce','qop'))
     right = _md5(f'{_md5(f"{self.user}:sim:{self.password}")}:{middle}:{_md5(handler.command+":"+handler.path)}')
     return told.get('nonce')=='abc' and told.get('response')==right
@@ -381,13 +396,15 @@ def knows(self:OnvifSimulator, handler)->bool:
 @patch
 def ask_password(self:OnvifSimulator, handler):
     "401"
-    way = 'Basic realm="sim"' if self.http_auth=='basic' else 'Digest realm="sim", nonce="abc", qop="auth"'
-    _reply(handler, 401, b'', **{'WWW-Authenticate':way})
+    ways = dict(basic='Basic realm="sim"', digest='Digest realm="sim", nonce="abc", qop="auth"')
+    asked = ', '.join(ways.values()) if self.http_auth=='both' else ways[self.http_auth]
+    _reply(handler, 401, b'', **{'WWW-Authenticate':asked})
 
 @patch
 def serve_picture(self:OnvifSimulator, handler):
     "Give a picture to who knows the password"
     if self.hangs(): return
+    if handler.path=='/away': return _reply(handler, 302, b'', Location='http://127.0.0.2:9/picture.jpg')
     if not self.knows(handler): return self.ask_password(handler)
     self.pictures += 1
     _reply(handler, 200, self.still(), 'image/jpeg')

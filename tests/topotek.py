@@ -31,12 +31,13 @@ class TopotekDevice:
         self.targets = {axis: Axis(0.) for axis in self.motors}
         self.locked,self.recording,self.zooming,self.focus,self.shots = False,False,0,'',0
         self.vehicle,self.heard,self.answers_to = {},[],'U'
+        self.card,self.version,self.model = True,'123','KHP20S30'
         self._heading,self._now,self._told_until,self._lock = 0.,clock(),-math.inf,threading.RLock()
 
     def said(self)->list:
-        "The orders that came since this was called last, but for GIA"
+        "The orders that came since this was called last, without questions"
         with self._lock: heard,self.heard = self.heard,[]
-        return [what+data.decode() for what,data in heard if what!='GIA']
+        return [what+data.decode() for what,data in heard if what!='GIA' and what not in _answers]
 
 # %% topotek.ipynb #d8158fd4
 @patch
@@ -92,21 +93,26 @@ _orders = dict(
     PTZ=_ptz, YPR=_rates,
     GAY=lambda device, data: _angle(device, 'yaw', 1, data), GIP=lambda device, data: _angle(device, 'pitch', -1, data),
     GIA=lambda device, data: setattr(device, '_told_until', device.clock()+device.told_for*int(data)),
-    CAP=lambda device, data: setattr(device, 'shots', device.shots+1),
-    REC=lambda device, data: setattr(device, 'recording', data==b'01'),
+    CAP=lambda device, data: setattr(device, 'shots', device.shots+device.card),
+    REC=lambda device, data: setattr(device, 'recording', device.card and data==b'01'),
     ZMC=lambda device, data: setattr(device, 'zooming', {b'01':-1, b'02':1}.get(data, 0)),
     FCC=lambda device, data: setattr(device, 'focus', data.decode()),
     **{what: lambda device, data, what=what: device.vehicle.update({what: data.decode()}) for what in ('LAT','LON','ALT','AZI')})
 
+_answers = dict(SDC=lambda device: '1D4C' if device.card else 'NNNN',      # what is left on its card; none
+                VSN=lambda device: device.version, PA2=lambda device: device.model)
+
 @patch
-def obey(self:TopotekDevice, sender:str, what:str, data:bytes):
-    "Do as told; unknown orders are passed over"
+def obey(self:TopotekDevice, sender:str, what:str, data:bytes)->bytes:
+    "Do as told, and return the answer to a question; unknown orders are passed over"
     with self._lock:
         self.advance()
         if len(self.heard)>=self.most: del self.heard[:self.most//2]
         self.heard.append((what, data))
         self.answers_to = sender
         if what in _orders: _orders[what](self, data)
+        if what not in _answers or sender!=self.letter: return b''
+        return topotek_frame(self.letter, what, _answers[what](self), 'G' if what=='PA2' else 'D', 'r')
 
 @patch
 def report(self:TopotekDevice)->bytes:
@@ -127,7 +133,7 @@ class DirectLine:
 
     def send(self, data)->bool:
         "Is it on its way?"
-        for frame in self._reader.feed(data) if not self.error else (): self.device.obey(*frame)
+        for frame in self._reader.feed(data) if not self.error else (): self.hear(self.device.obey(*frame))
         return not self.error
 
     def pulse(self):
@@ -201,12 +207,13 @@ def _is_lost(self:TopotekSimulator)->bool:
 @patch
 def _read(self:TopotekSimulator):
     "Obey what came"
-    if self.serial: data = os.read(self._port, 4096)
-    else: data,self._peer = self._port.recvfrom(4096)
+    if (port := self._port) is None: return         # it was unplugged just now
+    if self.serial: data = os.read(port, 4096)
+    else: data,self._peer = port.recvfrom(4096)
     with self._changed:
-        for frame in self._reader.feed(data):
-            if not self._is_lost(): self.device.obey(*frame)
+        answers = [self.device.obey(*frame) for frame in self._reader.feed(data) if not self._is_lost()]
         self._changed.notify_all()
+    for answer in filter(None, answers): self._say(answer)
 
 @patch
 def tell(self:TopotekSimulator):
@@ -218,6 +225,10 @@ def tell(self:TopotekSimulator):
     self._kept += frame
     if self.merged and len(self._kept)<2*len(frame): return
     data,self._kept = self._kept,b''
-    for piece in (data[:9],data[9:]) if self.split else (data,):
-        try: os.write(port, piece) if self.serial else self._user.sendto(piece, self._peer)
-        except OSError: return          # it was unplugged just now
+    for piece in (data[:9],data[9:]) if self.split else (data,): self._say(piece)
+
+@patch
+def _say(self:TopotekSimulator, data:bytes):
+    if self.silent or self._port is None: return
+    try: os.write(self._port, data) if self.serial else self._user.sendto(data, self._peer)
+    except OSError: return          # it was unplugged just now

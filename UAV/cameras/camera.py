@@ -23,7 +23,7 @@ from .trigger import CaptureQueue, _check_sequence
 from .values import *
 from ..logging import get_logger, LogLevels
 from ..utils import clock
-from ..utils.general import Closes, CompleteLater, cv2, inside, Opened, timers
+from ..utils.general import Closes, CompleteLater, cv2, inside, KeepsNames, no_class, Opened, timers
 from ..utils.pictures import as_bgr
 
 # %% auto #0
@@ -57,19 +57,34 @@ def _described(what, value):
     wrong = [name for name in numbers if not isinstance(getattr(value, name), Real)]
     if wrong: raise ValueError(f'{what}: {wrong[0]} must be a number, not {getattr(value, wrong[0])!r}')
 
+def _has(*members):
+    "Return a check for `None` or an object that has these"
+    def check(what, value):
+        missing = [] if value is None else [name for name in members if not hasattr(value, name)]
+        if missing: raise ValueError(f'{what} must be None or have `{missing[0]}`, not {value!r}')
+    return check
+
+def _text(what, value):
+    if not isinstance(value, str): raise ValueError(f"{what} must be a text, such as 'image', not {value!r}")
+
+def _logger(what, value):
+    if value is not None and not hasattr(value, 'warning'): raise ValueError(f'{what} must be a logger, not {value!r}')
+
 _times = dict.fromkeys(('min_interval','patience','frame_rate'), lambda what, value: inside(what, value, 0, 1e6))
 _checks = _times | dict(jpeg_quality=lambda what, value: _whole(what, value, 0, 100), information=_described,
     modes=_words, gimbal_device_id=lambda what, value: _whole(what, value, 0, 255), mounted=_angles, pose=_function,
-    velocity=_function, clock_error=lambda what, value: inside(what, value))
+    velocity=_function, clock_error=lambda what, value: inside(what, value), lens=_has('focal_length'),
+    focus=_has('percent'), log=_logger, mode=_text)
 
 def _check_class(kind:type):
-    "Raise `ValueError` for an attribute of a camera's class that is not as it must be"
+    "Raise `ValueError` for an attribute of a camera's class that is not as it must be, `TypeError` for a taken name"
+    kind._check_names()
     for name,check in _checks.items():
-        value = getattr_static(kind, name)
+        value = getattr_static(kind, name, None)
         if not hasattr(value, '__get__') or callable(value): check(f'{kind.__name__}.{name}', value)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #ded77811
-class Camera(Closes, metaclass=CompleteLater):
+class Camera(KeepsNames, Closes, metaclass=CompleteLater):
     "A camera; subclasses provide `information`, `read()` and optional methods"
     information = CameraInformation()
     min_interval = .1          # s, the shortest time between pictures
@@ -86,6 +101,8 @@ class Camera(Closes, metaclass=CompleteLater):
     velocity = None            # function that gives the speed to the north, to the east and down, m/s
     clock_error = 0.           # s that this computer's clock is slow: pictures are dated later by so much
     _begun = False             # did our own constructor run?
+    _parts = dict(storages=Storages, frames=Frames, filming=Filming, captures=CaptureQueue, tracking=Tracker,
+                  _closing=lambda value: hasattr(value, 'is_set'))
     def __init__(self,
                  folder:str|Path|None=None, # Where pictures go; `None` is a temporary folder that `close` removes
                  quota:float|None=None, # MiB the pictures may fill; `None` is the whole disk
@@ -95,11 +112,11 @@ class Camera(Closes, metaclass=CompleteLater):
         _check_class(type(self))
         given,used = list(storages or ([] if storage is None else [storage])),[s for c in _cameras for s in c.storages]
         for one in given:           # it counts for one camera
+            no_class(one, 'storage')
             if any(one is storage for storage in used): raise StorageInUse(f'{one!r} has a camera already')
         self.storages = Storages(*(given or [Storage(folder, quota)]))
         self.log = get_logger(f'camera.{self.information.model}')
-        self.storage,self._callbacks = self.storages[0],[]
-        self._storage_status,self._begun = 'ready',True
+        self._event_callbacks,self._storage_status,self._begun = [],'ready',True
         self._make_parts()
         _cameras.add(self)
 
@@ -109,10 +126,9 @@ class Camera(Closes, metaclass=CompleteLater):
 @patch
 def _make_parts(self:Camera):
     "Set up the parts"
-    self._fault,self.captures = None,CaptureQueue(self)
+    self._fault_now,self.captures = None,CaptureQueue(self)
     self.frames,self.filming,self.tracking = Frames(self),Filming(self),Tracker(self)
-    self.trigger,self.streams = self.captures.trigger,self.filming.streams      # the first stream has number 1
-    self._lock,self._closing = clock.Lock(),clock.Event()
+    self._state_lock,self._closing = clock.Lock(),clock.Event()
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #43ea7393
 @patch
@@ -129,7 +145,7 @@ def _complete(self:Camera):
 @patch(as_prop=True)
 def fault(self:Camera)->str|None:
     "The device's fault; `None` when it works"
-    return self._fault
+    return self._fault_now
 
 @patch(as_prop=True)
 def pictures(self:Camera)->tuple:
@@ -147,6 +163,21 @@ def recording_time(self:Camera)->float:
     "Length of that video, s"
     return self.filming.seconds
 
+@patch(as_prop=True)
+def storage(self:Camera)->Storage:
+    "The first storage"
+    return self.storages[0]
+
+@patch(as_prop=True)
+def streams(self:Camera)->list:
+    "The video streams; the first one has number 1"
+    return self.filming.streams
+
+@patch(as_prop=True)
+def trigger(self:Camera):
+    "Takes pictures by distance"
+    return self.captures.trigger
+
 # %% ../../nbs/api/cameras/09_camera.ipynb #01b8f48a
 @patch
 def close(self:Camera):
@@ -155,7 +186,7 @@ def close(self:Camera):
     for part in (self.tracking,self.filming): part.close()
     if not (self.frames.close(1.) and done): self.log.error('read() does not come back; closed without it')
     self._closing.set()
-    with self._lock: self._fault = self._fault or 'closed'
+    with self._state_lock: self._fault_now = self._fault_now or 'closed'
     self.storages.close()
     _cameras.discard(self)
 
@@ -169,6 +200,7 @@ def read(self:Camera)->Frame:
 def _set_checked(self:Camera, name:str, value):
     "Set an attribute after checking its value"
     if check := _checks.get(name): check(name, value)
+    else: self._check_name(name, value)
     object.__setattr__(self, name, value)
 
 Camera.__setattr__ = _set_checked
@@ -177,18 +209,18 @@ Camera.__setattr__ = _set_checked
 @patch
 def subscribe(self:Camera, callback): # Called with each event; must be quick
     "Call `callback` with each event: Picture, CaptureStatus, CameraSettings, ParametersChanged, DeviceStatus …"
-    with self._lock: self._callbacks = self._callbacks + [callback]
+    with self._state_lock: self._event_callbacks = self._event_callbacks + [callback]
 
 @patch
 def unsubscribe(self:Camera, callback):
     "Stop calling `callback`"
-    with self._lock: self._callbacks = [c for c in self._callbacks if c != callback]
+    with self._state_lock: self._event_callbacks = [c for c in self._event_callbacks if c != callback]
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5311
 @patch
 def announce(self:Camera, event):
     "Call all callbacks with an event"
-    for callback in self._callbacks:
+    for callback in self._event_callbacks:
         name = getattr(callback, '__name__', callback)
         try: callback(event)
         except (Exception, SystemExit): self.log.exception('%r failed on %r', name, event)
@@ -202,8 +234,11 @@ def settings(self:Camera)->CameraSettings:
 # %% ../../nbs/api/cameras/09_camera.ipynb #acb7cd3d
 @patch
 def set_camera_mode(self:Camera, mode:str): # One of `modes`
-    "Set the mode, photo or video; raises `ValueError`"
-    self.mode = one_of('mode', mode, self.modes)
+    "Set the mode, photo or video; raises `ValueError`, or `CameraBusy` while pictures wait which it would prevent"
+    one_of('mode', mode, self.modes)
+    waits = mode == 'video' and not self.image_in_video_mode and self.captures.jobs
+    if waits: raise CameraBusy('a picture is being taken')
+    self.mode = mode
     self.announce(self.settings())
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #e815d435
@@ -224,9 +259,9 @@ def storage_information(self:Camera)->list:
 def set_fault(self:Camera, fault:str|None, # The device's fault; `None` when it works
               error:BaseException|None=None): # What was raised, when it is a surprise
     "Set or clear the fault; a change sends a `DeviceStatus`"
-    with self._lock:
+    with self._state_lock:
         if self._closing.is_set(): return
-        was,self._fault = self._fault,fault or None
+        was,self._fault_now = self._fault_now,fault or None
     if (was is None) == (not fault): return
     if fault: self.log.warning('%s', fault, exc_info=error)
     else: self.log.warning('works again, after: %s', was)
@@ -309,8 +344,8 @@ def _take_picture(self:Camera)->Picture|None:
         if not self.captures.running: return
         self.captures.progress = clock.monotonic()       # the device came back, however late
         if self.lens: information = replace(information, focal_length=self.lens.focal_length)
-        beside = getattr(frame, 'beside', ())
-        return self.storages.save(self._encode(frame), frame.time_utc, frame.pose, information, self.exif_tags, beside)
+        tags,beside = {**(frame.tags or {}), **self.exif_tags},getattr(frame, 'beside', ())
+        return self.storages.save(self._encode(frame), frame.time_utc, frame.pose, information, tags, beside)
     except BaseException as e:
         if self.captures.running: return self._failed(started, e)
 
@@ -371,7 +406,7 @@ def _after_fork(self:Camera):
     self.storages._after_fork()
     self.captures.refusal = CameraError,f'{self!r} is closed: it belongs to process {os.getppid()}'
     self._closing.set()
-    self._fault = 'closed'
+    self._fault_now = 'closed'
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #262355e7
 @patch

@@ -11,7 +11,7 @@ import math
 from .parameters import check_parameters, ParametersChanged
 from .values import *
 from ..utils import clock
-from ..utils.general import _has_ended, cv2, Report, kept
+from ..utils.general import _has_ended, cv2, no_class, Report, kept
 
 # %% ../../nbs/api/cameras/10_contract.ipynb #781f4f27
 def _check_information(camera, seen):
@@ -215,6 +215,7 @@ def _checks_for(camera)->list:
 def check_camera(camera, # A Camera; it is closed at the end
                 )->Report:
     "Does `camera` do what others rely on? Raises `AssertionError` with a sentence that says what it does not"
+    no_class(camera, 'camera')
     assert hasattr(camera, 'subscribe'), f'{camera!r} is no Camera: its class must be a subclass of Camera'
     seen = _SeenEvents()
     camera.subscribe(seen.append)

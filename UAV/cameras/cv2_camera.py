@@ -16,6 +16,7 @@ from .parameters import Option, Parameter
 from .values import *
 from ..utils import clock
 from ..utils.general import _begin_thread, cv2, _has_ended, timers
+from ..utils.pictures import _open_film
 
 # %% auto #0
 __all__ = ['CV2Camera']
@@ -136,6 +137,7 @@ def _find_controls(capture)->list:
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #cac5af76
 class _Controls:
     "Settings for a device's reader, requested and set; none without a `cv2.VideoCapture`"
+    exposure_unit = NAN         # s; OpenCV passes on what each system counts in
     def __init__(self, capture=None):
         self.declared = [] if capture is None else _find_controls(capture)
         self.defaults = {p.name: p.default for p in self.declared}
@@ -202,6 +204,7 @@ def _driver_parameter(control)->Parameter|None:
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #712f88aa
 class _DriverControls(_Controls):
     "List the driver's settings of a `/dev/video*`; raises `ImportError` without linuxpy, `OSError` without a device"
+    exposure_unit = 1e-4        # s, by V4L2_CID_EXPOSURE_ABSOLUTE
     def __init__(self, path:str):
         super().__init__()
         self.path,self.ids,found = path,{},[]
@@ -296,7 +299,8 @@ def _open_source(source, open_timeout:float=5., read_timeout:float=5., backend:i
     "The `cv2.VideoCapture` of a source, and its first image; raises `CameraError` that names the source"
     arguments = _how_to_open(source, open_timeout, read_timeout, backend)
     with _silent_cv2():
-        capture = cv2.VideoCapture(*arguments)
+        film = _source_kind(source)=='file' and backend is None
+        capture = _open_film(*arguments[:2]) if film else cv2.VideoCapture(*arguments)
         ok,image = capture.read() if capture.isOpened() else (False,None)
         if ok: return capture,image
         problem = 'gives no frames' if capture.isOpened() else 'cannot be opened'
@@ -321,6 +325,7 @@ class _LiveCamera(Camera):
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #fa7b6ac9
 class CV2Camera(_LiveCamera):
     "A camera that OpenCV can open"
+    _parts = dict(controls=_Controls, kind=lambda value: value in ('file','device','url'), _newest=_NewestFrame)
     def __init__(self, source, # Device number or path, file name, or URL (rtsp, http, udp, tcp)
                  width:int|None=None, height:int|None=None, # px; frames are scaled when the source has another size
                  fps:float|None=None, # Frames per second; `None` is what the source says
@@ -399,6 +404,17 @@ def _stop_reader(self:CV2Camera):
 def _publish(self:CV2Camera, image):
     self._newest.put(image)
     if self.fault: self.set_fault(None)
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #3a0e5c03
+_by_hand = 1,2      # V4L2_EXPOSURE_MANUAL, V4L2_EXPOSURE_SHUTTER_PRIORITY
+
+@patch
+def read_still(self:CV2Camera)->Frame:
+    "Return the newest frame, with its exposure time if that is set by hand"
+    frame,values = self.read(),dict(self.parameters)
+    time = round(values.get('EXPOSURE', 0)*self.controls.exposure_unit, 6)
+    if not time>0 or values.get('AUTO_EXPOSURE', _by_hand[0]) not in _by_hand: return frame
+    return replace(frame, tags=dict(ExposureTime=time))
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #a551c63b
 @patch

@@ -6,14 +6,18 @@
 __all__ = ['add_segments', 'exif', 'xmp', 'sidecar', 'add_metadata']
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #5c0a4f01
+from dataclasses import replace
 from datetime import datetime, timezone
+from fractions import Fraction
 from difflib import get_close_matches
 from io import BytesIO
 from types import MappingProxyType
+import re
 
 from PIL.ExifTags import Base, GPS, IFD
-from .values import CameraInformation, Pose, known
+from .values import CameraInformation, NAN, Pose, known
 from ..utils.general import _Later
+from ..utils.geo import euler, product, quaternion
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #eb6a1dc9
 def add_segments(
@@ -37,10 +41,25 @@ def _degrees_minutes_seconds(angle:float)->tuple:
     return tuple(_tiff.IFDRational(*part) for part in parts)
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #5c0a4f09
+def _nadir_angles(pose:Pose)->tuple:
+    "Yaw, pitch and roll of `pose`, counted from a camera that looks straight down; NaN where one is unknown"
+    roll,pitch,yaw = pose.roll,pose.pitch,pose.yaw
+    if not known(pitch): return yaw,NAN,NAN
+    if not known(roll): return yaw,pitch+90,NAN
+    down = product(quaternion(roll, pitch, yaw if known(yaw) else 0.), quaternion(pitch=90.))
+    roll,pitch,turn = euler(down)
+    return (turn if known(yaw) else NAN),pitch,roll
+
+def _direction(pose:Pose)->float:
+    "Degrees from north, 0 to 360, of the picture's top if it looks down, and of the optical axis if it looks ahead"
+    yaw = _nadir_angles(pose)[0] if known(pose.pitch) and pose.pitch<-45 else pose.yaw
+    return round(yaw, 2)%360
+
 def _gps_tags(pose:Pose, when:datetime)->dict:
     "The GPS part of EXIF: tag to value, without what is not known"
+    seconds = _tiff.IFDRational(when.second*1000+when.microsecond//1000, 1000)
     tags = {GPS.GPSVersionID: b'\2\3\0\0', GPS.GPSDateStamp: f'{when:%Y:%m:%d}',
-            GPS.GPSTimeStamp: (when.hour, when.minute, when.second + round(when.microsecond/1e6, 3))}
+            GPS.GPSTimeStamp: (when.hour, when.minute, seconds)}
     lat,lon = pose.lat,pose.lon
     if known(lat) and known(lon):
         tags |= {GPS.GPSLatitudeRef: 'S' if lat < 0 else 'N', GPS.GPSLatitude: _degrees_minutes_seconds(lat),
@@ -48,11 +67,29 @@ def _gps_tags(pose:Pose, when:datetime)->dict:
                  GPS.GPSMapDatum: 'WGS-84'}
     if known(pose.alt):
         tags |= {GPS.GPSAltitudeRef: b'\1' if pose.alt < 0 else b'\0', GPS.GPSAltitude: round(abs(pose.alt), 3)}
-    if known(pose.yaw): tags |= {GPS.GPSImgDirectionRef: 'T', GPS.GPSImgDirection: round(pose.yaw % 360, 2)}
+    if known(pose.yaw): tags |= {GPS.GPSImgDirectionRef: 'T', GPS.GPSImgDirection: _direction(pose)}
     return {int(tag): value for tag,value in tags.items()}
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #5c0a4f05
-def _photo_tags(when:datetime, size:tuple, focal_length:float)->dict:
+_film_width = 36.       # mm
+
+def _lens_tags(size:tuple, camera:CameraInformation)->dict:
+    "Focal length and pixel pitch of a picture, as far as `camera` has them: tag to value"
+    sensor = [mm if known(mm) and mm>0 else NAN for mm in (camera.sensor_size_h, camera.sensor_size_v)]
+    if (size[0]<size[1]) != (sensor[0]<sensor[1]): sensor.reverse()         # the picture was turned
+    focal = camera.focal_length if known(camera.focal_length) and camera.focal_length>0 else NAN
+    longer,tags = max(filter(known, sensor), default=NAN),{}
+    film = focal*_film_width/longer
+    if known(film) and .5<film<65535: tags[Base.FocalLengthIn35mmFilm] = round(film)
+    if camera.equivalent: return tags                               # millimetres that no part of the camera has
+    if known(focal): tags[Base.FocalLength] = _tiff.IFDRational(round(focal*1000), 1000)
+    if all(map(known, sensor)):
+        across,down = (_tiff.IFDRational(round(px/mm*10_000), 1000) for px,mm in zip(size, sensor))
+        tags |= {Base.FocalPlaneXResolution: across, Base.FocalPlaneYResolution: down,
+                 Base.FocalPlaneResolutionUnit: 3}                  # pixels for each cm
+    return tags
+
+def _photo_tags(when:datetime, size:tuple, camera:CameraInformation)->dict:
     "The photographic part of EXIF: tag to value"
     date,subsec,utc = f'{when:%Y:%m:%d %H:%M:%S}',f'{when.microsecond//1000:03}','+00:00'
     tags = {Base.ExifVersion: b'0232', Base.ComponentsConfiguration: b'\1\2\3\0', Base.FlashPixVersion: b'0100',
@@ -60,8 +97,7 @@ def _photo_tags(when:datetime, size:tuple, focal_length:float)->dict:
             Base.DateTimeOriginal: date, Base.DateTimeDigitized: date,
             Base.OffsetTime: utc, Base.OffsetTimeOriginal: utc, Base.OffsetTimeDigitized: utc,
             Base.SubsecTime: subsec, Base.SubsecTimeOriginal: subsec, Base.SubsecTimeDigitized: subsec}
-    if known(focal_length): tags[Base.FocalLength] = _tiff.IFDRational(round(focal_length*1000), 1000)
-    return {int(tag): value for tag,value in tags.items()}
+    return {int(tag): value for tag,value in (tags|_lens_tags(size, camera)).items()}
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #4612993a
 def _in_photo_part(tag:int)->bool:
@@ -69,13 +105,22 @@ def _in_photo_part(tag:int)->bool:
     return 0x829a<=tag<0x8825 and tag!=0x8769 or 0x8825<tag<0x9c9b or 0xa000<=tag<0xa600
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #d9e22620
+def _as_exif(value):
+    "A value as EXIF has it: text in UTF-8, and fractions in place of floats, which Pillow would write as DOUBLE"
+    if isinstance(value, str): return value if value.isascii() else value.encode()
+    if isinstance(value, (tuple,list)): return tuple(map(_as_exif, value))
+    if not isinstance(value, float): return value
+    part = Fraction(value).limit_denominator(1_000_000)
+    return _tiff.IFDRational(part.numerator, part.denominator)
+
 def _add_tags(block, tags:dict):
     "Add `tags` by name to Pillow's `Exif`; raises `ValueError` for a name or a value that EXIF does not have"
     for name,value in tags.items():
         alike = ''.join(f': do you mean {n!r}?' for n in get_close_matches(str(name), Base.__members__, 1))
         if name not in Base.__members__: raise ValueError(f'EXIF has no tag {name!r}{alike}')
         part = block.get_ifd(IFD.Exif) if _in_photo_part(Base[name]) else block
-        part[int(Base[name])] = value if not isinstance(value, str) or value.isascii() else value.encode()  # UTF-8
+        try: part[int(Base[name])] = _as_exif(value)
+        except (ValueError, OverflowError): raise ValueError(f'EXIF cannot hold {name} {value!r}') from None
     try: block.tobytes()
     except Exception as e: raise ValueError(f'EXIF cannot hold {tags}: {e}') from None
 
@@ -93,7 +138,7 @@ def exif(index:int, # Which picture
                   Base.Software: 'UAV', Base.DateTime: f'{when:%Y:%m:%d %H:%M:%S}',
                   Base.Orientation: 1, Base.YCbCrPositioning: 1,
                   Base.XResolution: 72., Base.YResolution: 72., Base.ResolutionUnit: 2})
-    block.get_ifd(IFD.Exif).update(_photo_tags(when, size, camera.focal_length))
+    block.get_ifd(IFD.Exif).update(_photo_tags(when, size, camera))
     if pose: block.get_ifd(IFD.GPSInfo).update(_gps_tags(pose, when))
     if tags: _add_tags(block, tags)
     # ComponentsConfiguration (0x9101): Pillow writes type BYTE (1), the standard asks for UNDEFINED (7)
@@ -101,38 +146,48 @@ def exif(index:int, # Which picture
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #7356b0aa
 _xmp_head,_rdf_end = b'http://ns.adobe.com/xap/1.0/\0',b'</rdf:RDF>'
+_namespaces = {'Camera':'http://pix4d.com/camera/1.0/', 'drone-dji':'http://www.dji.com/drone-dji/1.0/',
+               'exif':'http://ns.adobe.com/exif/1.0/'}
 
 def _degrees_minutes(angle:float, letters:str)->str:
     "A latitude or longitude as XMP has it, such as '36,50.910000S'; `letters` are for a positive and a negative one"
     degrees,millionths = divmod(round(abs(angle)*60e6), 60_000_000)
     return f'{degrees},{millionths/1e6:.6f}{letters[angle<0]}'
 
-def _description(pose:Pose)->bytes:
-    "Write `pose` as an XMP block"
-    told = {'Camera:Yaw': pose.yaw, 'Camera:Pitch': pose.pitch+90, 'Camera:Roll': pose.roll,
-            'drone-dji:GimbalYawDegree': pose.yaw, 'drone-dji:GimbalPitchDegree': pose.pitch,
-            'drone-dji:GimbalRollDegree': pose.roll, 'drone-dji:AbsoluteAltitude': pose.alt,
-            'drone-dji:RelativeAltitude': pose.relative_alt}
-    told = {name: f'{value:+.2f}' for name,value in told.items() if known(value)}
+def _properties(pose:Pose, make:str)->dict:
+    "XMP properties of `pose`, name to value, without what is not known; `make` is that of the EXIF"
+    yaw,pitch,roll = _nadir_angles(pose)
+    told = {'Camera:Yaw': yaw, 'Camera:Pitch': pitch, 'Camera:Roll': roll}
+    if make.strip().lower() in ('dji','hasselblad'):        # ODM adds 90 to the pitch of these, whatever it has read
+        told |= {'drone-dji:GimbalYawDegree': yaw, 'drone-dji:GimbalPitchDegree': pitch-90,
+                 'drone-dji:GimbalRollDegree': roll}
+    told |= {'drone-dji:AbsoluteAltitude': pose.alt, 'drone-dji:RelativeAltitude': pose.relative_alt}
+    told = {name: f'{round(value, 2)+0.:+.2f}' for name,value in told.items() if known(value)}
     if known(pose.lat) and known(pose.lon):
         told |= {'exif:GPSLatitude': _degrees_minutes(pose.lat, 'NS'),
                  'exif:GPSLongitude': _degrees_minutes(pose.lon, 'EW')}
     if known(pose.alt):
         told |= {'exif:GPSAltitude': f'{round(abs(pose.alt)*1000)}/1000', 'exif:GPSAltitudeRef': '01'[pose.alt<0]}
-    attributes = ' '.join(f'{name}="{value}"' for name,value in told.items())
-    return ('<rdf:Description rdf:about="" xmlns:Camera="http://pix4d.com/camera/1.0/" '
-            'xmlns:drone-dji="http://www.dji.com/drone-dji/1.0/" xmlns:exif="http://ns.adobe.com/exif/1.0/" '
-            f'{attributes}/>').encode()
+    return told
 
-def xmp(pose:Pose)->bytes:
+def _attributes(told:dict, without:bytes=b'')->bytes:
+    "Properties as the inside of an XML tag, with the namespaces that the tag `without` lacks"
+    spaces = [f'xmlns:{name}="{url}"' for name,url in _namespaces.items() if f'xmlns:{name}='.encode() not in without]
+    return ' '.join([*spaces, *(f'{name}="{value}"' for name,value in told.items())]).encode()
+
+def xmp(pose:Pose, # Where the picture was taken
+        make:str='', # The EXIF `Make`
+       )->bytes:
     "Position and attitude as an XMP block, ready for `add_segments`"
     return _xmp_head + ('<?xpacket begin="\ufeff" id="W5M0MpCehiHzreSzNTczkc9d"?><x:xmpmeta xmlns:x="adobe:ns:meta/">'
-        '<rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">').encode() + _description(pose) + \
-        _rdf_end + b'</x:xmpmeta><?xpacket end="w"?>'
+        '<rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#"><rdf:Description rdf:about="" ').encode() + \
+        _attributes(_properties(pose, make)) + b'/>' + _rdf_end + b'</x:xmpmeta><?xpacket end="w"?>'
 
-def sidecar(pose:Pose)->bytes:
+def sidecar(pose:Pose, # Where the picture was taken
+            make:str='', # The EXIF `Make`
+           )->bytes:
     "The same as a file, which lies beside a RAW picture"
-    return xmp(pose)[len(_xmp_head):]
+    return xmp(pose, make)[len(_xmp_head):]
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #c55656e7
 def _entries(tiff:bytes, at:int, order:str)->tuple:
@@ -143,10 +198,18 @@ def _entries(tiff:bytes, at:int, order:str)->tuple:
     return {number(i, 2): tiff[i:i+12] for i in range(at+2, end, 12)}, tiff[end:end+4].ljust(4, b'\0')
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #dce00ed4
-def _added_tags(order:str, offset:int, index:int, when:datetime, pose:Pose|None, tags:dict|None)->bytes:
+def _missing_lens_tags(theirs, size:tuple, camera:CameraInformation)->dict:
+    "What `camera` adds to the lens of an EXIF block that Pillow has read; what that has counts"
+    has = {tag: value for tag,value in theirs.get_ifd(IFD.Exif).items() if isinstance(value, bytes) or value}
+    if Base.FocalLength in has and not camera.equivalent:
+        camera = replace(camera, focal_length=float(has[Base.FocalLength]))
+    return {int(tag): value for tag,value in _lens_tags(size, camera).items() if int(tag) not in has}
+
+def _added_tags(order:str, offset:int, index:int, when:datetime, pose:Pose|None, lens:dict, tags:dict|None)->bytes:
     "The tags that we add to the EXIF block of others, for a place in it"
     block = _image.Exif()
     block[Base.ImageDescription] = f'UAV picture {index}'
+    if lens: block.get_ifd(IFD.Exif).update(lens)
     if pose: block.get_ifd(IFD.GPSInfo).update(_gps_tags(pose, when))
     if tags: _add_tags(block, tags)
     ours = _tiff.ImageFileDirectory_v2(ifh=(b'MM\0*' if order=='big' else b'II*\0')+bytes(4))
@@ -160,13 +223,13 @@ def _as_list(entries:dict, order:str)->bytes:
     "Entries as a list of tags, in the order of their numbers"
     return len(entries).to_bytes(2, order)+b''.join(entries[tag] for tag in sorted(entries))
 
-def _merged(theirs:bytes, index:int, time_utc:float, pose:Pose|None, tags:dict|None)->bytes:
-    "Their EXIF block with our mark, position and tags added; raises `ValueError` when it is damaged"
+def _merged(theirs:bytes, index:int, time_utc:float, pose:Pose|None, lens:dict, tags:dict|None)->bytes:
+    "Their EXIF block with our mark, position, lens and tags added; raises `ValueError` when it is damaged"
     order,when = 'little' if theirs[:2]==b'II' else 'big',datetime.fromtimestamp(time_utc, timezone.utc)
     def place(entry): return int.from_bytes(entry[8:], order)
     if theirs[:2] not in (b'II',b'MM'): raise ValueError('there is no EXIF block')
     base = theirs+bytes(len(theirs)%2)
-    data = base+_added_tags(order, len(base), index, when, pose, tags)
+    data = base+_added_tags(order, len(base), index, when, pose, lens, tags)
     old,following = _entries(data, int.from_bytes(theirs[4:8], order), order)
     new,_ = _entries(data, len(base), order)
     for part in (IFD.Exif,IFD.GPSInfo):             # lists of their own, which an entry points at
@@ -177,22 +240,70 @@ def _merged(theirs:bytes, index:int, time_utc:float, pose:Pose|None, tags:dict|N
     return b'Exif\0\0'+data[:4]+len(data).to_bytes(4, order)+data[8:]+_as_list(old|new, order)+following
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #67c8f624
-def _taken_out(jpeg:bytes)->tuple:
-    "A JPEG without its EXIF and XMP, and these two, each empty when there is none"
-    at,kept,found = 2,[],{b'Exif\0\0':b'', _xmp_head:b''}
-    while jpeg[at]==0xff and 0xe0<=jpeg[at+1]<=0xef:
-        end = at+2+int.from_bytes(jpeg[at+2:at+4], 'big')
-        kind = next((k for k in found if jpeg[at+1]==0xe1 and jpeg.startswith(k, at+4) and not found[k]), None)
-        if kind: found[kind] = jpeg[at+4:end]
-        else: kept.append(jpeg[at:end])
-        at = end
-    return jpeg[:2]+b''.join(kept)+jpeg[at:], *found.values()
+def _segments(jpeg:bytes):
+    "Yield marker, begin and end of each segment before the picture's data; raises `ValueError` where a file is damaged"
+    at = 2
+    while True:
+        while jpeg[at:at+2]==b'\xff\xff': at += 1           # fill bytes
+        marker,length = jpeg[at+1:at+2],int.from_bytes(jpeg[at+2:at+4], 'big')
+        if jpeg[at:at+1]!=b'\xff' or length<2 or at+2+length>len(jpeg): raise ValueError('the JPEG is damaged')
+        if marker in b'\xda\xd9': return
+        yield marker[0],at,at+2+length
+        at += 2+length
 
-def _with_pose(packet:bytes, pose:Pose)->bytes:
-    "An XMP block with our description at its end; ours alone when there is none, or no room in it"
-    before,end,after = packet.rpartition(_rdf_end)
-    both = before+_description(pose)+end+after
-    return both if end and len(both)<65534 else xmp(pose)
+def _taken_out(jpeg:bytes)->tuple:
+    "A JPEG without its EXIF and XMP, and the first of each, empty when there is none"
+    kept,found,end = [jpeg[:2]],{b'Exif\0\0':b'', _xmp_head:b''},2
+    try:
+        for marker,begin,end in _segments(jpeg):
+            kind = next((k for k in found if marker==0xe1 and jpeg.startswith(k, begin+4)), None)
+            if kind is None: kept.append(jpeg[begin:end])
+            elif not found[kind]: found[kind] = jpeg[begin+4:end]
+    except ValueError: pass                 # what follows stays as it is
+    return b''.join(kept)+jpeg[end:], *found.values()
+
+# %% ../../nbs/api/cameras/01_exif.ipynb #3a0e5b13
+_of_attitude = ['Camera:Yaw','Camera:Pitch','Camera:Roll',
+                *(f'drone-dji:{what}{axis}Degree' for what in ('Gimbal','Flight') for axis in ('Yaw','Pitch','Roll'))]
+_of_position = ['exif:GPSLatitude','exif:GPSLongitude','drone-dji:Latitude','drone-dji:Longitude',
+                'drone-dji:GpsLatitude','drone-dji:GpsLongitude','drone-dji:GpsLongtitude']       # DJI's own spelling
+_of_altitude = ['exif:GPSAltitude','exif:GPSAltitudeRef','drone-dji:AbsoluteAltitude']
+
+def _replaced(pose:Pose)->list:
+    "Names of the properties in others' XMP that `pose` makes void"
+    has = (_of_attitude, pose.pitch),(_of_position, pose.lat+pose.lon),(_of_altitude, pose.alt)
+    names = [name for group,value in has if known(value) for name in group]
+    return names+['drone-dji:RelativeAltitude']*known(pose.relative_alt)
+
+def _prefixes(packet:bytes, name:str)->bytes:
+    "A pattern for `name` and all other prefixes that `packet` has for its namespace"
+    url = re.escape(_namespaces[name].rstrip('/').encode())
+    others = re.findall(rb'xmlns:([\w.-]+)\s*=\s*["\']'+url+rb'/?["\']', packet)
+    return b'(?:'+b'|'.join(map(re.escape, {name.encode(), *others}))+b')'
+
+def _stripped(packet:bytes, names:list)->bytes:
+    "An XMP block without some properties, written as attributes or as elements"
+    for name in names:
+        prefix,_,local = name.partition(':')
+        tag = _prefixes(packet, prefix)+b':'+local.encode()
+        packet = re.sub(rb'\s'+tag+rb'\s*=\s*(?:"[^"]*"|\'[^\']*\')', b'', packet)
+        packet = re.sub(rb'<('+tag+rb')(?=[\s/>])[^>]*?(?:/>|>.*?</\1\s*>)', b'', packet, flags=re.DOTALL)
+    return packet
+
+# %% ../../nbs/api/cameras/01_exif.ipynb #3a0e5b15
+_first_description = re.compile(rb'<rdf:Description\b(?:[^>"\']|"[^"]*"|\'[^\']*\')*?(?=/?>)')
+
+def _with_pose(packet:bytes, pose:Pose, make:str)->bytes:
+    "An XMP block with our properties in place of its own; ours alone when there is none, or no room in it"
+    told,theirs = _properties(pose, make),_stripped(packet, _replaced(pose))
+    found = _first_description.search(theirs)
+    if not found or not theirs.rpartition(_rdf_end)[1]: return xmp(pose, make)
+    bound = {(name.decode(), url.decode()) for name,url in re.findall(rb'xmlns:([\w.-]+)\s*=\s*["\']([^"\']*)', theirs)}
+    taken = any(name in _namespaces and url!=_namespaces[name] for name,url in bound)   # our prefix means another thing
+    if taken: at,ours = found.start(),b'<rdf:Description rdf:about="" '+_attributes(told)+b'/>'
+    else: at,ours = found.end(),b' '+_attributes(told, found[0])
+    both = theirs[:at]+ours+theirs[at:]
+    return both if len(both)<65534 else xmp(pose, make)
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #1fc3f1a8
 def add_metadata(jpeg:bytes, # A JPEG file
@@ -202,12 +313,17 @@ def add_metadata(jpeg:bytes, # A JPEG file
                  information:CameraInformation|None=None, # Which camera took it
                  tags:dict|None=None, # More EXIF tags, by their names
                 )->bytes:
-    "`jpeg` with EXIF, and with XMP when `pose` is known; what it has of both already stays, and so do its pixels"
-    size = _image.open(BytesIO(jpeg)).size
+    "`jpeg` with EXIF, and with XMP when `pose` is known; the rest of what it has of both stays, and so do its pixels"
+    size,camera = _image.open(BytesIO(jpeg)).size,information or CameraInformation()
     jpeg,theirs,packet = _taken_out(jpeg)
-    try: own = _merged(theirs[6:], index, time_utc, pose, tags)
-    except ValueError: own = exif(index, time_utc, size, pose, information, tags)       # none, or a damaged one
-    if pose: packet = _with_pose(packet, pose)
+    try:
+        read = _image.Exif()
+        if theirs: read.load(theirs)
+        own = _merged(theirs[6:], index, time_utc, pose, _missing_lens_tags(read, size, camera), tags)
+        make = str(read.get(Base.Make, camera.vendor))
+    except Exception:                       # there is no block, or a damaged one, of which Pillow may raise anything
+        own,make = exif(index, time_utc, size, pose, camera, tags),camera.vendor
+    if pose: packet = _with_pose(packet, pose, make)
     if theirs and len(own)>65533: own = theirs          # there is no room
     return add_segments(jpeg, own, *filter(None, [packet]))
 

@@ -15,7 +15,8 @@ from .parameters import check_parameters, Parameter
 from .values import *
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread, cv2, _has_ended, np
+from ..utils.general import _begin_thread, _has_ended
+from ..utils.pictures import decode_picture
 
 # %% auto #0
 __all__ = ['GPhotoCamera']
@@ -252,9 +253,8 @@ def _fetch(self:GPhotoCamera, camera)->dict:
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #f1f83a79
 def _decoded(jpeg:bytes):
     "Decode a JPEG of the body; raises `CameraError`"
-    image = cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR) if jpeg else None
-    if image is None: raise CameraError('the camera body gave a JPEG that cannot be read')
-    return image
+    try: return decode_picture(jpeg)
+    except ValueError as e: raise CameraError(f'the camera body gave a JPEG that cannot be read: {e}') from None
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #a50f6265
 @patch

@@ -186,15 +186,23 @@ def _request(self:PiCamera, fresh:bool=False, # Exposed after this call?
     try: yield request,number
     finally: request.release()
 
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #3a0e5c01
+def _exposure_tags(about:dict)->dict:
+    "EXIF tags in picamera2's metadata of a frame; a gain of 1 is ISO 100, as in rpicam-still"
+    tags = dict(ExposureTime=about.get('ExposureTime', 0)/1e6)
+    tags['ISOSpeedRatings'] = round(100*about.get('AnalogueGain', 0)*about.get('DigitalGain', 1.))
+    return {name: value for name,value in tags.items() if value}
+
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #92762386
 @patch
 def _take(self:PiCamera, stream:str, fresh:bool=False)->Frame:
     "Return the next frame of a stream"
     with self._request(fresh) as (request,number):
-        planes,taken = request.make_array(stream),request.get_metadata()['SensorTimestamp']/1e9
+        planes,about = request.make_array(stream),request.get_metadata()
     width,height = self.sizes[stream]               # rows have some more bytes, to be multiples of 32 or 64
     image = np.ascontiguousarray(cv2.cvtColor(planes, cv2.COLOR_YUV2BGR_I420)[:height,:width])
-    return Frame(image, number, clock.time()-clock.monotonic()+taken)
+    taken = about['SensorTimestamp']/1e9
+    return Frame(image, number, clock.time()-clock.monotonic()+taken, tags=_exposure_tags(about))
 
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #89f23daf
 @patch

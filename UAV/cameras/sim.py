@@ -108,6 +108,7 @@ def _sim_information(model:str, width:int, height:int)->CameraInformation:
 class SimCamera(Camera):
     "A camera in a `SimWorld`, with zoom, focus, modes and parameters"
     declared = sim_parameters
+    _parts = dict(number=int, plugged_in=bool)
     def __init__(self,
         width:int=640, # px
         height:int=480, # px
@@ -184,7 +185,8 @@ def read(self:SimCamera, size:tuple|None=None, # px; `None`: as `information` sa
     self._check_works()
     with self._number_lock: number,self.number = self.number,self.number+1
     taken,look = self.clock(),self.look()
-    return Frame(self._draw(number, look, size), number, taken, self.pose(look))
+    tags = dict(ExposureTime=self.parameters['CAM_SHUTTERSPD'], ISOSpeedRatings=self.parameters['CAM_ISO'])
+    return Frame(self._draw(number, look, size), number, taken, self.pose(look), tags=tags)
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #602d0bba
 @patch

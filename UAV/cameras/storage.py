@@ -467,7 +467,7 @@ def save(self:Storage, jpeg:bytes, # A JPEG file
     if wrong: raise ValueError(f"a file beside a picture has a suffix such as '.nef', not {wrong[0]!r}")
     with self._lock:
         index,more = self.next_index,dict(beside)
-        if beside and pose: more['.xmp'] = sidecar(pose)
+        if beside and pose: more['.xmp'] = sidecar(pose, information.vendor if information else '')
         jpeg = add_metadata(jpeg, index, time_utc, pose, information, tags)
         name = _file_names(self.folder, index, self.ours, tuple(more))[-1]  # a file that is there stays
         files = {name[:-4]+suffix: content for suffix,content in more.items()} | {name: jpeg}
@@ -489,6 +489,18 @@ def fail(self:Storage, time_utc:float, # When it was tried, s since 1970
         picture = Picture(self.next_index, time_utc, ok=False, error=error, storage_id=self.storage_id)
         try: self._append(_as_line(picture))
         except StorageError as e: self._warn(f'picture {picture.index} is not in the log', e)   # the count must go on
+        return self._note(picture)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #b1d8f183
+@patch
+def elsewhere(self:Storage, time_utc:float, # When it was taken, s since 1970
+              pose:Pose|None=None, # Where it was taken
+             )->Picture:
+    "Keep the record of a shot whose file isn't here, such as one on the card of a device"
+    with self._lock:
+        picture = Picture(self.next_index, time_utc, pose=pose, storage_id=self.storage_id)
+        try: self._append(_as_line(picture))
+        except StorageError as e: self._warn(f'picture {picture.index} is not in the log', e)
         return self._note(picture)
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #5c0a5018

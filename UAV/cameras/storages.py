@@ -99,6 +99,13 @@ def fail(self:Storages, time_utc:float, # When it was tried, s since 1970
     "Keep the record of a shot that failed"
     with self._lock: return self.photo.fail(time_utc, error)
 
+@patch
+def elsewhere(self:Storages, time_utc:float, # When it was taken, s since 1970
+              pose=None, # `Pose`: where it was taken
+             )->Picture:
+    "Keep the record of a shot whose file isn't here, such as one on the card of a device"
+    with self._lock: return self.photo.elsewhere(time_utc, pose)
+
 # %% ../../nbs/api/cameras/03_storages.ipynb #afd6104f
 @patch
 def _join(self:Storages, new:Storage):
@@ -160,8 +167,10 @@ def picture(self:Storages, index:int, # From 0
 @patch(as_prop=True)
 def pictures(self:Storages)->list:
     "All shots of this count that are in a log, by index"
-    known = {p.index for s in self._counting() for p in list(s.pictures) if p.index < self.next_index}
-    return [self.picture(index) for index in sorted(known)]
+    end,known = self.next_index,{}
+    for picture in (p for s in self._counting() for p in list(s.pictures) if p.index < end):    # one look at each log
+        if picture.error != lost_line or picture.index not in known: known[picture.index] = picture
+    return [known[index] for index in sorted(known)]
 
 # %% ../../nbs/api/cameras/03_storages.ipynb #e0df35b8
 @patch

@@ -215,7 +215,7 @@ class _CaptureJob:
 # %% ../../nbs/api/cameras/07_trigger.ipynb #af7b96fc
 class CaptureQueue:
     "A camera's picture requests, and the thread that takes them while there are any"
-    max_waiting = 2         # single shots that may wait for the one being taken
+    max_waiting = 10        # single shots that may wait for the one being taken
     def __init__(self,
                  camera): # Its `storages`, `_take_picture`, `_tell_picture`, `announce` and `capture_status` are used
         self.camera,self.jobs,self.changed = camera,deque(),clock.Condition()
@@ -228,7 +228,7 @@ class CaptureQueue:
     def __repr__(self): return f'CaptureQueue({list(self.jobs)})'
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #c9215d4e
-CaptureQueue.sequence_runs = property(lambda self: any(j.count!=1 and not j.stop.is_set() for j in self.jobs),
+CaptureQueue.sequence_runs = property(lambda self: any(j.count!=1 and not j.stop.is_set() for j in list(self.jobs)),
     doc="Is a sequence under way, or waiting?")
 
 @patch

@@ -16,8 +16,9 @@ from .gst_cam import _AskedFrame
 from .values import *
 from ..utils import clock
 from ..utils.general import _begin_thread, _has_ended
+from ..utils.pictures import _frame_turns, _turned
 from ..video.encoder import PassThrough
-from ..video.player import _decode, _decoder, receivers, _scheme
+from ..video.player import _decode, _decoder, _in_our_schemes, receivers, _scheme, _Decoding
 from ..video.receivers import _Stopped
 from ..video.units import parameter_sets, Sink
 
@@ -37,21 +38,21 @@ class _FrameSink(Sink):
     "Decodes access units; the newest frame goes to `newest`"
     def __init__(self, newest, name:str):
         super().__init__(f'frames {name}')
-        self.newest,self.codec,self.decoder = newest,None,None
+        self.newest,self._decoding = newest,_Decoding()
 
     def send(self, unit):
         "Decode one unit"
-        if unit.format.codec!=self.codec: self.codec,self.decoder = unit.format.codec,_decoder(unit.format.codec)
-        for picture in _decode(self.decoder, unit.data):
-            self.newest.put(picture.to_ndarray(format='bgr24'), unit.time_utc)
+        for picture,_,time_utc in self._decoding(unit):
+            self.newest.put(_turned(picture.to_ndarray(format='bgr24'), _frame_turns(picture)), time_utc)
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #344b884e
 def _measure(unit)->tuple:
     "Return width and height (px) of a key frame, and pictures per second, 0 if unknown; `None` if it can't be decoded"
     decoder = _decoder(unit.format.codec)
-    pictures = _decode(decoder, unit.data) or _decode(decoder, b'')
-    rate = float(decoder.framerate or 0)
-    return pictures and (pictures[0].width, pictures[0].height, rate if 1<=rate<=240 else 0.) or None
+    picture = next(iter(_decode(decoder, unit.data) or _decode(decoder, b'')), decoder)    # or what its parameter sets say
+    rate,turns = float(decoder.framerate or 0),picture is not decoder and _frame_turns(picture)
+    size = (picture.width,picture.height)[::-1 if turns and turns[0] else 1]
+    return (*size, rate if 1<=rate<=240 else 0.) if all(size) else None
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #3f674b14
 class URLCamera(_LiveCamera):
@@ -87,7 +88,7 @@ class URLCamera(_LiveCamera):
 def _make_source(self:URLCamera):
     model,self._newest = self.information.model,_AskedFrame()
     self._encoder,self._frames = _CodedSource('h264', model),_FrameSink(self._newest, model)
-    self._thread,self._receiver,self._sets,self._problem = None,None,None,None
+    self._thread,self._receiver,self._sets,self._problem,self._vain = None,None,None,None,None
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #411369ab
 @patch
@@ -119,10 +120,18 @@ def _look_at(self:URLCamera, unit):
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #72f9642e
 @patch
+def _wait_size(self:URLCamera):
+    "Say so when pictures of unknown size come for too long"
+    self._vain = self._vain or clock.monotonic()
+    if clock.monotonic()-self._vain>(patience := self._receiver.patience):
+        self._tell(f'no picture can be decoded for {patience:g} s')
+
+@patch
 def _on_unit(self:URLCamera, unit):
     "Pass on an access unit; decode it, too, while a program looks at frames"
     if unit.key: self._look_at(unit)
-    if not self._sets: return           # of unknown size
+    if not self._sets: return self._wait_size()
+    self._vain = None
     i,newest = self.information,self._newest
     self._encoder.pass_on(unit, width=i.resolution_h, height=i.resolution_v, rate=self.frame_rate, bitrate=self.bitrate)
     self._tell(None)
@@ -135,8 +144,10 @@ def _on_unit(self:URLCamera, unit):
 @patch
 def _receive(self:URLCamera):
     "Pass on all that comes in one connection; raises `OSError`"
-    with receivers[_scheme(self.url)](self.url, self.open_timeout) as self._receiver:
+    scheme,(url,transport) = _scheme(self.url),_in_our_schemes(self.url)
+    with receivers[scheme](url, self.open_timeout, *([transport] if scheme=='rtsp' else [])) as self._receiver:
         if self._closing.is_set(): return
+        self._receiver.tell = self._tell
         with closing(self._receiver.units()) as units:
             for unit in units:
                 self._receiver.timeout = self.read_timeout

@@ -9,7 +9,7 @@ __all__ = ['CameraInformation', 'CameraError', 'CameraBusy', 'WrongMode', 'Stora
 
 # %% ../../nbs/api/cameras/00_values.ipynb #c572e020
 import json, re
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 
 from fastcore.basics import patch
 from ..utils import geo as earth
@@ -31,6 +31,7 @@ class CameraInformation(Value):
     resolution_h:int=0 # Width of a picture, px; 0 unknown
     resolution_v:int=0 # Height of a picture, px; 0 unknown
     lens_id:int=0 # Which lens, for cameras with several
+    equivalent:bool=False # Focal length and sensor are those of 35 mm film, not the camera's
 
 # %% ../../nbs/api/cameras/00_values.ipynb #28407a0b
 class CameraError(Exception): "The camera cannot do that"
@@ -78,6 +79,7 @@ class Frame:
     number:int # Counts the frames of the camera
     time_utc:float # When it was taken, s since 1970
     pose:Pose|None=None # Where it was taken
+    tags:dict|None=field(default=None, kw_only=True) # EXIF tags of this one, such as {'ExposureTime': .01}
 
     def __repr__(self): return f'Frame({self.number}, {self.image.shape[1]}x{self.image.shape[0]})'
 

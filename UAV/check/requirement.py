@@ -94,5 +94,6 @@ def requirement(name:str, # Such as 'photo.notice'
     "Make a function the check of a requirement"
     def _f(f):
         all_requirements[name] = Requirement(name, sentence, source, f, **options)
+        f.__doc__ = f.__doc__ or sentence
         return f
     return _f

@@ -6,10 +6,11 @@
 from __future__ import annotations
 from contextlib import contextmanager
 from xml.etree import ElementTree
-import lzma, re, struct
+import re, struct
 
 from .prober import _ftp_path, Prober
 from .requirement import given, must, NotForThis, requirement, seen_if, Untested
+from ..utils.files import unpacked as _unpacked
 from ..utils.sockets import get_web
 from ..wire.dialect import enum_name, mavlink
 from ..wire.links import VirtualLink
@@ -45,9 +46,7 @@ def _definition_bytes(p:Prober)->bytes:
 # %% ../../nbs/api/check/05_settings.ipynb #df5139c2
 def unpacked(content:bytes, most:int=1<<22)->bytes:
     "A definition file without its compression; raises `ValueError`"
-    if not content.startswith(b'\xfd7zXZ'): return content
-    try: return lzma.LZMADecompressor().decompress(content, most)
-    except lzma.LZMAError as e: raise ValueError(f'no xz file: {e}') from None
+    return _unpacked(content, most) if content.startswith(b'\xfd7zXZ') else content     # MAVSDK reads no other
 
 # %% ../../nbs/api/check/05_settings.ipynb #fce727e5
 class _NoDoctype(ElementTree.TreeBuilder):

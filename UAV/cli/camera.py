@@ -29,6 +29,7 @@ from UAV.mavlink.camera_asking import (CAMERA_TRACKING_IMAGE_STATUS, cameras_hea
 from ..mavlink.protocol import Busy, comes_from, CommandError, Denied, NoAnswer
 from ..mavlink.settings import PARAM_EXT_VALUE, param_name, param_value
 from ..utils import clock
+from ..utils.files import local_name
 from ..utils.general import known
 from ..utils.output import amount, Progress
 from ..wire.dialect import enum_name, MAVError
@@ -60,8 +61,8 @@ class CameraVisit(Visit):
         remote = self.client.remotes.get(there)
         informed = asked.done() and not asked.exception() and bool(asked.result())
         if remote is None or remote.type is None: return informed and is_camera(there, mavlink.MAV_TYPE_GENERIC) or None
-        if is_camera(there, remote.type): return True
-        if remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID: return False
+        if remote.type==mavlink.MAV_TYPE_CAMERA: return True
+        if remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID and not is_camera(there, remote.type): return False
         return informed if asked.done() else None
 
     async def no_camera(self, there:tuple)->str:
@@ -283,16 +284,6 @@ async def _set_mode(visit, mode:Literal['image','video','survey']): # Camera mod
     (await (await visit.choose()).mode('image_survey' if mode=='survey' else mode)).check()
     await visit.tell_settings()
 
-# %% ../../nbs/api/cli/03_camera.ipynb #a5b1d853
-def _free_place(folder, path:str)->Path:
-    "Return a new file name in `folder`, as on the camera; raises `ValueError` for an unsafe name"
-    name = path.replace('\\', '/').rpartition('/')[2]
-    if name in ('','.','..') or not name.isprintable() or len(name.encode())>200:
-        raise ValueError(f'{path!r} does not end with the name of a file')
-    place,n = Path(folder)/name,1
-    while place.exists(): place,n = place.with_name(f'{Path(name).stem}_{n+1}{Path(name).suffix}'),n+1
-    return place
-
 # %% ../../nbs/api/cli/03_camera.ipynb #571f3124
 def _folder_here(folder)->Path:
     "Return a writable folder; raises `ValueError` if it isn't, `OSError` for a full disk"
@@ -307,14 +298,12 @@ def _folder_here(folder)->Path:
 
 # %% ../../nbs/api/cli/03_camera.ipynb #f3837673
 @patch
-async def fetch(self:CameraVisit, path:str, # Path on the camera, or a `mftp://` URL
+async def fetch(self:CameraVisit, path:str, # Path on the camera, or its URL
                 folder, # Local folder, as for `_folder_here`
                )->Path:
     "Fetch a file and return its local path; raises `ValueError`, `OSError` or `MAVError`"
-    if '://' in path and not path.startswith('mftp://'): raise ValueError(f'{path} is not to be had over MAVLink')
-    place = _free_place(_folder_here(folder), path)
-    await self.camera.files.fetch(path, place, progress=None if self.options.json else Progress(place.name))
-    return place
+    progress = None if self.options.json else Progress(local_name(path))
+    return await self.camera.files.fetch(path, _folder_here(folder), progress)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #d38e2876
 class NotTaken(MAVError): "A capture that is incomplete"
@@ -394,21 +383,34 @@ def _time_text(moment:float)->str:
     try: return clock.strftime('%Y-%m-%d %H:%M:%S', clock.localtime(moment)) if moment else ''
     except (ValueError, OverflowError, OSError): return ''
 
+# %% ../../nbs/api/cli/03_camera.ipynb #5d7cb703
+@patch
+async def tell_entries(self:CameraVisit, folder:str)->list:
+    "Print the files and folders in a folder of the camera, and return the paths of its folders"
+    found = sorted(await self.entries(folder), key=lambda one: (not one[1].folder, one[1].name))
+    for path,e in found:
+        text = f'{path}/' if e.folder else f'{path}  {amount(e.size)}  {_time_text(e.time)}'.rstrip()
+        self.tell(printable(text), path=path, folder=e.folder, size=None if e.folder else e.size, time=e.time)
+    return [path for path,e in found if e.folder and e.name not in ('.','..')]
+
 # %% ../../nbs/api/cli/03_camera.ipynb #27003e38
 @_verb('files', 'files /media', 'files /media --json')
-async def _files(visit, paths:list[str]): # Folders on the camera; default: the top folder
+async def _files(visit, paths:list[str]): # Folders on the camera; default: the top folder, and those in it
     "List the files on the camera, with sizes"
     await visit.choose()
-    for folder in paths or ['/']:
-        for path,e in sorted(await visit.entries(folder), key=lambda one: (not one[1].folder, one[1].name)):
-            text = f'{path}/' if e.folder else f'{path}  {amount(e.size)}  {_time_text(e.time)}'.rstrip()
-            visit.tell(printable(text), path=path, folder=e.folder, size=None if e.folder else e.size, time=e.time)
+    if paths:
+        for folder in paths: await visit.tell_entries(folder)
+        return
+    for folder in await visit.tell_entries('/'):
+        try: await visit.tell_entries(folder)
+        except FtpError as e:
+            visit.tell(f'{printable(folder)}/ is skipped: {printable(str(e))}', path=folder, skipped=str(e))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #c40787cc
 @patch
 async def meant_files(self:CameraVisit, path:str)->list:
     "Return the paths of the files meant by a path: itself, or those in the folder"
-    if path.startswith('mftp://'): return [path]
+    if path.lower().startswith('mftp://'): return [path]
     parent,_,name = path.rstrip('/').rpartition('/')
     beside = [] if path.strip('/')=='' else await self.entries(parent or '/')
     if any(e.name==name and not e.folder for _,e in beside): return [path]

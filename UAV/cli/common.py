@@ -573,11 +573,19 @@ async def find(self:Visit)->list:
 
 # %% ../../nbs/api/cli/01_common.ipynb #69076d1a
 @patch
+def _how(self:Visit, meant:list)->str:
+    "Return the options that tell these devices apart"
+    if len({device.system for device in meant})==1: return self.choices
+    return f'--system{"," if " or " in self.choices else " or"} {self.choices}'
+
+@patch
 def only(self:Visit, meant:list): # Devices from `find`
     "Return the only device; raises `NoAnswer` for none, and `ValueError` for several"
     if len(meant)==1: return meant[0]
     system,component = self.options.system,self.options.component
-    if meant: raise ValueError(f'which {self.kind}? Choose with {self.choices}: {"; ".join(map(self.called, meant))}')
+    if meant:
+        called = '; '.join(map(self.called, meant))
+        raise ValueError(f'which {self.kind}? Choose with {self._how(meant)}: {called}')
     where = f' at {system or "*"}/{component}' if component else f' of system {system}' if system else ''
     there = '; '.join(map(self.called, self.seen))
     raise NoAnswer(f'no {self.sought()}{"" if component else where} answers{where if component else ""}'+

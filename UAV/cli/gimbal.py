@@ -148,6 +148,12 @@ def _beyond(gimbal, pitch:float, yaw:float, frame:str)->str:
             if abs(wrap(limit-angle))>.1]
     return 'limit reached: '+' and '.join(over) if over else ''
 
+@patch
+async def arrive(self:Steering, gimbal):
+    "Wait until a gimbal has reached its angles; raises `NotReached`"
+    if await gimbal.reached(self.patience): return
+    raise NotReached(f'not reached in {self.patience:g} s: {_attitude(gimbal.attitude)}')
+
 # %% ../../nbs/api/cli/04_gimbal.ipynb #e08f2084
 def _some_angle(pitch, yaw, **_):
     if not known(pitch) and not known(yaw): raise ValueError('angle nan nan would leave everything as it is')
@@ -164,8 +170,7 @@ async def _angle(steering, pitch:_degrees, # Pitch from the horizon, degrees; -9
         (await gimbal.set_angles(pitch, yaw, frame, lock or None, *[speed or math.nan]*2)).check()
         beyond = _beyond(gimbal, pitch, yaw, frame)
         if wait and beyond: raise NotReached(beyond)
-        if wait and not await gimbal.reached(steering.patience):
-            raise NotReached(f'not reached in {steering.patience:g} s: {_attitude(gimbal.attitude)}')
+        if wait: await steering.arrive(gimbal)
     await steering.tell(beyond or ('there' if wait else 'on its way'), reached=wait, beyond=bool(beyond))
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #a908cc18
@@ -191,7 +196,14 @@ def _plain_verb(verb:str, about:str, name:str=''):
     act.__doc__ = about
     return _verb(verb)(act)
 
-_plain_verb('center', 'Point straight ahead')
+@_verb('center', 'center --wait')
+async def _center(steering, wait:bool=False): # Wait until it points there
+    "Point straight ahead"
+    async with steering.acting() as gimbal:
+        (await gimbal.center()).check()
+        if wait: await steering.arrive(gimbal)
+    await steering.tell('there' if wait else 'done', reached=wait)
+
 _plain_verb('retract', 'Fold the gimbal away')
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #16290fd0

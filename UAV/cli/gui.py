@@ -8,7 +8,7 @@ from contextlib import contextmanager, ExitStack
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
-import logging, os, signal, webbrowser
+import logging, os, signal, sys, webbrowser
 
 from ..cameras import SimCamera
 from .common import address, links, on_links, or_exit, place_for, run_with_options, sentence
@@ -82,7 +82,8 @@ def _told_url(server, teller:Teller, own:bool, stack:ExitStack)->str:
     "Return the address to print: with the token on a terminal, else with its file, unless it's the user's `own`"
     if teller.live: return server.url
     page = server.url.partition('#')[0]
-    if own: return f'{page} (with your token)'
+    if sys.stderr.isatty(): print(f'The panel: {server.url}', file=sys.stderr, flush=True)      # somebody is there
+    if own: return f'{page} (with your token, as {page}#token=TOKEN)'
     try: path = _keep_url(server)
     except OSError as e: return f'{page} ({sentence(e)}: choose a token, in UAV_GUI_TOKEN)'
     stack.callback(path.unlink, missing_ok=True)
@@ -122,7 +123,7 @@ def fly(
     browser:bool=False, # Open the page in your browser
     port:int=0, # TCP port of the page; 0: a free one
     host:str='127.0.0.1', # Address of the page; 0.0.0.0: reachable from other computers
-    token:str=None, # Token in the page's address; or set UAV_GUI_TOKEN; default: a new one
+    token:str=None, # Token, at the end of the page's address: #token=TOKEN; or set UAV_GUI_TOKEN; default: a new one
     sign:str=None, # Sign the link with the key in this file
     system:int=253, # System id of the panel
     component:int=mavlink.MAV_COMP_ID_MISSIONPLANNER, # Component id of the panel

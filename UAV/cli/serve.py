@@ -13,10 +13,14 @@ import logging, os, re, shutil, signal, sys
 from fastcore.basics import basic_repr
 from ..cameras import Camera, CameraError, CV2Camera, SimCamera, SimDualCamera, Storage
 from .common import address, links, listed, on_links, or_exit, painted, place_for, run_with_options
-from ..gimbals import circle, Gimbal, hover, SimGimbal, SimVehicle
+from ..gimbals import circle, FixedMount, Gimbal, hover, SimGimbal, SimVehicle
 from ..mavlink import CameraServer, GimbalCameraServer, GimbalServer, SimAutopilot
+from ..mavlink.camera_server import _checked_name
+from ..gimbals.gimbal_camera import camera_kind, CardCamera, gimbal_camera, takes_orders
+from ..mavlink.viewsheen_server import _Tracking
 from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device
+from ..utils.files import read_secret
 from ..utils.general import Closes, inside, known, one_of
 from ..video.units import codecs
 from ..video.rtsp_server import RTSPServer
@@ -27,21 +31,24 @@ from ..wire.signing import secret_key, Signing
 __all__ = ['main', 'add_streams', 'serving', 'Aboard', 'Teller', 'log_to', 'serve_camera']
 
 # %% ../../nbs/api/cli/02_serve.ipynb #834fa745
-def _make_camera(text:str, size:tuple|None=None, mount=None, **storage)->Camera:
-    "Open the camera described by `text`; a simulated one hangs on `mount`. Raises `CameraError`"
+def _is_device(text:str)->bool: return text.partition('://')[0].lower() in device_schemes()
+
+def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **storage)->Camera:
+    "Open the camera described by `text`, the video of `gimbal`; a simulated one hangs on `mount`. Raises `CameraError`"
+    def of(kind): return kind if gimbal is None else camera_kind(gimbal, kind)
     if text.endswith('.toml') or ' ! ' in text:
         from UAV.cameras.gst_cam import GSTCamera
-        return GSTCamera(text, **storage)
+        return of(GSTCamera)(text, **storage)
     width,height = size or (None,None)
-    if text.partition('://')[0] in device_schemes():
+    if _is_device(text):
         device = open_device(text, **storage)
         if isinstance(device, Camera): return device
         device.close()
         raise ValueError(f'--camera {device_url(text)} is a gimbal: write --device')
     simulated = dict(sim=SimCamera, dual=SimDualCamera).get(text)
-    if simulated: return simulated(width or 640, height or 480, mount=mount, **storage)
+    if simulated: return of(simulated)(width or 640, height or 480, mount=mount, **storage)
     own_size = dict(width=width, height=height) if text.isdigit() or text.startswith('/dev/') else {}
-    return CV2Camera(text, **own_size, **storage)
+    return of(CV2Camera)(text, **own_size, **storage)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #738ce307
 def _streams_of(camera, kind:str, host:str, port:int)->list:
@@ -78,11 +85,12 @@ def serving(camera, # A Camera
             component:int=100, # Component id, 100 to 105
             host:str|None=None, # Our address for viewers; `None`: the one that each viewer reaches
             guard=None, # Clients with destructive commands, as for `CameraServer`
+            name:str|None=None, # Its name at ground stations; `None`: the model
             components=(), # Further components of the vehicle
             **how): # `signing` and `forward` of `MAVCom`
     "Serve `camera` on these links, and return their `MAVCom`, as a context manager"
     with on_links(connections, source_system=system, **how) as com:
-        com.add_component(CameraServer(component, camera=camera, guard=guard, video_host=host))
+        com.add_component(CameraServer(component, camera=camera, guard=guard, video_host=host, name=name))
         for other in components: com.add_component(other)
         yield com
 
@@ -128,7 +136,8 @@ def _mounting(text:str|None)->tuple|None:
 # %% ../../nbs/api/cli/02_serve.ipynb #fbf8e396
 def _viewer(user:str|None, file:str|None=None)->dict:
     "Return `user` and `password` of `RTSPServer`; none if all may watch. Raises `ValueError` or `OSError`"
-    typed = os.environ.get('UAV_RTSP_PASSWORD') if file is None else Path(file).read_text().partition('\n')[0].strip()
+    typed = os.environ.get('UAV_RTSP_PASSWORD')
+    if file is not None: typed = read_secret(Path(file)).decode().partition('\n')[0].strip()
     if user is None and typed is None: return {}
     if user is None: raise ValueError('a password of RTSP needs --rtsp-user')
     if not typed: raise ValueError('--rtsp-user needs a password, in UAV_RTSP_PASSWORD or --rtsp-password-file')
@@ -148,10 +157,10 @@ def _destroyers(text:str|None, signed:bool=False):
     return [n[0] if len(n)==1 else n for n in numbers]
 
 # %% ../../nbs/api/cli/02_serve.ipynb #320df580
-def _make_gimbal(text:str, vehicle:SimVehicle|None=None, stand_in:bool=False)->Gimbal:
+def _make_gimbal(text:str, vehicle:SimVehicle|None=None, stand_in:bool=False, **storage)->Gimbal:
     "Open the gimbal described by `text`; a `stand_in` is used until a vehicle is received. Raises `ValueError`"
     if text=='sim': return SimGimbal(vehicle, stand_in=stand_in)
-    try: gimbal = open_device(text)
+    try: gimbal = open_device(text, **storage)
     except ValueError as e: raise ValueError(f'--gimbal is sim or a URL such as viewsheen://HOST: {e}') from None
     if isinstance(gimbal, Gimbal): return gimbal
     gimbal.close()
@@ -167,17 +176,22 @@ class Aboard(Closes):
         autopilot:bool=False, # Add a simulated autopilot for the vehicle
         camera:str='sim', # Camera, as for `_make_camera`
         role:str='both', # Role of the gimbal server: 'both', or 'device' if an autopilot manages it
+        mounted:tuple|None=None, # As from `_mounting`; `None`: ahead, 20° down
+        **storage # `folder`, `quota` and `storages` of the gimbal's own camera
     ):
         if path and not (autopilot or gimbal=='sim'): raise ValueError('--path needs --gimbal sim, or --autopilot')
         one_of('--role', role, ('both','device'))
         needed,flies = path or autopilot or (gimbal=='sim' and camera in ('sim','dual')),path or 'hover'
         self.vehicle = SimVehicle(self.paths[one_of('--path', flies, self.paths)]()) if needed else None
-        self.gimbal = _make_gimbal(gimbal, self.vehicle, not (path or autopilot)) if isinstance(gimbal, str) else gimbal
-        verbs = hasattr(self.gimbal, 'set_camera_zoom') and self.gimbal.camera is None      # no camera component
-        kind = GimbalCameraServer if verbs else GimbalServer
+        made = isinstance(gimbal, str)
+        self.gimbal = _make_gimbal(gimbal, self.vehicle, not (path or autopilot), **storage) if made else gimbal
+        kind = GimbalCameraServer if takes_orders(self.gimbal) and _is_device(camera) else GimbalServer
         self.server = kind(gimbal=self.gimbal, role=role) if gimbal else None
+        tracks = kind is GimbalServer and role!='device' and hasattr(self.gimbal, 'track_point')
+        if tracks: self.server.add_part(_Tracking(self.server))
         self.pilot = SimAutopilot(self.vehicle) if autopilot else None
-        self.mount = self.gimbal if gimbal=='sim' else None         # for a simulated camera
+        fixed = self.gimbal or mounted or (0.,-20.,0.)
+        self.mount = self.gimbal if gimbal=='sim' else self.vehicle and FixedMount(self.vehicle, fixed)
 
     components = property(lambda self: [c for c in (self.server, self.pilot) if c], doc="What goes on MAVLink")
     __repr__ = basic_repr('vehicle,gimbal')
@@ -195,7 +209,7 @@ def _viewers(stream)->str:
 
 def _size(mib:float)->str: return f'{mib/1024:.1f} GiB' if mib>=1024 else f'{mib:.0f} MiB'
 
-def _clock(seconds:float)->str: return f'{seconds//60:.0f}:{seconds%60:02.0f}'
+def _clock(seconds:float)->str: return f'{int(seconds)//60}:{int(seconds)%60:02}'
 
 # %% ../../nbs/api/cli/02_serve.ipynb #5cc43a1f
 def _gimbal_of(com)->tuple:
@@ -267,13 +281,14 @@ def log_to(teller:Teller):
 # %% ../../nbs/api/cli/02_serve.ipynb #e2ed96e7
 def _understood(typed)->SimpleNamespace:
     "Return the options as values; raises `ValueError`, or `OSError` for an unreadable key"
+    if typed.name is not None: _checked_name(typed.name, '--name')
     key = typed.sign and secret_key(Path(typed.sign))
     guard = _destroyers(typed.guard, bool(key))
     if guard=='signed': key = Signing(key, accept_unsigned=lambda msg_id, source: True)
     return SimpleNamespace(video=_video_format(typed.codec, typed.size, typed.rate, typed.bitrate),
         streams=_wanted_streams(typed.rtsp, typed.rtp, typed.mpegts, typed.tcp), connections=links(typed.connection),
         server=dict(system=typed.system, component=int(inside('--component', typed.component, 100, 105)),
-                    host=address(typed.host), guard=guard),
+                    host=address(typed.host), guard=guard, name=typed.name),
         com=dict(signing=key, forward=typed.forward),
         more=listed('--storage', typed.storage) if typed.storage is not None else [],
         watcher=_viewer(typed.rtsp_user, typed.rtsp_password_file), mounted=_mounting(typed.mounted))
@@ -282,13 +297,23 @@ def _understood(typed)->SimpleNamespace:
 def _device(typed, stack:ExitStack, storage:dict)->tuple:
     "Open `--device` and return `(gimbal, camera)`, either may be `None`; raises `ValueError`, and errors of its driver"
     if typed.device is None: return None,None
-    device = stack.enter_context(open_device(typed.device, **storage))
+    device = stack.enter_context(open_device(typed.device, **({} if typed.camera else storage)))
     gimbal,camera = (device,device.camera) if isinstance(device, Gimbal) else (None,device)
     shown = device_url(typed.device)            # without its password
     if gimbal and typed.gimbal: raise ValueError(f'--device {shown} is the gimbal: leave --gimbal out')
+    if takes_orders(gimbal): return gimbal,None if typed.camera else camera         # `--camera` is its video
     if camera and typed.camera: raise ValueError(f'--device {shown} has its own camera: leave --camera out')
     if not (camera or typed.camera): raise ValueError(f'--device {shown} gives no picture: add --camera rtsp://HOST/…')
     return gimbal,camera
+
+def _camera_of(typed, stack:ExitStack, aboard:Aboard, size:tuple|None, storage:dict)->Camera:
+    "Open that of the gimbal, or `--camera`, on which the gimbal's driver takes photos; raises `ValueError`, `CameraError`"
+    own,orders = getattr(aboard.gimbal, 'camera', None),aboard.gimbal if takes_orders(aboard.gimbal) else None
+    if own and not (orders or typed.camera):
+        raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
+    if orders and not typed.camera: return own or stack.enter_context(gimbal_camera(orders, **storage))
+    if orders and own: own.close()
+    return stack.enter_context(_make_camera(typed.camera or 'sim', size, aboard.mount, orders, **storage))
 
 def _opened(typed, stack:ExitStack)->tuple:
     "Open everything and return `(camera, MAVCom)`; raises `ValueError`, `CameraError`, `MAVError` or `OSError`"
@@ -297,14 +322,12 @@ def _opened(typed, stack:ExitStack)->tuple:
     several = [Storage(place, typed.quota, name=Path(place).name) for place in (typed.folder, *u.more) if u.more]
     storage = dict(storages=several) if several else dict(folder=typed.folder, quota=typed.quota)
     gimbal,camera = _device(typed, stack, storage)
-    what = typed.camera or 'sim'
-    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, what, typed.role))
-    if not (camera or typed.camera) and getattr(aboard.gimbal, 'camera', None):
-        raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
-    if camera is None: camera = stack.enter_context(_make_camera(what, u.video['size'], aboard.mount, **storage))
+    how,own = (typed.path, typed.autopilot, typed.camera or 'sim', typed.role),{} if camera or typed.camera else storage
+    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, *how, u.mounted, **own))
+    camera = camera or _camera_of(typed, stack, aboard, u.video['size'], storage)
     camera.mounted = u.mounted
     if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
-    add_streams(camera, u.streams, rtsp, **u.video)
+    add_streams(camera, [] if isinstance(camera, CardCamera) else u.streams, rtsp, **u.video)
     return camera,stack.enter_context(serving(camera, u.connections, **u.server, components=aboard.components, **u.com))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3fa5d9e4
@@ -329,7 +352,8 @@ def _introduce(camera, com, teller:Teller):
     "Print what is served, and on which links"
     for number,component in com.component.items():
         device = getattr(component, 'camera', None) or getattr(component, 'gimbal', None)
-        name = f'{device.information.vendor} {device.information.model}' if device else type(component).__name__
+        model = device and (getattr(component, 'name', None) or device.information.model)
+        name = f'{device.information.vendor} {model}' if device else type(component).__name__
         teller.say(f'{name} is {com.source_system}/{number}')
     server = next(c for c in com.component.values() if isinstance(c, CameraServer))
     for channel in com.channels: teller.say(f'  on {channel.name}')
@@ -343,6 +367,7 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
     camera:str=None, # sim (the default), dual (with heat), 0, /dev/video0, FILE, URL, PIPELINE.toml, or 'source ! …'
     system:int=1, # System id of the vehicle
     component:int=100, # Component id of the camera, 100 to 105
+    name:str=None, # Name that ground stations show; default: the model
     folder:str='uav_pictures', # Folder for pictures and recordings
     quota:float=None, # Limit each storage to this many MiB; default: the whole disk
     storage:str=None, # Folders of further storages, separated by commas; choose with `uav-camera storage`
@@ -382,7 +407,7 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
 _groups = {'the link':'connection system component sign guard forward',
-           'the camera':'device camera mounted folder quota storage',
+           'the camera':'device camera name mounted folder quota storage',
            'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate',
            'gimbal and vehicle':'gimbal role path autopilot'}
 main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)

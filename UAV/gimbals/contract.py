@@ -10,7 +10,7 @@ import math
 
 from .values import *
 from ..utils import clock
-from ..utils.general import _has_ended, Report, kept
+from ..utils.general import _has_ended, no_class, Report, kept
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #72dcf213
 def _ticking(gimbal, wait):
@@ -275,6 +275,7 @@ def check_gimbal(gimbal, # A Gimbal; it is closed at the end
                  wait=lambda seconds: clock.sleep(seconds), # Lets time pass, in seconds; for one with a clock of your own: moves that clock
                 )->Report:
     "Does `gimbal` do what others rely on? Raises `AssertionError` with a sentence that says what it does not"
+    no_class(gimbal, 'gimbal')
     assert hasattr(gimbal, 'setpoint'), f'{type(gimbal).__name__}.__init__ must call super().__init__(...)'
     threads = clock.enumerate()
     report = kept(gimbal, _checks_for(gimbal), _ticking(gimbal, wait))

@@ -14,14 +14,14 @@ from .values import *
 from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.clock import goes_by_itself
-from ..utils.general import inside, Timers, Value
+from ..utils.general import inside, KeepsNames, Timers, Value
 from ..utils.geo import metres
 
 # %% auto #0
 __all__ = ['Gimbal', 'Location', 'direction', 'RegionOfInterest']
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #27464999
-class Gimbal:
+class Gimbal(KeepsNames):
     "A gimbal; subclasses provide `information`, `drive`, `attitude` and optionally `retract`"
     information = GimbalInformation()
     locks = 'roll','pitch','yaw'    # axes that can hold their direction on earth
@@ -32,8 +32,11 @@ class Gimbal:
     patience = 5.                   # s that `close` waits for a driver that hangs
     fault = None                    # The device's fault; `None` when it works
     camera = None                   # the `Camera` that it turns, when its driver has one
+    _parts = dict(clock=callable, setpoint=Setpoint, closed=bool, _told=tuple, _timers=Timers,
+        log=lambda value: hasattr(value, 'warning'), _lock=lambda value: isinstance(value, type(_clock.RLock())))
     def __init__(self,
                  clock=clock.now): # Gives seconds, and never goes back; with another one, call `tick` yourself
+        self._check_names()
         self.clock,self.log = clock,get_logger(f'gimbal.{self.information.model}')
         self.setpoint,self.closed,self._lock = Setpoint(),False,_clock.RLock()
         self._told = VehicleState(),-math.inf           # what we heard last of the vehicle, and when
@@ -55,16 +58,19 @@ class Gimbal:
     def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
-    def close(self):
-        "Stop, and accept no more setpoints; may be called twice"
-        free = self._lock.acquire(timeout=self.patience)
-        try:
-            if free and not self.closed: self._try_to_stop()
-            if not free: self.log.error('the driver hangs: it cannot be stopped')
-            self.closed = True
-        finally:
-            if free: self._lock.release()
-        if self._alarm: self._timers.cancel(self._alarm, timeout=self.patience)
+
+# %% ../../nbs/api/gimbals/01_gimbal.ipynb #03615c29
+@patch
+def close(self:Gimbal):
+    "Stop, and accept no more setpoints; may be called twice"
+    free = self._lock.acquire(timeout=self.patience)
+    try:
+        if free and not self.closed: self._try_to_stop()
+        if not free: self.log.error('the driver hangs: it cannot be stopped')
+        self.closed = True
+    finally:
+        if free: self._lock.release()
+    if self._alarm: self._timers.cancel(self._alarm, timeout=self.patience)
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #87959083
 @patch

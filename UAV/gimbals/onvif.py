@@ -6,10 +6,8 @@
 from __future__ import annotations
 from base64 import b64encode
 from calendar import timegm
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
-from http.client import HTTPException
-from urllib import request as web
-from urllib.error import HTTPError
 from urllib.parse import quote, urlsplit, urlunsplit
 from xml.etree import ElementTree
 from xml.sax.saxutils import escape
@@ -23,8 +21,11 @@ from .values import *
 from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.devices import DeviceURL
-from ..utils.general import cv2, inside, np
+from ..utils.general import inside
 from ..utils.geo import quaternion
+from ..utils.sockets import _ask_web, _Deadline
+from ..video.rtsp import _authorization
+from ..utils.pictures import decode_picture
 
 # %% auto #0
 __all__ = ['OnvifCamera', 'Onvif']
@@ -57,6 +58,8 @@ def _envelope(request:str, # Such as '<tds:GetServices/>'
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #309735fe
 class _Refused(GimbalError): "The camera answered with a Fault"
 class _Unauthorized(GimbalError): "The camera refused user or password"
+class _BadAddress(GimbalError): "The camera named an address that is none, or not for us"
+class _GivenUp(GimbalError): "A stop order was more urgent than the answer"
 
 def _text(element, path:str)->str:
     "Return the text of the first element at a path, such as 'PTZ/XAddr'; empty: there is none"
@@ -109,10 +112,11 @@ def _between(value:float, ends:tuple, others:tuple)->float:
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #1043ea73
 class _OnvifLine:
     "A camera that speaks ONVIF, and the thread that speaks with it"
-    timeout,most = 2.,16<<20        # s for an answer; bytes of one
+    timeout,slowest,most = 2.,8.,16<<20     # s for a whole answer, and for a whole picture; bytes of one
     fast,slow = .25,1.              # s between two questions where it points, while it moves and else
     patience = 5.                   # s that `close` waits
-    def __init__(self, host:str, port:int|None=None, user:str='', password:str='', clock=clock.now):
+    def __init__(self, host:str, port:int|None=None, user:str='', password:str='', clock=clock.now,
+                 basic:bool=False): # May the password go in plain text, when the camera asks for that?
         store_attr()
         self.place = (f'[{host}]' if ':' in host else host)+(f':{port}' if port else '')
         self.services = dict(tds=f'http://{self.place}/onvif/device_service')
@@ -121,40 +125,66 @@ class _OnvifLine:
         self.status,self.error,self.heard = (NAN, NAN, NAN, ''),None,clock()    # pan, tilt, zoom, space; since when
         self._orders,self._wake,self._closing,self._thread = {},_clock.Condition(),False,None
         self._due = self._busy = -math.inf                  # when to ask next; until when it may move
+        self._hurry,self._waits = False,None        # is a stop order posted? the `_Deadline` the thread waits for
 
     def __repr__(self): return f'ONVIF camera at {self.place}'
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #0ddec017
+def _shown(url:str)->str: return re.sub(r'(://)(?:[^/]*@)?([^/]*)/.*', r'\1\2/…', url, flags=re.DOTALL)  # no password
+
 @patch
-def _opener(self:_OnvifLine, url:str)->web.OpenerDirector:
-    "Return what opens a URL with our password, by HTTP only"
-    passwords,opener = web.HTTPPasswordMgrWithDefaultRealm(),web.OpenerDirector()
-    passwords.add_password(None, url, self.user, self.password)
-    ways = [web.HTTPHandler(), web.HTTPErrorProcessor(), web.HTTPDefaultErrorHandler()]
-    for way in ways+[kind(passwords) for kind in (web.HTTPDigestAuthHandler, web.HTTPBasicAuthHandler) if self.user]:
-        opener.add_handler(way)
-    return opener
+def _proof(self:_OnvifLine, url:str, method:str, headers)->str:
+    "Return the header Authorization for the headers of a 401; empty: there is none. Raises `GimbalError`"
+    asked = ', '.join(headers.get_all('www-authenticate') or ())
+    offers = {offer.partition(' ')[0].lower(): offer for offer in re.split(r',\s*(?=\w+\s+\w+=)', asked)[::-1]}
+    parts,way = urlsplit(url),offers.get('digest') or offers.get('basic')
+    if not self.user or not way: return ''
+    if 'digest' not in offers and parts.scheme!='https' and not self.basic:
+        raise GimbalError(f'{self!r} asks for the password in plain text, for all on its network to read: '
+                          f'to allow that, write onvif://USER:PASSWORD@{self.place}?basic=yes')
+    path = (parts.path or '/')+(f'?{parts.query}' if parts.query else '')
+    return _authorization(way, method, path, self.user, self.password)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #c1de876d
+@patch
+@contextmanager
+def _deadline(self:_OnvifLine, seconds:float):
+    "A deadline; what the thread sends is given up earlier by a stop order, and `_GivenUp` is raised"
+    with _Deadline(seconds) as deadline:
+        if clock.current_thread() is not self._thread: return (yield deadline)
+        with self._wake: self._waits = None if self._hurry else deadline
+        if self._hurry: raise _GivenUp('a stop order waits')
+        try: yield deadline
+        except GimbalError:
+            if self._hurry: raise _GivenUp('a stop order waits') from None
+            raise
+        finally: self._waits = None
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #7f0fd132
 @patch
-def load(self:_OnvifLine, url:str, data:bytes|None=None, # What to POST; `None`: GET
+def _exchange(self:_OnvifLine, deadline:_Deadline, url:str, data:bytes|None)->tuple:
+    "Return status, reason, headers and body of the answer, with our password if it asks for one"
+    kind = {'Content-Type':'application/soap+xml; charset=utf-8'} if data else {}
+    answer = _ask_web(deadline, url, most=self.most, body=data, **kind)
+    proof = self._proof(url, 'POST' if data else 'GET', answer[2]) if answer[0]==401 else ''
+    return _ask_web(deadline, url, most=self.most, body=data, Authorization=proof, **kind) if proof else answer
+
+@patch
+def load(self:_OnvifLine, url:str, data:bytes|None=None, # What to POST; `None`: GET a picture
         )->bytes:
     "Return the answer, a SOAP Fault's as well; raises `GimbalError`"
-    opener = self._opener(url)
-    head = {'Content-Type':'application/soap+xml; charset=utf-8'} if data else {}
-    try:
-        try: answer = opener.open(web.Request(url, data, head), timeout=self.timeout)
-        except HTTPError as e:
-            if e.code==401 or not data: raise
-            answer = e                  # a Fault
-        with answer: return answer.read(self.most)
-    except HTTPError as e:
-        e.close()
-        if e.code==401: raise _Unauthorized(e.reason) from None
-        raise GimbalError(f'{self!r}: {e.code} {e.reason}') from None
-    except (OSError, HTTPException, ValueError) as e:
-        why = getattr(e, 'reason', None) or e
-        raise GimbalError(f'{self!r}: no answer ({getattr(why, "strerror", None) or why})') from None
+    seconds = self.timeout if data else self.slowest
+    with self._deadline(seconds) as deadline:
+        try: status,reason,headers,answer = self._exchange(deadline, url, data)
+        except (OSError, ValueError) as e:
+            why = getattr(e, 'strerror', None) or e
+            at = f' at {_shown(url)}' if url.startswith('https') else ''
+            if not deadline.late.is_set(): raise GimbalError(f'{self!r}: no answer{at} ({why})') from None
+        if deadline.late.is_set(): raise GimbalError(f'{self!r}: no whole answer in {seconds:g} s')
+    if status==200 or data and status not in (401, *range(300, 400)): return answer         # or a Fault
+    if status==401: raise _Unauthorized(reason)
+    to = headers.get('location')
+    raise GimbalError(f'{self!r}: {status} {reason}{f", to {to}: it is not followed" if to else ""}')
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #91139a1a
 @patch
@@ -169,6 +199,7 @@ def ask(self:_OnvifLine, request:str, # Such as '<tds:GetServices/>'
             created = clock.strftime('%Y-%m-%dT%H:%M:%SZ', clock.gmtime(clock.time()+self.skew))
             head = _token(self.user, self.password, created, os.urandom(16))
         return _answer(self.load(self.services[service], _envelope(request, head)))
+    except _GivenUp: raise
     except _Refused as e: raise _Refused(f'{self!r} refuses {operation}: {e}') from None
     except _Unauthorized:
         self.skew = None                # its clock may have been set
@@ -188,13 +219,18 @@ def _find_skew(self:_OnvifLine)->float:
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #f75723ae
 @patch
-def here(self:_OnvifLine, url:str)->str:
-    "Return the same address, at the host where we reach it"
-    parts = urlsplit(url)
-    if parts.hostname in (None, self.host): return url
-    port = f':{parts.port}' if parts.port and parts.scheme=='rtsp' else ''
-    place = self.place if parts.scheme!='rtsp' else (f'[{self.host}]' if ':' in self.host else self.host)+port
-    return urlunsplit(parts._replace(netloc=place))
+def here(self:_OnvifLine, url:str, *schemes:str)->str: # `schemes` in place of http and https
+    "Return the same address, at the host where we reach it; raises `GimbalError` for one that is none"
+    schemes = schemes or ('http','https')
+    try:
+        parts = urlsplit(url)
+        host,port = parts.hostname,f':{parts.port}' if parts.port else ''
+    except ValueError: raise _BadAddress(f'{self!r} names {_shown(url)!r}, which is no address') from None
+    scheme = parts.scheme or (schemes[0] if url.startswith('/') else '')
+    if scheme not in schemes: raise _BadAddress(f'{self!r} names {_shown(url)!r}, and not an address of {" or ".join(schemes)}')
+    if host==self.host.lower(): return urlunsplit(parts._replace(scheme=scheme))
+    place = self.place if scheme=='http' else (f'[{self.host}]' if ':' in self.host else self.host)+port
+    return urlunsplit(parts._replace(scheme=scheme, netloc=place))
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #3194f626
 @patch
@@ -242,10 +278,13 @@ def _find_spaces(self:_OnvifLine, configuration):
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #139c2725
 @patch
-def _find_uri(self:_OnvifLine, request:str)->str:
-    "Return the address of a picture or a video; empty: it has none"
-    try: return self.here(_text(self.ask(request), 'MediaUri/Uri'))
+def _find_uri(self:_OnvifLine, request:str, *schemes:str)->str:
+    "Return the address of a picture or a video; empty: it has none that we can use"
+    try: uri = _text(self.ask(request), 'MediaUri/Uri')
     except _Refused: return ''
+    try: return self.here(uri, *schemes) if uri else ''
+    except _BadAddress as e: self.log.warning('%s', e)
+    return ''
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #51425274
 @patch
@@ -259,7 +298,7 @@ def connect(self:_OnvifLine):
     token = f'<trt:ProfileToken>{escape(self.profile)}</trt:ProfileToken>'
     self.still = self._find_uri(f'<trt:GetSnapshotUri>{token}</trt:GetSnapshotUri>')
     self.stream = self._find_uri('<trt:GetStreamUri><trt:StreamSetup><tt:Stream>RTP-Unicast</tt:Stream><tt:Transport>'
-        f'<tt:Protocol>RTSP</tt:Protocol></tt:Transport></trt:StreamSetup>{token}</trt:GetStreamUri>')
+        f'<tt:Protocol>RTSP</tt:Protocol></tt:Transport></trt:StreamSetup>{token}</trt:GetStreamUri>', 'rtsp')
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #35229a81
 @patch
@@ -271,20 +310,24 @@ def ptz(self:_OnvifLine, operation:str, # Such as 'Stop'
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #c38dc224
 @patch
-def post(self:_OnvifLine, kind:str, request:str):
+def post(self:_OnvifLine, kind:str, request:str, at_once:bool=False): # `at_once`: before all others, without waiting
     "Have the thread send a request, in place of one of this kind that waits"
     with self._wake:
-        self._orders[kind] = request
+        self._orders = {kind:request}|{k: r for k,r in self._orders.items() if k!=kind} if at_once \
+            else self._orders|{kind:request}
         self._busy = self.clock()+1.5
         self._due = min(self._due, self.clock()+self.fast)
+        self._hurry = self._hurry or at_once
+        if at_once and self._waits: self._waits.give_up()
         self._wake.notify_all()
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #8a183dc9
 @patch
 def _try(self:_OnvifLine, request:str):
-    "Return the answer, or `None`; notes whether there is one at all"
+    "Return the answer, or `None`; notes whether there is one at all. Raises `_GivenUp`"
     answer,error,was = None,None,self.error
     try: answer = self.ask(request)
+    except _GivenUp: raise
     except _Refused as e: (self.log.debug if 'GetStatus' in request else self.log.warning)('%s', e)
     except GimbalError as e: error = str(e)
     self.error = error
@@ -300,14 +343,29 @@ def _number(element, name:str)->float:
     except (AttributeError, TypeError, ValueError): return NAN
 
 @patch
+def _send_orders(self:_OnvifLine):
+    "Send what was ordered; what a stop order gave up is sent again, unless it was replaced"
+    while True:
+        with self._wake:
+            self._hurry = False
+            if not self._orders: return
+            kind = next(iter(self._orders))
+            request = self._orders.pop(kind)
+        try: self._try(request)
+        except _GivenUp:
+            with self._wake: self._orders.setdefault(kind, request)
+
+@patch
 def step(self:_OnvifLine):
     "Send what was ordered, and poll when it's due"
-    with self._wake: orders,self._orders = self._orders,{}
-    for request in orders.values(): self._try(request)
+    self._send_orders()
     now = self.clock()
     if now<self._due: return
-    self._due = now+(self.fast if now<self._busy else self.slow)
-    if (told := self._try(self.ptz('GetStatus'))) is not None:
+    told = None
+    with suppress(_GivenUp):
+        told = self._try(self.ptz('GetStatus'))
+        self._due = now+(self.fast if now<self._busy else self.slow)
+    if told is not None:
         place,zoom = (told.find(f'.//{{*}}Position/{{*}}{name}') for name in ('PanTilt','Zoom'))
         space,before = '' if place is None else place.get('space', ''),self.status
         self.status = _number(place, 'x'),_number(place, 'y'),_number(zoom, 'x'),space
@@ -323,7 +381,7 @@ def _run(self:_OnvifLine):
         with self._wake:
             def told(): return self._orders or self._closing
             self._wake.wait_for(told, max(self._due-self.clock(), 0.))
-    for request in self._orders.values(): self._try(request)
+    self._send_orders()
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #5509bb38
 @patch
@@ -369,7 +427,7 @@ def move(self:_Zoom, rate:float):
     self.goal = None
     on = self.line.ptz('ContinuousMove', f'<tptz:Velocity><tt:Zoom x="{rate:.3f}"/></tptz:Velocity>')
     off = self.line.ptz('Stop', '<tptz:PanTilt>false</tptz:PanTilt>', '<tptz:Zoom>true</tptz:Zoom>')
-    self.line.post('zoom', on if rate else off)
+    self.line.post('zoom', on if rate else off, at_once=not rate)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #f8c5ea90
 class OnvifCamera(URLCamera):
@@ -396,8 +454,10 @@ def read_still(self:OnvifCamera)->Frame:
     taken,jpeg = clock.time(),b''
     try: jpeg = self.line.load(self.line.still) if self.line.still else b''
     except GimbalError as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
-    image = cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR) if jpeg else None
-    return URLCamera.read_still(self) if image is None else Still(image, next(self._numbers), taken, jpeg=jpeg)
+    try: return Still(decode_picture(jpeg), next(self._numbers), taken, jpeg=jpeg)
+    except ValueError as e:
+        if jpeg: self.log.warning('the snapshot is refused, so a frame of the video is taken: %s', e)
+    return URLCamera.read_still(self)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #517993fb
 @patch
@@ -429,8 +489,9 @@ class Onvif(Gimbal):
                  tilt:tuple|None=None, # Degrees up at the ends of its tilt; `None`: as it reports, or -90, 0
                  speeds:tuple=(60.,40.), # Of pan and tilt at full speed, degrees a second, unless it reports them
                  clock=clock.now, line=None, # In tests: gives seconds; instead of a `_OnvifLine`
+                 basic:bool=False, # May the password go in plain text, when the camera asks for that?
                  **storage): # `folder`, `quota` and `storages` of its camera
-        device = line or _OnvifLine(host, port, user, password)
+        device = line or _OnvifLine(host, port, user, password, basic=basic)
         if line is None: device.connect()
         self.line,self.camera,self.speeds = device,None,speeds
         if not device.turns: raise GimbalError(f'{device!r} cannot turn: Onvif.open makes a camera of it')
@@ -543,7 +604,7 @@ def _steer(self:Onvif, setpoint:Setpoint):
     if self._moves_at_once(setpoint): return
     rates,now = (self._rate('yaw', setpoint.yaw), self._rate('pitch', setpoint.pitch)),self.clock()
     if not any(rates):
-        if self._sent: self.line.post('move', self._stop())
+        if self._sent: self.line.post('move', self._stop(), at_once=True)
     elif not self._sent or rates!=self._sent[0] or now-self._sent[1]>=self.repeat:
         self.line.post('move', self._turn(rates))
         self._sent = rates,now
@@ -621,7 +682,7 @@ def _on_line(self:Onvif):
         goes = known(self.setpoint.pitch.angle) or known(self.setpoint.yaw.angle)
         if self.setpoint.turning or not goes or self.clock()-self._asked>self.fresh:
             self._forget()
-            return self.line.post('move', self._stop())
+            return self.line.post('move', self._stop(), at_once=True)
         self._sent = None
         if self._moves_at_once(self.setpoint): self.line.post('move', self._go(self.setpoint))
 
@@ -631,7 +692,7 @@ def close(self:Onvif):
     "Stop turning, and let go of the camera; may be called twice"
     first = not self.closed
     Gimbal.close(self)
-    if first: self.line.post('move', self._stop())
+    if first: self.line.post('move', self._stop(), at_once=True)
     if self.camera is not None: self.camera.close()
     self.line.close()
 
@@ -646,14 +707,16 @@ def _pair(text:str)->tuple:
 def _connected(url:DeviceURL)->tuple:
     "Return the line of a URL and the options for `Onvif`; raises `ValueError` and `GimbalError`"
     if not url.host: raise ValueError(f'{url!r} has no host: write onvif://USER:PASSWORD@HOST')
-    options = {one_of('option', name, ('pan','tilt','speeds')): _pair(text) for name,text in url.options}
-    device = _OnvifLine(url.host, url.port, url.user, url.password)
+    basic = one_of('basic', url.option('basic', 'no'), ('yes','no'))=='yes'
+    options = {one_of('option', name, ('pan','tilt','speeds','basic')): text for name,text in url.options}
+    options = {name: _pair(text) for name,text in options.items() if name!='basic'}
+    device = _OnvifLine(url.host, url.port, url.user, url.password, basic=basic)
     device.connect()
     return device,options
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #aec1ccdd
 @patch(cls_method=True)
-def open(cls:Onvif, url:DeviceURL, # onvif://USER:PASSWORD@HOST[:PORT], with `pan`, `tilt` and `speeds` as options
+def open(cls:Onvif, url:DeviceURL, # onvif://USER:PASSWORD@HOST[:PORT], options `pan`, `tilt`, `speeds` and `basic`
          **storage): # `folder`, `quota` and `storages` of its camera
     "Open an `Onvif`, or an `OnvifCamera` that can't turn; raises `ValueError`, `GimbalError`, `CameraError`"
     device,options = _connected(url)

@@ -14,7 +14,7 @@ from fastcore.basics import patch, store_attr
 from .gimbal import Gimbal
 from .values import *
 from ..utils import clock
-from ..utils.general import inside
+from ..utils.general import inside, no_class
 from ..utils.geo import euler, metres, product, quaternion
 
 # %% ../../nbs/api/gimbals/03_sim.ipynb #92d2eb50
@@ -213,7 +213,8 @@ class SimGimbal(Gimbal):
     ):
         self.information = GimbalInformation(model=model, roll=roll, pitch=pitch, yaw=yaw)
         super().__init__(clock)
-        self.mount,self.stand_in,self.faults = vehicle,stand_in,{}      # what is broken, and its flag
+        self.mount,self.stand_in = no_class(vehicle, 'vehicle'),stand_in
+        self.faults = {}        # what is broken, and its flag
         self._place,self._origin,self._hangs = (0.,0.,30.),None,vehicle is not None     # where it is without one
         self.stowed = [self.information.limited(axis, angle) for axis,angle in zip(axes, stowed)]
         self.steps,self.driven = _Steps(clock, .02),_Delayed(self.setpoint, inside('delay', delay, 0, 60))

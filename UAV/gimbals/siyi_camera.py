@@ -20,7 +20,8 @@ from UAV.gimbals.siyi_link import (Cmd, read_config, read_range, read_stream, re
     zoom_data)
 from .values import GimbalError
 from ..utils import clock
-from ..utils.general import cv2, inside, np, timers
+from ..utils.general import inside, timers
+from ..utils.pictures import decode_picture
 from ..utils.sockets import get_web
 from ..video.units import VideoFormat
 
@@ -218,7 +219,8 @@ def _fit_model(self:SiyiCamera):
     else: self.thermal_range = self.shows = None
     self._laser = code=='7A'
     wide,most,sensor = _wide(model.hfov),model.zoom,_film if known(model.hfov) else (NAN,NAN)
-    self.information = CameraInformation(focal_length=wide, sensor_size_h=sensor[0], sensor_size_v=sensor[1])
+    self.information = CameraInformation(focal_length=wide, sensor_size_h=sensor[0], sensor_size_v=sensor[1],
+                                         equivalent=True)
     with suppress(GimbalError, ValueError):
         most = max(read_zoom(link.ask(Cmd.most_zoom, tries=2 if code else 0)), 1.)
     with suppress(GimbalError, ValueError):
@@ -329,10 +331,11 @@ def read_still(self:SiyiCamera)->Frame:
     "Have the device take a photo, and return it; raises `CameraError`"
     before,taken = self._newest_file() if self._listed is None else self._listed,clock.time()
     self._shoot()
-    jpeg = self._fetch(before)
-    image = jpeg and cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR)
-    if image is not None and jpeg: return Still(image, 0, taken, jpeg=jpeg)
-    if before is not None: self._log_once('the card has no new file, a frame of the stream is kept instead')
+    jpeg,why = self._fetch(before),'the card has no new file'
+    try:
+        if jpeg: return Still(decode_picture(jpeg), 0, taken, jpeg=jpeg)
+    except ValueError as e: why = f'the new file on the card is refused: {e}'
+    if before is not None: self._log_once(f'{why}, a frame of the stream is kept instead')
     return self.read()
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #bf6f5c2a

@@ -4,11 +4,13 @@
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #bd59e4c6
 from __future__ import annotations
+from collections import deque
 from dataclasses import replace
 import math, re, socket
 
 from fastcore.basics import patch
 from .gimbal import Gimbal
+from .gimbal_camera import gimbal_camera
 from .values import *
 from ..utils import clock
 from ..utils.clock import goes_by_itself
@@ -174,6 +176,8 @@ class Topotek(Gimbal):
         self._began,self._starts,self._asked = -math.inf,{},-math.inf     # of the setpoint: since when, from where
         self._below = VehicleState()        # the vehicle, when the attitude came
         self._said = {}             # what is repeated: `{subject: (frame, since when)}`
+        self.card = None            # has it a card? `None`: unknown
+        self._questions = deque((('D','SDC'), ('D','VSN'), ('G','PA2')))
         self._forget()
         make = (lambda: _serial(host, baudrate)) if serial else (lambda: _UDP(host, port, local))
         self.line = line or _TopotekLine(host if serial else f'UDP {host}:{port}', make)
@@ -289,12 +293,32 @@ def _settle(self:Topotek):
     try: self.setpoint = replace(now, **{axis: Gimbal._held(self, axis, now.lock) for axis in loose})
     except HeadingUnknown: pass                 # the device holds it meanwhile
 
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #ea5c9511
+@patch
+def _ask(self:Topotek):
+    "Ask the next question"
+    receiver,what = self._questions[0]
+    self._questions.rotate(-1)
+    self.line.send(topotek_frame(receiver, what, '00', self.sender, 'r'))
+
+@patch
+def _learn(self:Topotek, sender:str, what:str, data:bytes):
+    "Note the answer to a question"
+    text = data.decode('ascii', 'replace').strip()
+    if what=='SDC': self.card = not text.startswith('NNNN')
+    elif what=='PA2' and text: self.information = replace(self.information, model=text)
+    elif what=='VSN' and (numbers := re.findall(r'\d+' if '.' in text else r'\d', text)):
+        version = tuple(min(int(n), 255) for n in (*numbers,0,0,0,0)[:4])
+        self.information = replace(self.information, firmware_version=version)
+    if what in ('PA2','VSN'): self._questions = deque(q for q in self._questions if q[1]!=what)
+
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #9bee4f77
 @patch
 def _hear(self:Topotek, data:bytes):
     with self._lock:
-        now = self.clock()
-        for angles in filter(None, (_attitude_in(*frame) for frame in self._reader.feed(data))):
+        now,frames = self.clock(),self._reader.feed(data)
+        for frame in frames: self._learn(*frame)
+        for angles in filter(None, (_attitude_in(*frame) for frame in frames)):
             if now-self._heard>self.silence: self._said = {what: (frame,now) for what,(frame,_) in self._said.items()}
             self._angles,self._heard,self._below = angles,now,self.vehicle or VehicleState()
 
@@ -309,6 +333,7 @@ def tick(self:Topotek):
         if self.clock()>=self._asked+self.ask_pace:
             self._asked = self.clock()
             self._send('G', 'GIA', '01')
+            self._ask()
             for what,data in _vehicle_data(self.vehicle or VehicleState()).items(): self._send('D', what, data)
         self._settle()
         self._steer(self.setpoint)
@@ -320,6 +345,10 @@ def tick(self:Topotek):
 def _order(self:Topotek, receiver:str, what:str, data:str):
     if self.closed or self.fault: raise GimbalError(self.fault or f'{self!r} is closed')
     self._send(receiver, what, data)
+
+@patch
+def _need_card(self:Topotek):
+    if self.card is False: raise GimbalError('there is no card in it')
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #e348549d
 @patch
@@ -348,6 +377,7 @@ def set_camera_focus(self:Topotek, kind:str, # 'continuous', or 'auto', 'auto_si
 @patch
 def video_start_capture(self:Topotek, stream_id:int=0):
     "Start recording; raises `GimbalError`"
+    self._need_card()
     self._order('D', 'REC', '01')
 
 @patch
@@ -363,6 +393,7 @@ def image_start_capture(self:Topotek,
     "Take pictures; raises `ValueError` and `GimbalError`"
     interval,count = inside('interval', interval, 0, 1e6),int(inside('count', count, 0, 0xffff))
     with self._lock:
+        self._need_card()
         self._order('D', 'CAP', '01')
         interval = max(interval, self.least_interval)
         self.series = (count-1 if count else math.inf,self.clock()+interval,interval) if count!=1 else None
@@ -389,13 +420,21 @@ def close(self:Topotek):
     Gimbal.close(self)
     if self._job: self._timers.cancel(self._job, timeout=self.patience)
     for _ in range(3): self._send('G', 'PTZ', '00')
+    if self.camera: self.camera.close()
     self.line.close()
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #c04a42f5
 @patch(cls_method=True)
 def open(cls:Topotek, url:DeviceURL, **storage):
-    "Open the gimbal at a URL, such as topotek://192.168.144.108 or topotek:///dev/ttyUSB0; raises `ValueError`"
-    kinds = dict(sender=str, local=int, baudrate=int)
+    "Open gimbal and camera at a URL, such as topotek://192.168.144.108 or topotek:///dev/ttyUSB0; raises `ValueError`"
+    kinds = dict(sender=str, local=int, baudrate=int, video=str)
     options = {name: kinds[one_of('an option', name, kinds)](text) for name,text in url.options}
-    where = dict(host=url.host or url.path.rstrip('/'), port=url.port)
-    return cls(**{name: value for name,value in where.items() if value}, **options)
+    where,video = dict(host=url.host or url.path.rstrip('/'), port=url.port),options.pop('video', None)
+    gimbal = cls(**{name: value for name,value in where.items() if value}, **options)
+    host = f'[{url.host}]' if ':' in url.host else url.host or ('' if url.path else '192.168.144.108')
+    if video is None and host: video = f'rtsp://{host}:554/stream=0'
+    try: gimbal.camera = gimbal_camera(gimbal, None if video=='none' else video, **storage)
+    except BaseException:
+        gimbal.close()
+        raise
+    return gimbal

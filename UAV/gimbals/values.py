@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import math
 
 from fastcore.basics import patch
-from ..utils.geo import euler, moved, product, quaternion, wrap
+from ..utils.geo import gimbal_angles, moved, product, quaternion, wrap
 from ..utils.general import NAN, Value, known, one_of
 
 _all_ = ['NAN', 'known', 'one_of', 'wrap']
@@ -131,9 +131,9 @@ class GimbalAttitude(Value):
         "Itself: so `attitude()` is right for a gimbal, where it's a method, and for a handle, where it's a property"
         return self
 
-    roll = property(lambda self: euler(self.q)[0], doc='Degrees, from the horizon')
-    pitch = property(lambda self: euler(self.q)[1], doc='Degrees, from the horizon')
-    yaw = property(lambda self: euler(self.q)[2], doc="Degrees, from the vehicle's nose")
+    roll = property(lambda self: gimbal_angles(self.q)[0], doc='Degrees, from the horizon')
+    pitch = property(lambda self: gimbal_angles(self.q)[1], doc='Degrees, from the horizon')
+    yaw = property(lambda self: gimbal_angles(self.q)[2], doc="Degrees, from the vehicle's nose")
     earth_yaw = property(lambda self: wrap(self.yaw+self.vehicle_yaw), doc='Degrees, from north')
     earth_q = property(lambda self: product(quaternion(yaw=self.vehicle_yaw), self.q), doc='(w, x, y, z), from north')
 
@@ -142,7 +142,7 @@ def _degrees(angle:float)->str: return f'{round(angle, 1)+0.:.1f}°'       # wit
 
 @patch
 def __repr__(self:GimbalAttitude):
-    north = f', {_degrees(self.earth_yaw%360)} from north' if known(self.vehicle_yaw) else ''
+    north = f', {_degrees(round(self.earth_yaw, 1)%360)} from north' if known(self.vehicle_yaw) else ''
     where = f'pitch {_degrees(self.pitch)}, yaw {_degrees(self.yaw)}{north}'
     said = [where if known(self.pitch) else 'angles unknown', self.mode]
     said = [*said, 'locked' if self.lock else 'follows', *self.failures]

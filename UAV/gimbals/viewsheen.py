@@ -8,9 +8,8 @@ from dataclasses import dataclass
 import math, struct
 
 from fastcore.basics import patch, store_attr
-from ..cameras import CameraError, Frame
-from ..cameras.url_camera import URLCamera
 from .gimbal import Gimbal
+from .gimbal_camera import CardCamera, GimbalCamera
 from .values import *
 from ..utils import clock
 from ..utils.general import inside, NAN, one_of, takes_options, Value
@@ -581,59 +580,17 @@ def tap_zoom(self:Viewsheen, x:float, y:float): # 0 to 1, from the left and from
     self._let_go()
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #777c68c2
-class ViewsheenCamera(URLCamera):
+class ViewsheenCamera(GimbalCamera):
     "The camera of a Viewsheen: its video, and zoom, focus, pictures and recordings on its card by the gimbal's driver"
-    def __init__(self, gimbal:Viewsheen, # The driver; `close` leaves it open
-                 video:str, # The address of its stream, such as rtsp://192.168.144.200/live
-                 **storage): # As for `URLCamera`
-        self.gimbal = gimbal
-        super().__init__(video, model=gimbal.information.model, vendor='Viewsheen', wait=False, **storage)
-
-    def _do(self, verb:str, *args):
-        "Call a verb of the driver; raises `CameraError` when the line is down"
-        try: getattr(self.gimbal, verb)(*args)
-        except GimbalError as e: raise CameraError(f'{self.information.model}: {e}') from None
-
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #483774ac
-@patch
-def set_camera_zoom(self:ViewsheenCamera, kind:str, value:float):
-    "Zoom, as `Viewsheen.set_camera_zoom`; raises `ValueError` and `CameraError`"
-    self._do('set_camera_zoom', kind, value)
-    self.announce(self.settings())
-
-@patch
-def set_camera_focus(self:ViewsheenCamera, kind:str, value:float=0.):
-    "Focus, as `Viewsheen.set_camera_focus`; raises `ValueError` and `CameraError`"
-    self._do('set_camera_focus', kind, value)
-    self.announce(self.settings())
-
-@patch
-def read_still(self:ViewsheenCamera)->Frame:
-    "Have the camera take a picture on its card, and return the next frame of its video; raises `CameraError`"
-    self._do('image_start_capture')
-    return self.next_frame()
-
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #9efbb014
-@patch
-def video_start_capture(self:ViewsheenCamera, stream_id:int=0):
-    "Record here, and on the camera's card; raises what `Camera.video_start_capture` does"
-    URLCamera.video_start_capture(self, stream_id)
-    self._do('video_start_capture')
-
-@patch
-def video_stop_capture(self:ViewsheenCamera, stream_id:int=0):
-    "Record no more; raises `CameraError`"
-    URLCamera.video_stop_capture(self, stream_id)
-    self._do('video_stop_capture')
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #322a055d
 @patch(cls_method=True)
 def open(cls:Viewsheen, url:DeviceURL, # Such as viewsheen://192.168.144.200?video=rtsp://192.168.144.200/live
          **storage)->Viewsheen:
-    "Open the gimbal at a URL, and its camera if the URL has a `video`; raises `ValueError`"
+    "Open the gimbal at a URL, and its camera, with the video of its option `video`; raises `ValueError`"
     if not url.host: raise ValueError(f'{url!r}: a Viewsheen is at a host, such as viewsheen://192.168.144.200')
     gimbal,video = cls(url.host, url.port or 2000),url.option('video')
-    try: gimbal.camera = ViewsheenCamera(gimbal, video, **storage) if video else None
+    try: gimbal.camera = ViewsheenCamera(gimbal, video, **storage) if video else CardCamera(gimbal, **storage)
     except BaseException:
         gimbal.close()
         raise

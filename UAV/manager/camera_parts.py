@@ -22,6 +22,7 @@ from ..mavlink.protocol import NoAnswer
 from ..mavlink.settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
 from ..utils import clock
 from ..utils.general import inside, known
+from ..utils.pictures import decode_picture
 from ..utils.sockets import set_within
 from ..video.recorder import Recorder
 from ..video.units import byte_stream, parameter_sets
@@ -92,7 +93,7 @@ class _CameraFiles(RowPart):
         key = path,entry.size,entry.time
         async with self._turn:
             if key not in self.photos:
-                data = await self.row.camera.files.fetch(path)
+                data = await self.row.camera.files.fetch(path, most=self.largest_photo)
                 self.photos[key] = await asyncio.to_thread(_small_picture, data)
                 for old in list(self.photos)[:-self.most_photos]: del self.photos[old]
         return self.photos[key]
@@ -106,9 +107,8 @@ class _CameraFiles(RowPart):
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #c9ef0c2e
 def _small_picture(data:bytes, width:int=160)->bytes:
     "Return a JPEG or PNG as a JPEG `width` pixels wide; raises `ValueError` if it is no picture"
-    import cv2, numpy as np
-    image = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_REDUCED_COLOR_2) if data else None
-    if image is None: raise ValueError('it is no picture')
+    import cv2
+    image = decode_picture(data, 2*width)
     height = max(1, min(2*width, round(image.shape[0]*width/image.shape[1])))
     return cv2.imencode('.jpg', cv2.resize(image, (width,height), interpolation=cv2.INTER_AREA))[1].tobytes()
 
@@ -401,7 +401,7 @@ import math
 from ..gimbals.values import GimbalError
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS
 from ..utils.general import NAN
-from ..utils.geo import euler, turned
+from ..utils.geo import gimbal_angles, turned
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #5723a0f9
 def _ray(x:float, y:float, hfov:float, vfov:float)->tuple:
@@ -423,7 +423,7 @@ def _clicked(x:float, y:float, hfov:float, vfov:float, q:tuple)->tuple:
     "Return pitch and yaw, degrees, of a `_ray` of a camera with attitude `q`; yaw in the frame of `q`"
     forward,right,down = turned(q, _ray(x, y, hfov, vfov))
     level = math.hypot(forward, right)
-    yaw = math.degrees(math.atan2(right, forward)) if level>1e-6 else euler(q)[2]
+    yaw = math.degrees(math.atan2(right, forward)) if level>1e-6 else gimbal_angles(q)[2]
     return -math.degrees(math.atan2(down, level)), yaw
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #c622ba70

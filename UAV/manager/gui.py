@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/manager/11_gui.ipynb #063f14c3
 from __future__ import annotations
+from contextlib import suppress
 import asyncio
 
 from fastcore.basics import patch
@@ -14,7 +15,7 @@ from .map import Fleet
 from .panel import Panel, Row
 from .server import PanelServer
 from .widget import _card_of, _Shown, _this_kernel
-from ..mavlink.camera_asking import is_camera
+from ..mavlink.camera_asking import cameras_heard, is_camera
 from ..mavlink.remote_gimbal import _of_manager, GIMBAL_MANAGER_INFORMATION
 from ..utils import clock
 from ..wire.dialect import address, MAVError
@@ -70,13 +71,31 @@ async def _next_beat(client, is_new):
 
 # %% ../../nbs/api/manager/11_gui.ipynb #fe44d5f2
 @patch
+async def _identify(self:Gui, source:tuple):
+    "Ask a component with the id of a camera what it is, less and less often, until it answers or is lost"
+    client,(pause,longest) = self.camera_client,self.ask_again
+    while source in cameras_heard(client, sure=False) and not client.mav_com.lost(source):
+        with suppress(MAVError): await client._known(source)
+        await asyncio.sleep(pause)
+        pause = min(2*pause, longest)
+
+@patch
 async def _watch_cameras(self:Gui):
     "Add a row for each camera, until the panel closes"
-    def is_new(source, mav_type): return is_camera(source, mav_type) and '{}/{}'.format(*source) not in self.rows
-    while self.camera_client:
-        for source,mav_type in _beating(self.camera_client):
-            if is_new(source, mav_type): self._row_of(CameraRow, source)
-        await _next_beat(self.camera_client, is_new)
+    client,asked = self.camera_client,{}        # `{address: task}`
+    def is_new(source, mav_type=None):
+        return is_camera(source, mav_type) and source not in asked and '{}/{}'.format(*source) not in self.rows
+    try:
+        while client:
+            asked = {source:task for source,task in asked.items() if not task.done()}
+            there = {source for source,_ in _beating(client)}
+            for source in there.intersection(cameras_heard(client)): self._row_of(CameraRow, source)
+            for source in filter(is_new, there.intersection(cameras_heard(client, sure=False))):
+                asked[source] = asyncio.ensure_future(self._identify(source))
+            await _next_beat(client, is_new)
+    finally:
+        for task in asked.values(): task.cancel()
+        await asyncio.gather(*asked.values(), return_exceptions=True)
 
 # %% ../../nbs/api/manager/11_gui.ipynb #4d5a4cd8
 @patch

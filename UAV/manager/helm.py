@@ -253,7 +253,8 @@ class _Middle:
 def _errors(point:tuple, fov:tuple, pitch:float)->tuple:
     "Return the pitch and yaw, degrees, that bring a point to the middle; 0 to 1, right and down are positive"
     right,down = (math.degrees(math.atan((2*n-1)*math.tan(math.radians(wide)/2))) for n,wide in zip(point, fov))
-    return -down, right/max(math.cos(math.radians(pitch)), .2)
+    ahead = math.cos(math.radians(pitch))       # below 0: beyond straight down, where yaw has the other effect
+    return -down, right/math.copysign(max(abs(ahead), .2), ahead)
 
 # %% ../../nbs/api/manager/02_helm.ipynb #1773b243
 class _Follow(RowPart):

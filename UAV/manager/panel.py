@@ -225,10 +225,13 @@ class Panel(Closes):
                  auto=None, reset=None, pause=None, # Functions or coroutine functions, each with a button
                  title:str='UAV'): # Shown above the panel
         for client,verb,kind in ((camera_client,'find_cameras','Camera'), (gimbal_client,'find_gimbals','Gimbal')):
-            if client is None or hasattr(client, verb): continue
-            name,cls,got = f'{kind.lower()}_client',f'{kind}Client',type(client).__name__
+            is_class = isinstance(client, type)
+            finds = hasattr(client, verb) and not hasattr(client, 'add_component')      # a `MAVCom` has both
+            if client is None or finds and not is_class: continue
+            name,cls = f'{kind.lower()}_client',f'{kind}Client'
+            got = f'the class {client.__name__}' if is_class else f'a {type(client).__name__}'
             write = f'write {type(self).__name__}({name}=com.add_component({cls}(…)))'
-            raise TypeError(f'{name} is a {cls}, not a {got}: {write}')
+            raise TypeError(f'{name} is a {cls}, not {got}: {write}')
         store_attr('camera_client,gimbal_client,title')
         self.functions = {n:f for n,f in dict(auto=auto, reset=reset, pause=pause).items() if f is not None}
         self.rows,self.log,self.hosts = {},CommandLog(),[]     # `{id: Row}`; presses; views, which have `close()`

@@ -14,6 +14,7 @@ import asyncio, hmac, ipaddress, json, re, secrets, socket
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
+from ..utils.files import local_name
 from ..utils.general import Closes
 from ..utils.sockets import listen_tcp
 from ..wire.dialect import MAVError
@@ -332,7 +333,7 @@ _played = dict(mp4='video/mp4', m4v='video/mp4', mov='video/mp4', webm='video/we
 
 def _saved_as(path:str)->str:
     "Return a file name for a download that needs no quoting"
-    return re.sub(r'[^A-Za-z0-9._-]', '_', path.rpartition('/')[2]).lstrip('.')[-100:] or 'file'
+    return re.sub(r'[^A-Za-z0-9._-]', '_', local_name(path))
 
 # %% ../../nbs/api/manager/09_server.ipynb #8e4cc0ee
 @patch

@@ -16,6 +16,7 @@ from fastcore.basics import store_attr
 from .server import _Messages, panel_css, panel_js, PanelServer
 from ..utils import clock
 from ..utils.general import known
+from ..utils.pictures import decode_picture
 
 # %% auto #0
 __all__ = []
@@ -72,9 +73,9 @@ def _text(value, most=48)->str:
 # %% ../../nbs/api/manager/10_widget.ipynb #f002259a
 def _shrunk(jpeg:bytes, limit:int):
     "Return `(width, WebP)` of a picture in less than `limit` bytes; `None` if it is no picture, or doesn't fit"
-    import cv2, numpy as np
-    im = cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR) if jpeg else None
-    if im is None: return None
+    import cv2
+    try: im = decode_picture(jpeg, 640)
+    except ValueError: return None
     for width,quality in ((320,70), (320,40), (240,40), (160,40), (96,30)):
         width = min(width, im.shape[1])
         small = cv2.resize(im, (width, max(1, round(im.shape[0]*width/im.shape[1]))), interpolation=cv2.INTER_AREA)

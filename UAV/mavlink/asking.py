@@ -79,6 +79,7 @@ class Remote:
     heard:float=0. # Time of its last HEARTBEAT
     alive:float=0. # Time when its latest frame was noticed
     frames:int=0 # Number of its frames by then
+    late:float|None=None # By how much all looks were late by then, s
     lost:bool=False # True if it has fallen silent
     sequences:dict=field(default_factory=dict) # By link: its last HEARTBEATs, `(number, when)`; frames, restarts
     aheads:list=field(default_factory=list) # Excess of the last ten numbers over those expected
@@ -130,14 +131,16 @@ def beat(self:Remotes, address:tuple, # `(system, component)` that sent it
 @patch
 def silent(self:Remotes, now:float, # Monotonic time, s
            frames=lambda address: 0, # Returns the number of frames received from `(system, component)`
+           late:float=0., # By how much all our looks were late, s: then their frames wait for us
           )->list:
     "Return the remotes that are lost from now on"
     found = []
     for remote in self.values():
         count = frames(remote.address)
+        if count!=remote.frames or remote.late is None: remote.late = late
         if count!=remote.frames: remote.frames,remote.alive,remote.lost = count,now,False
         if remote.lost or remote.type is None: continue
-        remote.lost = now-max(remote.alive, remote.heard)>=self.lost_after
+        remote.lost = now-max(remote.alive, remote.heard)-(late-remote.late)>=self.lost_after
         if remote.lost: found.append(remote)
     return found
 

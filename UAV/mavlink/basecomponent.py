@@ -710,3 +710,5 @@ async def test_command(self:BaseComponent, target_system:int, target_component:i
     "Trigger a camera with MAV_CMD_DO_DIGICAM_CONTROL, with `camera_id` as the command identity"
     params = 0,0,0,0,1,camera_id
     return await self.send_command(target_system, target_component, mavlink.MAV_CMD_DO_DIGICAM_CONTROL, params)
+
+BaseComponent._test_command = BaseComponent.test_command        # the published page has both

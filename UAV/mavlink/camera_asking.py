@@ -124,16 +124,22 @@ async def _hear(self:RemoteComponent, msg_id:int, timeout:float, there=lambda: F
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #a7fdc1ea
 def is_camera(source:tuple, mav_type:int)->bool:
-    "True if a component with this address and MAV_TYPE is a camera"
-    old = mavlink.MAV_COMP_ID_CAMERA<=source[1]<=mavlink.MAV_COMP_ID_CAMERA6
-    return mav_type==mavlink.MAV_TYPE_CAMERA or (mav_type==mavlink.MAV_TYPE_GENERIC and old)
+    "True if a component with this address and MAV_TYPE may be a camera"
+    return mav_type==mavlink.MAV_TYPE_CAMERA or mavlink.MAV_COMP_ID_CAMERA<=source[1]<=mavlink.MAV_COMP_ID_CAMERA6
+
+def _is_sure(client, source:tuple, mav_type:int)->bool:
+    "True if its MAV_TYPE or its CAMERA_INFORMATION says that it is a camera"
+    handle = getattr(client, '_cameras', {}).get(source)
+    return mav_type==mavlink.MAV_TYPE_CAMERA or getattr(handle, 'information', None) is not None
 
 def cameras_heard(client, # A `Component` of ours
                   since:float=0., # Monotonic time
+                  sure:bool=True, # False: those with the id of a camera, another MAV_TYPE, and no CAMERA_INFORMATION
                  )->list:
     "Return the addresses of cameras with a heartbeat after `since`"
     us = client.source_system,client.source_component
-    return sorted(s for s,r in client.remotes.items() if r.heard>=since and is_camera(s, r.type) and s!=us)
+    beating = {s:r.type for s,r in client.remotes.items() if r.heard>=since and r.type is not None and s!=us}
+    return sorted(s for s,t in beating.items() if is_camera(s, t) and _is_sure(client, s, t)==sure)
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #c7c590f5
 @patch
@@ -174,26 +180,43 @@ class Stream:
 def _key(words:dict, number:int, default:str)->str: return next((w for w,n in words.items() if n==number), default)
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #2e289067
+_schemes = dict(rtsp='rtsp', rtspt='rtsp', rtspu='rtsp', rtp='rtp', udp='rtp', udp264='rtp', udp265='rtp',
+                mpegts='mpegts', tcp='tcp')         # what a URI is, whatever the message's type says
+
+def _by_scheme(uri:str, kind:str, codec:str)->tuple:
+    "Return kind and codec of a stream; a scheme overrides what the fields say"
+    scheme = uri.strip().partition('://')[0].lower() if '://' in uri else ''
+    if scheme=='udp' and kind in ('mpegts','tcp'): return 'mpegts',codec        # the type says what is in the datagrams
+    return _schemes.get(scheme, kind),dict(udp264='h264', udp265='h265').get(scheme, codec)
+
 def stream_of(msg, # A VIDEO_STREAM_INFORMATION
              )->Stream:
     "Return the `Stream` of a message"
     kind,codec = _key(stream_types, msg.type, 'unknown'),_key(stream_encodings, msg.encoding, '')
+    kind,codec = _by_scheme(msg.uri, kind, codec)
     running,thermal = mavlink.VIDEO_STREAM_STATUS_FLAGS_RUNNING,mavlink.VIDEO_STREAM_STATUS_FLAGS_THERMAL
     return Stream(msg.stream_id, msg.name, kind, codec, msg.resolution_h, msg.resolution_v, msg.framerate, msg.bitrate,
                   msg.hfov, msg.uri, bool(msg.flags&running), bool(msg.flags&thermal))
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #f820349a
-_pushed_to = re.compile(r'(?:\w+://)?@?(?:([^:/@]*):)?(\d{1,5})/?')     # the port, and what may stand before it
+# the port, what may stand before it (IPv6 in brackets), and a path or options behind it
+_pushed_to = re.compile(r'(?:\w+://)?@?(?:(\[[^\]@/]*\]|[^][:/@]*):)?(\d{1,5})(?:[/?].*)?')
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #51862feb
 def player_url(stream:Stream, # As `streams` gives it
               )->str:
     "Return the URL for a `Player`; raises `ValueError` for a URI of another kind"
-    place = _pushed_to.fullmatch(stream.uri)
-    if stream.kind in ('rtsp','tcp') and stream.uri.startswith(f'{stream.kind}://'): return stream.uri
-    if stream.kind not in pushed or not place: raise ValueError(f'{stream.uri!r} is no URI of a {stream.kind} stream')
-    where = f'{place[1] if place[1] and is_group(place[1]) else "0.0.0.0"}:{place[2]}'
-    return f'udp://{where}' if stream.kind=='mpegts' else f'rtp://{where}?codec={stream.codec or "h264"}'
+    uri,(kind,codec) = stream.uri.strip(),_by_scheme(stream.uri, stream.kind, stream.codec)
+    scheme,mark,rest = uri.partition('://')
+    is_known,place = not mark or scheme.lower() in _schemes,_pushed_to.fullmatch(uri)
+    if is_known and kind in ('rtsp','tcp') and rest: return f'{kind}://{rest}'
+    if is_known and kind=='tcp' and place and place[1]: return f'tcp://{uri}'
+    if not (is_known and kind in pushed and place and 0<int(place[2])<=65535):
+        known = '' if is_known else f'; a player knows {", ".join(_schemes)}'
+        raise ValueError(f'{stream.uri!r} is no URI of a {kind} stream{known}')
+    host = place[1] or ''
+    where = f'{host if is_group(host.strip("[]")) else "[::]" if ":" in host else "0.0.0.0"}:{place[2]}'
+    return f'udp://{where}' if kind=='mpegts' else f'rtp://{where}?codec={codec or "h264"}'
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #5802d41c
 def _is_here(host:str)->bool:
@@ -217,13 +240,13 @@ def _own_hosts(self:RemoteComponent)->set:
     return {ends(*way)[1] for way in com.where(*self.address)}-{None}
 
 @patch
-def _check_host(self:RemoteComponent, url:str):
-    "Raise `PermissionError` unless the URL of a stream leads to the camera's own address"
+def _check_host(self:RemoteComponent, url:str, what:str='the video'):
+    "Raise `PermissionError` unless the URL of a stream or a file leads to the camera's own address"
     theirs = self._own_hosts()
     host = (urlsplit(url).hostname or 'localhost').replace('localhost', '127.0.0.1')
     if any(same_host(host, own) for own in theirs): return
     known = f'its MAVLink comes from {" and ".join(sorted(theirs))}' if theirs else 'its own address is not known'
-    where = f'the video of {self.system}/{self.component} is at {host}'
+    where = f'{what} of {self.system}/{self.component} is at {host}'
     raise PermissionError(f'{where}, and {known}: any_host=True allows it')
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #a09603a7
@@ -255,7 +278,8 @@ async def watch(self:RemoteVideo,
 )->Player:
     "Return a `Player` of a stream, started if necessary; raises `ValueError`, `OSError`, `MAVError`"
     from UAV.video.player import Player
-    url,comes = player_url(stream),stream.kind in pushed
+    url = player_url(stream)
+    comes = url.startswith(('rtp://','udp://'))
     if any_host is None: any_host = self.camera.client.any_host
     if not comes and not any_host: self.camera._check_host(url)
     if not comes and not stream.running: (await self.start(stream.id)).check()
@@ -350,7 +374,7 @@ class FieldOfView(Value):
     def __repr__(self):
         p,(lat,lon,alt) = self.pose,self.center
         said = {f'{self.hfov:.1f}° × {self.vfov:.1f}°': known(self.hfov),
-                f'pitch {p.pitch:.1f}°, {p.yaw%360:.1f}° from north': known(p.pitch),
+                f'pitch {p.pitch:.1f}°, {round(p.yaw, 1)%360:.1f}° from north': known(p.pitch),
                 'the sky': math.isinf(lat), f'{lat:.6f} {lon:.6f}, {alt:.0f} m': math.isfinite(lat)}
         return 'FieldOfView: '+(', '.join(word for word,there in said.items() if there) or 'nothing is known')
 

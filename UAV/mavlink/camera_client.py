@@ -17,24 +17,25 @@ from ..utils import clock
 from ..utils.general import for_async, NAN
 from ..wire.dialect import Ack, address, MAVError, number_of
 from .asking import first_rto
-from .protocol import Busy, check_count, check_seconds, Command, Failed, Found, Lost, NoAnswer, receives
+from .protocol import Busy, check_count, check_seconds, check_which, Command, Failed, Found, Lost, NoAnswer, receives
 from .component import Component, sends, verb
 from .settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
 from .camera_asking import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
     CAMERA_SETTINGS,
     CameraAsking, cameras_heard, RemoteTracking, RemoteVideo, STORAGE_INFORMATION)
 from .capture import Capture, PictureLog, RemotePictures
-from .camera_downloads import FtpNumbers, RemoteFiles
+from .camera_downloads import FtpNumbers, place_on_disk, RemoteFiles
+from ..utils.files import local_name
 from .parameter_client import RemoteSettings
 
 # %% auto #0
 __all__ = ['RemoteCamera', 'CameraClient', 'Picture', 'Together', 'capture_together', 'ask_all', 'CAMERA_INFORMATION',
            'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'NAN',
-           'LogLevels', 'mavlink']
+           'Component', 'LogLevels', 'mavlink']
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #de6bb8c1
 _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
-         'CAMERA_IMAGE_CAPTURED', 'NAN', 'LogLevels', 'mavlink']
+         'CAMERA_IMAGE_CAPTURED', 'NAN', 'Component', 'LogLevels', 'mavlink']
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #f3ff60aa
 class RemoteCamera(CameraAsking):
@@ -82,6 +83,7 @@ class CameraClient(Component):
     "A client that finds MAVLink cameras and commands them by address"
     any_host = False    # True: allow video and definitions from other addresses than the camera's MAVLink
     _most_cameras = 64 # whose unsolicited notices are stored
+    _doubt = 1.5 # seconds for a CAMERA_INFORMATION of a component that may be no camera
     _last_shot = 2**24-1 # highest number of a shot: exact in a float32
 
     def __init__(self, source_component:int, # Our component id, for example `MAV_COMP_ID_MISSIONPLANNER` (190)
@@ -129,17 +131,46 @@ def _on_param_ext(self:CameraClient, msg):
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #43084bea
 @patch
-async def _next_beat(self:CameraClient, timeout:float, there):
-    "Wait for a heartbeat, unless `there()`"
-    with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT) as wanted:
-        if not there(): await wanted.wait(timeout)
-
-@patch
 async def _known(self:CameraClient, there:tuple)->RemoteCamera:
     "Return the handle of a camera, with its CAMERA_INFORMATION requested again"
     camera = self.camera(*there)
     camera.information = await camera.request(CAMERA_INFORMATION) or camera.information
     return camera
+
+@patch
+async def _next_beat(self:CameraClient, timeout:float, there, asked=()):
+    "Wait for a heartbeat or one of the tasks `asked`, unless `there()`"
+    with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT) as wanted:
+        beat = asyncio.ensure_future(wanted.wait(timeout))
+        try:
+            if not there(): await asyncio.wait([beat, *asked], return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            beat.cancel()
+            await asyncio.wait([beat])
+
+@patch
+async def _look(self:CameraClient, start:float, end:float, there):
+    "Listen until `there()` or `end`, and ask those with the id of a camera what they are; monotonic s"
+    tasks = {}      # `{address: task}`
+    try:
+        while not there():
+            for doubtful in cameras_heard(self, start-1.5, sure=False):
+                if doubtful in tasks: continue
+                tasks[doubtful],last = asyncio.ensure_future(self._known(doubtful)),clock.monotonic()+self._doubt
+            asked = [task for task in tasks.values() if not task.done()]
+            left = (max(end, last) if asked else end)-clock.monotonic()
+            if left<=0: return
+            await self._next_beat(left, there, asked)
+    finally:
+        for task in tasks.values(): task.cancel()
+        await asyncio.gather(*tasks.values(), return_exceptions=True)
+
+@patch
+def _who_was_heard(self:CameraClient, start:float)->str:
+    "Return what was received since `start` instead of a camera"
+    odd = [f'{system}/{component}' for system,component in cameras_heard(self, start-1.5, sure=False)]
+    said = f'; no CAMERA_INFORMATION came from {" and ".join(odd)}, at the id of a camera' if odd else ''
+    return self.mav_com.who_was_heard()+said
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #84f6b2fc
 @patch
@@ -151,9 +182,9 @@ async def find_cameras(self:CameraClient, count:int|None=None, # Return as soon 
     check_seconds('timeout', timeout)
     start = clock.monotonic()
     def enough(): return count is not None and len(cameras_heard(self, start-1.5))>=count
-    while not enough() and (left := start+timeout-clock.monotonic())>0: await self._next_beat(left, enough)
+    await self._look(start, start+timeout, enough)
     found = await asyncio.gather(*(self._known(there) for there in cameras_heard(self, start-1.5)))
-    return Found(found, f'no camera in {timeout:g} s; {self.mav_com.who_was_heard()}')
+    return Found(found, f'no camera in {timeout:g} s; {self._who_was_heard(start)}')
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #2b7420a3
 @patch
@@ -164,6 +195,7 @@ async def find_camera(self:CameraClient, name:str|None=None, # Part of its vendo
                      )->RemoteCamera:
     "Return the first camera that answers; raises `NoAnswer` with the components seen instead"
     check_seconds('timeout', timeout)
+    check_which(name, system, component)
     start,seen = clock.monotonic(),{}
     def meant(s): return s not in seen and system in (None,s[0]) and component in (None,s[1])
     def new(): return [*filter(meant, cameras_heard(self, start-1.5))]
@@ -171,11 +203,11 @@ async def find_camera(self:CameraClient, name:str|None=None, # Part of its vendo
         for there in new():
             camera = seen[there] = await self._known(there)
             if (name or '').lower() in camera.name.lower(): return camera
-        if (left := start+timeout-clock.monotonic())<=0: break
-        await self._next_beat(left, new)
+        await self._look(start, start+timeout, new)
+        if not new(): break
     asked = dict(name=name, system=system, component=component)
     which = ', '.join(f'{k}={v!r}' for k,v in asked.items() if v is not None)
-    heard = ', '.join(map(str, seen.values())) or self.mav_com.who_was_heard()
+    heard = ', '.join(map(str, seen.values())) or self._who_was_heard(start)
     raise NoAnswer(f'no camera{which and f" with {which}"} in {timeout:g} s; {heard}')
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #b5d19b09
@@ -261,9 +293,10 @@ def video_stop_streaming(self:CameraClient, video_stream_id:int=0): # 0: all
 @sends(mavlink.MAV_CMD_IMAGE_START_CAPTURE)
 async def image_start_capture(self:CameraClient, target_system:int|None=None, target_component:int|None=None,
     interval:float=0, # Seconds between two pictures
-    count:int=1, # Number of pictures; 0: unlimited
+    count:int=1, # Number of pictures; 0: unlimited, which needs an interval
 )->Ack:
-    "Take pictures, unverified; `RemoteCamera.capture` verifies them"
+    "Take pictures, unverified; `RemoteCamera.capture` verifies them. Raises `ValueError`"
+    if interval==count==0: raise ValueError('count=0 takes pictures until stopped, and needs an interval')
     target = self.target(target_system, target_component)
     if 0 not in target: await self.camera(*target)._pictures.mark()
     number = self._next_shot() if count==1 else 0
@@ -300,10 +333,17 @@ def _check_series(count:int, interval:float, timeout:float):
 @for_async
 async def capture(self:RemoteCamera,
     count:int=1, # Number of pictures; 0: until you leave the loop
-    interval:float=0, # Seconds between two pictures
+    interval:float=0, # Seconds between two pictures; 0: as fast as the camera can
     timeout:float=5., # Seconds without news before giving up; more on a slow link, or if the picture exists
 ):
-    "Take pictures and yield the CAMERA_IMAGE_CAPTURED of each; raises `CommandError`, `Lost`, `NoAnswer`"
+    """Take pictures and yield the CAMERA_IMAGE_CAPTURED of each; raises `CommandError`, `Lost`, `NoAnswer`
+
+    Each has `image_index` (from 0), `capture_result` (1: taken, 0: failed), `file_url` (for `files.fetch`),
+    `time_utc` (µs since 1970; 0: unknown), `lat` and `lon` (1e-7 degrees), `alt` and `relative_alt` (mm).
+    A picture that fails is yielded, too, and raises nothing. Leaving the loop ends the series.
+
+    async for notice in camera.capture(3, interval=.5): data = await camera.files.fetch(notice)
+    """
     self._check_camera()
     _check_series(count, interval, timeout)
     shots = Capture(self._pictures, interval, count, timeout)
@@ -318,7 +358,10 @@ async def capture(self:RemoteCamera,
 @patch
 @for_async
 async def pictures(self:RemoteCamera):
-    "Yield each CAMERA_IMAGE_CAPTURED from now on, your own and others'; raises `Lost`"
+    """Yield each CAMERA_IMAGE_CAPTURED from now on, your own and others'; raises `Lost`
+
+    Its fields are those that `capture` yields.
+    """
     self._check_camera()
     with self._pictures.following(ns(log=PictureLog(count=0))) as mine:
         status = await self.request(CAMERA_CAPTURE_STATUS)
@@ -359,7 +402,15 @@ def close(self:CameraClient):
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #10f63cae
 class Picture:
-    "A picture with its time and place, and its file if fetched"
+    """A picture with its time and place, and its file if fetched
+
+    index: its number in the camera, from 0
+    time: when it was taken, a `datetime` in UTC; `None` if unknown
+    lat, lon, alt, relative_alt: where, in degrees, m above the sea and m above home; `None` if unknown
+    path: its file on our disk; `None` without `to`
+    data: the bytes of its file, without `to`; `None` with it, or if not fetched
+    notice: its CAMERA_IMAGE_CAPTURED
+    """
     def __init__(self, notice, # Its CAMERA_IMAGE_CAPTURED
                  file:bytes|Path|None=None): # Its bytes, or its local path; `None`: not fetched
         self.notice,self.index = notice,notice.image_index
@@ -392,18 +443,24 @@ async def _shot(self:RemoteCamera, timeout:float, ready=None):
 @patch
 async def _fetched(self:RemoteCamera, notice, to:str|Path|None, progress=None)->Picture:
     "Fetch the file of a notice; return its `Picture`"
-    if not notice.file_url: raise MAVError(f'{self._label} does not say where its picture is')
-    return Picture(notice, await self.files.fetch(notice, to, progress))
+    if not notice.file_url.strip(): raise MAVError(f'{self._label} does not say where its picture is')
+    try: return Picture(notice, await self.files.fetch(notice, to, progress))
+    except (ValueError, Lost) as e:
+        kind = Lost if isinstance(e, Lost) else MAVError
+        raise kind(f'{self._label} has taken the picture, but its file did not come: {e}') from None
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #248f13ec
 @patch
 async def take_picture(self:RemoteCamera,
-    to:str|Path|None=None, # File or folder, created if missing; `None`: keep the bytes
+    to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: keep the bytes
     timeout:float=5., # As for `capture`
     progress=None, # As for `files.fetch`
 )->Picture:
-    "Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`"
-    if to is not None and not Path(to).suffix: Path(to).mkdir(parents=True, exist_ok=True)
+    """Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`
+
+    The `Picture` has `path` or `data`, `time`, `lat`, `lon`, `alt`, `relative_alt`, `index` and `notice`.
+    """
+    if to is not None: place_on_disk(to, '')         # or an error before there is a picture
     return await self._fetched(await self._shot(timeout), to, progress)
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #9f893879
@@ -588,7 +645,7 @@ async def capture_together(
     "Take a picture with each camera at the same moment; raises only for wrong arguments"
     cameras = _handles(cameras)
     check_seconds('timeout', timeout)
-    if to is not None: Path(to).mkdir(parents=True, exist_ok=True)
+    if to is not None: place_on_disk(f'{to}{os.sep}', '')
     start = _Start(cameras)
     async def shoot(camera):
         try: return Picture(await camera._shot(timeout, lambda: start.ready(camera)))
@@ -597,7 +654,8 @@ async def capture_together(
 
     async def fetch(camera, taken):
         if to is None or not isinstance(taken, Picture): return taken
-        name = taken.notice.file_url.rpartition('/')[2] or f'{taken.index}.jpg'
+        name = local_name(taken.notice.file_url, f'{taken.index}.jpg')
+        if not name.partition('.')[2]: name += '.jpg'
         try: return await camera._fetched(taken.notice, Path(to)/f'{camera.system}_{camera.component}_{name}')
         except Exception as e: return e
 

@@ -8,26 +8,29 @@ from contextlib import suppress
 from io import BytesIO
 from itertools import count
 from pathlib import Path, PurePath
-import asyncio, errno, os, stat
+from urllib.parse import unquote, urlsplit
+import asyncio, errno, os, re, stat
 
 from fastcore.basics import patch
+from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL as FILE_TRANSFER_PROTOCOL
 from ..cameras.storage import lock_file
 from ..ftp.frames import (ftp_crc, FtpCode, FtpError, FtpFrame, FtpOp, FtpParts, most_data, path_data, read_ftp,
     read_ftp_url, read_listing)
 from ..utils import clock
-from ..utils.files import FileEntry
+from ..utils.files import FileEntry, local_name
 from ..utils.output import Progress
+from ..utils.sockets import get_web
 from ..wire.dialect import LinkError
 from .asking import RoundTrip
-from .camera_asking import RemoteComponent
-from .protocol import comes_from, Lost
+from .camera_asking import RemoteComponent, same_host
+from .protocol import Answer, comes_from, Lost
 
 _all_ = ['FtpError', 'FileEntry']
 
 # %% auto #0
-__all__ = ['open_part', 'place_on_disk', 'FtpNumbers', 'RemoteFiles', 'FtpFile', 'in_turns', 'RemoteFile', 'FtpError',
-           'FileEntry']
+__all__ = ['open_part', 'place_on_disk', 'keep_part', 'FtpNumbers', 'RemoteFiles', 'FtpFile', 'in_turns', 'RemoteFile',
+           'FtpError', 'FileEntry']
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #9b011bf1
 def _no_link(name:Path, flags:int)->int:
@@ -61,16 +64,48 @@ def open_part(to:Path): # Name of the complete file
         if file := _locked(part): return file
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #4d221e99
-def place_on_disk(to:str|Path, # File, or existing folder
-                  name:str, # File name in that folder
+def place_on_disk(to:str|Path, # A file if its suffix has a letter, else a folder; made if missing
+                  name:str, # File name in that folder, or a remote path
                  )->Path:
-    "Return the path for a file; raises `OSError`"
+    "Return the path for a file, in a folder that is there; raises `OSError`"
     path = Path(to)
-    if path.is_dir(): path = path/name
-    elif str(to).endswith(('/',os.sep)): raise NotADirectoryError(errno.ENOTDIR, 'this is no folder', str(to))
-    if path.is_dir(): raise IsADirectoryError(errno.EISDIR, 'this is a folder: name a file', str(path))
-    if not path.parent.is_dir(): raise NotADirectoryError(errno.ENOTDIR, 'this is no folder', str(path.parent))
+    named = re.search('[A-Za-z]', path.suffix) and not str(to).endswith(('/',os.sep)) and not path.is_dir()
+    if not named: path = path/local_name(name)
+    try: path.parent.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError):
+        raise NotADirectoryError(errno.ENOTDIR, 'this is no folder', str(path.parent)) from None
     return path
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #dcead4f2
+async def _same_bytes(one:Path, other:Path)->bool:
+    "True if both are plain files with the same content; yields to the loop after each megabyte"
+    try:
+        with open(one, 'rb') as a, open(other, 'rb', opener=_no_wait) as b:
+            if not stat.S_ISREG(os.fstat(b.fileno()).st_mode): return False
+            if os.fstat(a.fileno()).st_size!=os.fstat(b.fileno()).st_size: return False
+            while data := a.read(1<<20):
+                if data!=b.read(1<<20): return False
+                await asyncio.sleep(0)
+    except OSError: return False
+    return True
+
+def _no_wait(name, flags:int)->int: return os.open(name, flags|getattr(os, 'O_NONBLOCK', 0))       # for a FIFO
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #e040801b
+async def keep_part(part:Path, # A complete file
+                    to:Path, # Its name
+                   )->Path:
+    "Give a file its name, or a free one like `a_2.jpg` if another has it; return that. Raises `OSError`"
+    for number in count(1):
+        path = to.with_name(f'{to.stem}_{number}{to.suffix}') if number>1 else to
+        if await _same_bytes(part, path):
+            part.unlink()
+            return path
+        try: os.close(os.open(path, os.O_CREAT|os.O_EXCL|os.O_WRONLY, 0o666))
+        except (FileExistsError, IsADirectoryError): continue
+        os.replace(part, path)
+        clock.stamp(path)
+        return path
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #d45ad53f
 class FtpNumbers:
@@ -93,6 +128,7 @@ def session(self:FtpNumbers)->int:
 class RemoteFiles:
     "Files of one component, by MAVLink FTP"
     patience = 30.      # seconds without an answer before an operation fails
+    unanswered = 6      # requests to one who has never answered any, before we ask whether it answers others
     most = 1<<16        # entries of a listing
     upload_tries = 5    # times a session is reopened in a row without progress
 
@@ -100,6 +136,7 @@ class RemoteFiles:
         self.remote,self.client = remote,remote.client
         self.trip = RoundTrip()     # time to an answer, behind the other traffic of the link
         self._others = {}           # `{component: RemoteFiles}`: others of the vehicle, named in a URL
+        self.answers = False        # True: it has answered once
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #e3160204
 @patch
@@ -109,18 +146,31 @@ def _send(self:RemoteFiles, request:FtpFrame):
     if client._closed: raise LinkError(f'{client!r} is closed')
     client.send_message(client.mav.file_transfer_protocol_encode(0, *there, request.pack()), there)
 
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #1b225d3c
+def _path_of(file)->str:
+    "Return the path or URL of a path, a listed file or a picture's notice; raises `TypeError`"
+    path = getattr(file, 'path', None) or getattr(file, 'file_url', file)
+    if isinstance(path, str) and not isinstance(path, PurePath): return path.strip()
+    raise TypeError(f'a path on a vehicle is text: write {str(path)!r}')
+
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #06bbfafb
 @patch
 def _place(self:RemoteFiles, file)->tuple:
     "Return `(RemoteFiles, path)` of a path, a URL, a listed file or a picture's notice"
-    path = getattr(file, 'path', None) or getattr(file, 'file_url', file)
-    if isinstance(path, PurePath) or not isinstance(path, str):
-        raise TypeError(f'a path on a vehicle is text: write {str(path)!r}')
+    path = _path_of(file)
     component,place = read_ftp_url(path)
     if component in (None, self.remote.component): return self,place
     if not 1<=component<=255: raise ValueError(f'{path} names component {component}: write 1 to 255')
     there = RemoteComponent(self.client, self.remote.system, component)
     return self._others.setdefault(component, RemoteFiles(there)),place
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #d2280eab
+@patch
+async def _has_none(self:RemoteFiles)->bool:
+    "True if it answers a command at once, and has never answered MAVLink FTP"
+    if self.answers: return False
+    ack = await self.remote._send(mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAVLINK_MSG_ID_CAMERA_INFORMATION)
+    return ack.result is not None and ack.copies==1
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #a69081ce
 @patch
@@ -136,11 +186,12 @@ async def _ask(self:RemoteFiles, op:int, *paths, patience:float|None=None, **fie
             copies += 1
             msg = await wanted.wait(min(self.trip.wait(copies), end-now))
             if msg and copies==1 and op!=FtpOp.CALC_FILE_CRC32: self.trip.sample(clock.monotonic()-now)
+            if msg is None and copies%self.unanswered==0 and await self._has_none() and not wanted.there: break
             if msg is None: continue
-            answer = read_ftp(msg.payload)
+            answer,self.answers = read_ftp(msg.payload),True
             if e := answer.error: raise FtpError(e.code, e.errno, ' '.join(paths))
             return answer
-    raise Lost(self.client.mav_com.lost(there) or f'{there[0]}/{there[1]} does not answer: has it files?')
+    raise Lost(self.client.mav_com.lost(there) or f'{there[0]}/{there[1]} does not answer MAVLink FTP: has it files?')
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #c9cf233a
 class FtpFile:
@@ -315,7 +366,7 @@ async def _end(self:RemoteFiles, session:int):
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #f09d899d
 @patch
 async def _to_disk(self:RemoteFiles, path:str, to:Path, progress)->Path:
-    "Download into a file of that name, resuming its `.part`"
+    "Download into a file of that name, or a free one, resuming its `.part`"
     with open_part(to) as sink:
         file,part = FtpFile(self, path, sink, sink.seek(0, os.SEEK_END)),Path(sink.name)
         try: await file.fetch_checked(progress)
@@ -324,22 +375,73 @@ async def _to_disk(self:RemoteFiles, path:str, to:Path, progress)->Path:
             if not file.saved or part.name!=f'{to.name}.part': part.unlink(missing_ok=True)
             raise
         if os.name=='nt': sink.close()      # there an open file keeps its name
-        os.replace(part, to)                # while it is locked
-        clock.stamp(to)
-    return to
+        return await keep_part(part, to)    # while it is locked
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #01116d36
+class _Hosts(set):
+    "Addresses of a component; this computer's are all one"
+    def __contains__(self, host): return any(same_host(host, own) for own in self)
+
+def _is_web(path:str)->bool: return path.lower().startswith(('http://','https://'))
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #71ba53b1
+@patch
+async def _load(self:RemoteFiles, url:str, sink, progress, most:int, any_host:bool|None):
+    "Fetch a file from a web server into `sink`; raises `OSError`, `ValueError`"
+    if any_host is None: any_host = getattr(self.client, 'any_host', False)
+    if not any_host: self.remote._check_host(url, 'the file')
+    hosts,answer,loop,left = None if any_host else _Hosts(self.remote._own_hosts()),Answer(),asyncio.get_running_loop(),clock.Event()
+    def take(piece, size):
+        if left.is_set(): raise OSError(errno.ECANCELED, os.strerror(errno.ECANCELED))
+        if sink.write(piece)!=len(piece): raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        if progress: loop.call_soon_threadsafe(progress, done := sink.tell(), size or done)
+    def load():
+        try: answer.set(not get_web(url, hosts, most, self.patience, take))
+        except PermissionError as e: answer.set(PermissionError(f'{url} leads elsewhere, {e}: any_host=True allows it'))
+        except Exception as e:
+            if isinstance(e, OSError) and url not in str(e): e = OSError(e.errno, e.strerror or str(e), url)
+            answer.set(e)
+    clock.Thread(target=load, name='file by http', daemon=True).start()
+    try: await answer.wait()
+    finally: left.set()
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #5d0d28d0
+@patch
+async def _fetch_web(self:RemoteFiles, url:str, to, progress, most:int, any_host:bool|None)->bytes|Path:
+    "Fetch a file from a web server, as `fetch` does"
+    name = local_name(unquote(urlsplit(url).path))
+    if progress is True: progress = Progress(name)
+    if to is None:
+        await self._load(url, sink := BytesIO(), progress, most, any_host)
+        return sink.getvalue()
+    with open_part(to := place_on_disk(to, name)) as sink:
+        sink.truncate(0)
+        try: await self._load(url, sink, progress, FtpFile.most, any_host)
+        except BaseException:
+            Path(sink.name).unlink(missing_ok=True)
+            raise
+        if os.name=='nt': sink.close()
+        return await keep_part(Path(sink.name), to)
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #70c34994
 @patch
 async def fetch(self:RemoteFiles, file, # Path on the vehicle, URL, listed file, or notice of a picture
-                to:str|Path|None=None, # File or folder on our disk; `None`: return the bytes
+                to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: return the bytes
                 progress=None, # Called with the bytes done and the size; True: show a line
                 most:int=FtpFile.most, # Maximum size in memory, bytes; raises `ValueError` above
+                any_host:bool|None=None, # True: allow http:// at other addresses than its own; `None`: the client's
                )->bytes|Path:
-    "Fetch a file; return its bytes, or its path on our disk. Raises `FtpError`, `Lost` and `OSError`"
+    """Fetch a file; return its bytes, or its path, `a_2.jpg` if `a.jpg` is another. Raises `FtpError`, `Lost`, `OSError`
+
+    It comes over MAVLink FTP, lost pieces are asked for again, and its checksum is compared.
+    With `to` a transfer that broke off goes on where it was, from `NAME.part`.
+
+    path = await camera.files.fetch('/media/IMG_000000.jpg', to='pictures')
+    """
+    if _is_web(url := _path_of(file)): return await self._fetch_web(url, to, progress, most, any_host)
     files,path = self._place(file)
-    name = path.rpartition('/')[2]
-    if progress is True: progress = Progress(name)
-    if to is not None: return await files._to_disk(path, place_on_disk(to, name), progress)
+    if progress is True: progress = Progress(local_name(path))
+    if to is not None: return await files._to_disk(path, place_on_disk(to, path), progress)
     wanted = FtpFile(files, path, BytesIO())
     wanted.most = most
     await wanted.fetch_checked(progress)

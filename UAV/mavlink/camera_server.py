@@ -5,7 +5,7 @@
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d53ece1i
 from __future__ import annotations
 from collections import deque
-from itertools import count
+import itertools
 import inspect, math, re
 
 from fastcore.basics import patch
@@ -19,6 +19,7 @@ from ..cameras.values import (CameraBusy, CameraError, CameraInformation, Camera
 from ..ftp.frames import ftp_url
 from ..logging import LogLevels
 from .camera_parameters import SettingsPart
+from .basecomponent import Part
 from .camera_tracking import CAMERA_TRACKING_IMAGE_STATUS, TrackingPart
 from .camera_video import VIDEO_STREAM_INFORMATION, VIDEO_STREAM_STATUS, VideoPart
 from .component import Component, DeviceServer, Health
@@ -33,11 +34,11 @@ from ..wire.dialect import address, enum_name, enum_value
 # %% auto #0
 __all__ = ['storage_media', 'FakeCamera', 'CameraServer', 'media_of', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS',
            'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION',
-           'VIDEO_STREAM_STATUS', 'NAN', 'LogLevels', 'mavlink']
+           'VIDEO_STREAM_STATUS', 'NAN', 'Component', 'LogLevels', 'mavlink']
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d53ece11
 _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
-         'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN', 'LogLevels', 'mavlink']
+         'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN', 'Component', 'LogLevels', 'mavlink']
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #6b0586fd
 class FakeCamera:
@@ -45,11 +46,33 @@ class FakeCamera:
     information = CameraInformation('UAV', 'FakeCamera', (0,0,0,0), 2.8, 3.2, 2.4, 640, 480)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #cfe0f2be
+class _Dropped(Part):
+    "Shots refused because the camera was busy, said in a text: an autopilot reads no ack"
+    again = 5.          # s between two texts
+    def __init__(self, component):
+        super().__init__(component)
+        self.presses,self.count,self.why,self.said = Presses(),0,'',-math.inf
+
+    def add(self, msg, number:int, why:str):
+        "Count the shot of the command `msg`, unless it is the same press once more"
+        if self.presses.find(msg, number): return
+        self.presses.note(msg, number, Outcome(Busy.result))
+        self.count,self.why = self.count+1,why
+
+    def beat(self):
+        "Send the number of shots that were dropped since the last text"
+        us,now = self.component,clock.monotonic()
+        with us.presses.lock:
+            if not self.count or now-self.said<self.again: return
+            count,self.count,self.said = self.count,0,now
+        shots = f'{count} shot{"s"*(count>1)} dropped'
+        us.say(mavlink.MAV_SEVERITY_WARNING, f'{us.health.device.information.model}: {shots}: {self.why}')
+
 class _CameraVerbs(DeviceServer):
     "Zoom, focus and pictures of a device, each press taken once"
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)
-        self.presses = Presses()
+        self.presses,self.dropped = Presses(),self.add_part(_Dropped(self))
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #417eeaa7
 def _checked_camera(camera):
@@ -59,13 +82,19 @@ def _checked_camera(camera):
     if hasattr(camera.information,'pitch'): raise TypeError(f'{camera!r} is a gimbal, not a camera')
     return camera
 
+def _checked_name(name:str, what:str='name')->str:
+    "Return a name for ground stations; raises `ValueError`"
+    fits = isinstance(name, str) and name.strip() and name.isprintable() and len(name.encode(errors='replace'))<=31
+    if not fits: raise ValueError(f'{what} is a text of 1 to 31 bytes, not {name!r}')
+    return name.strip()
+
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ae7ab24
 class _Levels:
     "Levels of zoom and focus in recent CAMERA_SETTINGS, to recognize orders that only send one back"
     window = 2.     # s after which an order is no echo
 
     def __init__(self):
-        self._told,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),count(1)
+        self._told,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),itertools.count(1)
         self._orders = Seen(self.window, most=256)      # by drive and sender: its last order's turn and level
         self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
 
@@ -106,6 +135,7 @@ class CameraServer(_CameraVerbs):
         loglevel:int=LogLevels.INFO,
         guard=None, # Senders that may delete: `None` (all), `'signed'`, systems or addresses, or a function
         video_host:str|None=None, # Host in the URLs of our streams; `None`: the address at which each viewer reaches us
+        name:str|None=None, # Its name at ground stations, at most 31 bytes; `None`: the model
     ):
         if hasattr(source_component, 'information'):
             raise TypeError('the first argument is a component id: write CameraServer(camera=…)')
@@ -115,6 +145,7 @@ class CameraServer(_CameraVerbs):
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
         if isinstance(guard, str) and guard!='signed': raise ValueError(f'guard is {guard!r}, not \'signed\'')
         self.camera,self.guard = FakeCamera() if camera is None else _checked_camera(camera),guard
+        self.name = None if name is None else _checked_name(name)
         self._greeted = Seen(self.greet_again, self.most_peers)
         self._greetings = Seen(10., self.most_peers)    # messages still to be sent to each peer
         self.health = Health(self, self.camera)
@@ -180,7 +211,7 @@ def check_guard(self:CameraServer, msg):
 @patch
 def _tell_failure(self:CameraServer, why:str, now:bool=False):
     "Send the reason of a failed capture as STATUSTEXT, once per series and reason"
-    self.health.tell(mavlink.MAV_SEVERITY_ERROR, f'{self.camera.information.model}: {why}', now)
+    self.health.tell(mavlink.MAV_SEVERITY_ERROR, f'{self.name or self.camera.information.model}: {why}', now)
 
 @patch
 def _result_of(self:CameraServer, error:BaseException, what:str)->int:
@@ -237,7 +268,9 @@ def flags(self:CameraServer)->int:
     return sum(enum_value('CAMERA_CAP_FLAGS', n, 'CAMERA_CAP_FLAGS_') for n in names)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #4a7fa1e7
-def _name32(text:str)->list: return list(text.encode()[:31].ljust(32, b'\0'))    # ends with 0: others read C strings
+def _name32(text:str)->list:
+    "The bytes of a name, whole characters only; ends with 0, as others read C strings"
+    return list(text.encode()[:31].decode(errors='ignore').encode().ljust(32, b'\0'))
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #3c6280ae
 @patch
@@ -246,8 +279,8 @@ def _camera_information(self:CameraServer):
     "Encode CAMERA_INFORMATION: model, lens, firmware and capabilities"
     i,(number,uri) = self.camera.information,self.settings.serve_definition()
     version = sum(v<<8*n for n,v in enumerate(i.firmware_version))
-    return self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(i.model), version,
-        i.focal_length, i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id,
+    return self.mav.camera_information_encode(time_since_boot_ms(), _name32(i.vendor), _name32(self.name or i.model),
+        version, i.focal_length, i.sensor_size_h, i.sensor_size_v, int(i.resolution_h), int(i.resolution_v), i.lens_id,
         self.flags, number, uri.encode()[:139], getattr(self.camera,'gimbal_device_id',0))
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #25daf4da
@@ -458,7 +491,10 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
             if number: self._note_number(number, msg, before)
         elif before := single and self.served.find_number(msg, number): self._tell_again(number, msg, before)
         if before: return before.value
-        index = start(interval, count)
+        try: index = start(interval, count)
+        except CameraBusy as e:
+            if single: self.dropped.add(msg, number, str(e))
+            raise
         outcome = Outcome(mavlink.MAV_RESULT_ACCEPTED, index+1 if type(index) is int else 0)
         if not single: return outcome.value
         if number or msg.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE: self._note_number(number, msg, outcome)
@@ -469,10 +505,11 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
 @patch
 @command(mavlink.MAV_CMD_IMAGE_START_CAPTURE, once=True)
 def _image_start_capture(self:_CameraVerbs, camera_id:int=0, interval:float=0., count:int=1, sequence:int=0, *, msg):
-    "Take `count` pictures (0: until stopped), one every `interval` s (MAV_CMD_IMAGE_START_CAPTURE)"
+    "Take `count` pictures (0: until stopped), one every `interval` s; 0 and 0: one (MAV_CMD_IMAGE_START_CAPTURE)"
     self.for_us(camera_id)
     if camera_id and not msg.target_component: raise Denied('parameter 1 is for relays: a broadcast names no camera')
     if sequence<0: raise Denied(f'sequence is {sequence}')
+    if interval==count==0: count,sequence = 1,0
     return self._shoot(interval, count, sequence, msg)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #fb6ca2ca

@@ -57,7 +57,8 @@ _outside = '192.0.2.1'      # in a network for documentation (RFC 5737): the def
 def host_for(self:VideoPart, way:tuple|None=None, # `(channel, peer)` of the viewer; `None`: unknown
             )->str:
     "Return the host in stream URIs for a viewer"
-    return self.host or way and ends(*way)[0] or own_host(_outside) or '127.0.0.1'
+    own = way and ends(*way)[0] or own_host(_outside) or '127.0.0.1'
+    return self.host or own.partition('%')[0]           # the viewer's interface has another name
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #68b9e8f1
 def _unique_names(names)->list:

@@ -367,7 +367,8 @@ async def _ask(self:Capture, count:float):
     single = count==1
     if single: self.number = self.number or self.client._next_shot()
     self.running = not single
-    params = [0, 0, 1, self.number] if single else [0, self.interval, 0 if count==math.inf else count, 0]
+    interval = self.interval or (.001 if count==math.inf else 0)        # 0 and 0 would be one picture
+    params = [0, 0, 1, self.number] if single else [0, interval, 0 if count==math.inf else count, 0]
     turn = self.pictures.turns.setdefault(asyncio.get_running_loop(), asyncio.Lock())
     async with nullcontext() if single and self.pictures.tells else turn:
         before = await self._count_before(single)

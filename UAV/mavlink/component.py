@@ -19,7 +19,7 @@ from .basecomponent import BaseComponent
 from .protocol import (accepts, Busy, check_seconds, _check_target, comes_from, command, Denied, Lost,
     message, Unsupported)
 from ..utils import clock, clock as _clock
-from ..utils.general import Timers
+from ..utils.general import HangWatch, Timers
 from ..wire.dialect import Ack, address, enum_name, MAVError, message_name
 from ..wire.frames import pack
 
@@ -102,17 +102,18 @@ def _admit(self:Streams, asker:tuple|None):
         through = {a: frozenset((c.number,peer) for c,peer in com.where(*a)) for a in list(self._askers)}
         crowd = Counter(through.values())
         self.end(max(reversed(through), key=lambda a: crowd[through[a]]))
-    self._askers[asker] = com.heart.frames(asker),self.clock()
+    self._askers[asker] = com.heart.frames(asker),self.clock(),com.heart.lateness.total
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #fa539d24
 @patch
 def look(self:Streams):
     "End streams of silent askers, and forget askers without any"
     com,now = self.component.mav_com,self.clock()
-    for asker,(frames,when) in list(self._askers.items()):
+    late = com.heart.lateness.total         # meanwhile frames may wait for us
+    for asker,(frames,when,was_late) in list(self._askers.items()):
         count = com.heart.frames(asker)
-        if count!=frames or asker in com._here: self._askers[asker] = count,now
-        elif now-when>=com.lost_after:
+        if count!=frames or asker in com._here: self._askers[asker] = count,now,late
+        elif now-when-(late-was_late)>=com.lost_after:
             self.component.log.info('%s/%s is silent: its streams end', *asker)
             self.end(asker, timeout=0)          # a heartbeat does not wait
         if not self.of(asker) and asker not in self._answers: self._askers.pop(asker, None)
@@ -515,7 +516,7 @@ def tell(self:Health, severity:int, text:str, now:bool=False):
 class DeviceServer(Component):
     "A component that serves a device; a subclass sets `health`, which holds the device"
     hangs_after = 2.            # s without return after which a device hangs
-    _pulse = None               # the alarm of our heartbeats
+    _pulse = _watch = None      # the alarm of our heartbeats, and who watches it
     _hangs = False              # true while the device hangs
 
     def can(self, verb:str, # Name of a method
@@ -536,7 +537,8 @@ class DeviceServer(Component):
     def _beat_soon(self):
         "Schedule our heartbeat, which waits while the device hangs"
         if self._pulse is None or self._closed: return
-        hangs = clock.monotonic()-self._pulse.due>self.hangs_after
+        due = self._pulse.due if self._pulse.due<clock.monotonic() else None
+        hangs = self._watch.look(due, self.timers._thread, self.hangs_after)
         if hangs and not self._hangs: self.log.error('the device does not return: no heartbeats until it does')
         self._hangs = hangs
         self.timers.move(self._pulse, clock.monotonic())
@@ -546,6 +548,7 @@ class DeviceServer(Component):
 def set_mav_connection(self:DeviceServer, mav_com):
     "Join a link; our heartbeats have a thread of their own"
     Component.set_mav_connection(self, mav_com)
+    self._watch = HangWatch(mav_com.beat_period)
     self._pulse = self.timers.alarm(self.beat)
 
 @patch

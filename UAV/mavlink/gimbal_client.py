@@ -12,7 +12,8 @@ from ..logging import LogLevels
 from .component import Component, sends
 from .gimbal_flags import *
 from .gimbal_flags import _ways
-from .protocol import check_count, check_seconds, comes_from, Expectations, Found, Lost, NoAnswer, receives
+from UAV.mavlink.protocol import (check_count, check_seconds, check_which, comes_from, Expectations, Found, Lost,
+    NoAnswer, receives)
 from UAV.mavlink.remote_gimbal import (about, _device_address, _of_device, _of_manager, ATTITUDE, HOME_POSITION,
     RemoteGimbal)
 from ..utils import clock
@@ -219,6 +220,7 @@ async def find_gimbal(self:GimbalClient, name:str|None=None, # Part of its vendo
                      )->RemoteGimbal:
     "Return the first gimbal that answers; raises `NoAnswer` with the components seen instead"
     check_seconds('timeout', timeout)
+    check_which(name, system, component)
     end,found = clock.monotonic()+timeout,[]
     def fits(g):
         components = None,g.component,self._device_of(g.gimbal)[1]

@@ -19,7 +19,7 @@ from UAV.gimbals.values import (axes, Axis, GimbalAttitude, GimbalError, GimbalI
 from .protocol import Denied, Unsupported
 from ..utils import clock
 from ..utils.general import inside, known, NAN, one_of, Value
-from ..utils.geo import euler, inverse, product, quaternion, unit, wrap
+from ..utils.geo import gimbal_angles, inverse, product, quaternion, unit, wrap
 from ..wire.dialect import enum_value
 
 _all_ = ['GIMBAL_DEVICE_ATTITUDE_STATUS', 'GIMBAL_DEVICE_INFORMATION', 'GIMBAL_MANAGER_INFORMATION',
@@ -86,9 +86,9 @@ def of_pitchyaw(cls:_Target, flags:int, pitch:float=NAN, yaw:float=NAN, pitch_ra
 def _rates_of(msg)->tuple: return tuple(math.degrees(getattr(msg, f'angular_velocity_{a}')) for a in 'xyz')
 
 @patch(cls_method=True)
-def of_attitude(cls:_Target, msg)->_Target:
+def of_attitude(cls:_Target, msg, information:GimbalInformation)->_Target:
     "Target of a SET_ATTITUDE message; raises `ValueError`, `Unsupported`"
-    angles = (NAN,)*3 if all(n!=n for n in msg.q) else euler(unit(msg.q))
+    angles = (NAN,)*3 if all(n!=n for n in msg.q) else gimbal_angles(unit(msg.q), information.roll is not None)
     return cls.of_flags(msg.flags, *(_axis(*three) for three in zip(axes, angles, _rates_of(msg))))
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #2483279a

@@ -458,7 +458,7 @@ def _take_stream(self:GimbalServer, msg, target):
 @receives(mavlink.MAVLINK_MSG_ID_GIMBAL_MANAGER_SET_ATTITUDE)
 def _set_attitude(self:_Manager, msg):
     "Apply a quaternion or rates (GIMBAL_MANAGER_SET_ATTITUDE)"
-    self.us._take_stream(msg, lambda: _Target.of_attitude(msg))
+    self.us._take_stream(msg, lambda: _Target.of_attitude(msg, self.us.gimbal.information))
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #ac1bdb49
 @patch
@@ -496,7 +496,7 @@ def _set_attitude(self:_Directed, msg):
     now = us.clock()
     if msg.flags&RETRACT and us.can('retract'): us._stream.retracted = now
     elif now-us._stream.retracted<self.retract_lasts: return
-    us._take_setpoint(msg, lambda: _Target.of_attitude(msg))
+    us._take_setpoint(msg, lambda: _Target.of_attitude(msg, us.gimbal.information))
 
 @patch
 @receives(mavlink.MAVLINK_MSG_ID_GIMBAL_DEVICE_SET_ATTITUDE)

@@ -10,7 +10,7 @@ import atexit, re, socket
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..logging import get_logger, LogLevels
+from ..logging import get_logger, line_limit, LogLevels
 from .asking import Remotes
 from .protocol import accepts, _check_component, check_id, opened
 from ..utils import clock
@@ -34,6 +34,7 @@ class Heart:
         self.remotes.lost_after = com.lost_after
         self.ways = Seen(com.lost_after, most=256)      # `(channel, peer)` of recent heartbeats
         self.stuck,self.greeted,self.job = False,0.,None
+        self.alone_since = clock.monotonic()    # `None`: a component was heard, or it was said that none is
 
     def start(self):
         "Start to send heartbeats every `beat_period` seconds"
@@ -47,6 +48,8 @@ class Heart:
         "Send heartbeats and check for silent components, on the timer"
         if not self.check_stuck(): self.beat()
         self.watch()
+        self.check_alone()
+        line_limit.tell(clock.time())
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #69e8a0bc
 def _joined(com)->list:
@@ -69,6 +72,17 @@ def check_stuck(self:Heart)->bool:
     self.stuck = any(since is not None and now-since>self.com.stuck_after for since in busy)
     if self.stuck and not were: self.com.log.error('a handler does not return: no heartbeats until it does')
     return self.stuck
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #af3be14a
+@patch
+def check_alone(self:Heart):
+    "Log once why nobody is heard, if we sign: others drop frames of another key or of a wrong clock"
+    if self.alone_since is None or self.com.signing is None: return
+    heard = any(a not in self.com._here for a in self.remotes)
+    if not heard and clock.monotonic()-self.alone_since<self.com.lost_after: return
+    self.alone_since,signing = None,self.com.signing
+    level = LogLevels.WARNING if signing.dropped or not signing.has_time else LogLevels.INFO
+    if not heard: self.com.log.log(level, self.com._in_vain())
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #14aecf83
 @patch
@@ -121,6 +135,8 @@ def lose(self:Heart, source:tuple):
         if hasattr(c, '_lose'): c._lose(source, why)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #024c88df
+_another = '; give one another system (source_system, --system) or component'
+
 @patch
 def check_double(self:Heart, msg, source:tuple):
     "Log an error if two components seem to use the address `source`"
@@ -130,7 +146,7 @@ def check_double(self:Heart, msg, source:tuple):
     numbers = msg.get_seq(),channel.number,frames,heard.restarts,clock.monotonic()
     if not self.remotes.note_sequence(source, *numbers): return
     name = self.remotes[source].name
-    self.com.log.error('%s: two components use this address; both obey its commands, and you see one', name)
+    self.com.log.error('%s: two components use this address; both obey its commands, and you see one'+_another, name)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #b0eb72ec
 def _essence(frame:bytes)->bytes:
@@ -142,7 +158,7 @@ def check_echo(self:Heart, msg, source:tuple):
     "Log an error if a frame with our own address is not an echo"
     if msg.get_msgId()!=mavlink.MAVLINK_MSG_ID_HEARTBEAT or self.sent.find(_essence(msg.get_msgbuf())): return
     if self.sent.again(('stranger', source)): return
-    self.com.log.error('%s/%s is ours, and another one uses it too', *source)
+    self.com.log.error('%s/%s is ours, and another one uses it too'+_another, *source)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #3ccd1d9b
 _all_ = ['date_time_str', 'time_since_boot_ms', 'time_UTC_usec']
@@ -594,7 +610,8 @@ def _in_vain(self:MAVCom)->str:
     if bad: return 'heard nothing but garbage: is it MAVLink, and on a serial port, is it the right baud rate?'
     dropped = self.signing.dropped if self.signing is not None else {}
     if dropped: return f'heard frames, and dropped all for their signature: {", ".join(sorted(dropped))}'
-    return 'heard nothing '+', and nothing '.join(f'on {c.name}: {_what_to_ask(c.name)}' for c in self.channels)
+    heard = 'heard nothing '+', and nothing '.join(f'on {c.name}: {_what_to_ask(c.name)}' for c in self.channels)
+    return heard if self.signing is None else f'{heard} And {self.signing.why_unheard()}'
 
 @patch
 def who_was_heard(self:MAVCom, system:int=0, # Only this system, if anything of it was received; 0: all
@@ -712,6 +729,7 @@ def leave_loop(self:Channel, loop):
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #d912a1c0
 @patch
 async def __aenter__(self:MAVCom):
+    "Read the links on the running event loop, for an `async with`"
     import asyncio
     loop = asyncio.get_running_loop()
     try:
@@ -723,4 +741,4 @@ async def __aenter__(self:MAVCom):
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #559d9fc4
 @patch
-async def __aexit__(self:MAVCom, *args): self.close()
+async def __aexit__(self:MAVCom, *args): "Close the links"; self.close()

@@ -40,7 +40,7 @@ async def _find(self:RemoteSettings):
     "Switch from an autopilot to its camera; raises `MAVError` if it is no camera"
     if self.camera.component==mavlink.MAV_COMP_ID_AUTOPILOT1:
         uri = _definition_uri(await self.camera.request(CAMERA_INFORMATION))
-        named = read_ftp_url(uri)[0] if uri.startswith(('mftp:','mavlinkftp:')) else None
+        named = read_ftp_url(uri)[0] if uri.lower().startswith(('mftp:','mavlinkftp:')) else None
         if named: self.camera = CameraAsking(self.client, self.camera.system, named)
         self.target = self.camera.address
     self.camera._check_camera()
@@ -150,7 +150,7 @@ async def fetch(url:str, # http:// or https://
                 hosts=None, # Allowed addresses; `None`: any, and names
                )->bytes:
     "Return the content, at most a little over `most_bytes`; raises `ValueError`, `NoAnswer`, `PermissionError`"
-    if not url.startswith(('http://','https://')): raise ValueError(f'{url!r} is no address of a web server')
+    if not url.lower().startswith(('http://','https://')): raise ValueError(f'{url!r} is no address of a web server')
     answer = Answer()
     clock.Thread(target=_get_into, args=(answer, url, hosts, timeout), name='fetch', daemon=True).start()
     data = await answer.wait(timeout+1.)
@@ -169,7 +169,7 @@ def _elsewhere(self:RemoteSettings, uri:str)->PermissionError:
 @patch
 async def _fetch_definition(self:RemoteSettings, uri:str, any_host:bool|None=None)->list:
     "Fetch the `Parameter`s of the definition at `uri`; raises `ValueError`, `MAVError`, `PermissionError`"
-    if not uri.startswith(('http://','https://')):
+    if not uri.lower().startswith(('http://','https://')):
         return read_definition(await RemoteFiles(self.camera).fetch(uri, most=most_bytes))
     if any_host is None: any_host = self.client.any_host
     try: return read_definition(await fetch(uri, hosts=None if any_host else self.camera._own_hosts()))

@@ -21,9 +21,9 @@ from ..wire.links import Link, open_link
 
 # %% auto #0
 __all__ = ['patience', 'longest_rto', 'remembered', 'shot_tries', 'contraries', 'accepts', 'comes_from', 'Answer', 'Command',
-           'Expected', 'Expectations', 'opened', 'check_id', 'check_seconds', 'check_count', 'Found', 'Handler',
-           'arguments', 'command', 'message', 'receives', 'announced', 'marked', 'Outcome', 'Served', 'identity',
-           'Presses']
+           'Expected', 'Expectations', 'opened', 'check_id', 'check_seconds', 'check_count', 'check_which', 'Found',
+           'Handler', 'arguments', 'command', 'message', 'receives', 'announced', 'marked', 'Outcome', 'Served',
+           'identity', 'Presses']
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #0020fd1f
 def accepts(msg, # Any MAVLink message
@@ -279,6 +279,15 @@ def check_count(count):
     if count is None: return
     if not hasattr(count, '__index__'): raise TypeError(f'count is a whole number, not {count!r}')
     if count<0: raise ValueError(f'count is a whole number from 0 on, not {count}')
+
+def check_which(name, # Part of vendor and model
+                system, component): # Ids
+    "Raise `TypeError` or `ValueError` for what can't choose a device; `None` is any"
+    hint = f': write system={name}' if hasattr(name, '__index__') else ''
+    if not (name is None or isinstance(name, str)):
+        raise TypeError(f'name is a part of vendor and model, not {name!r}{hint}')
+    for what,number in (('system',system), ('component',component)):
+        if number is not None: check_id(what, number)
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #f588973f
 class _Seconds:

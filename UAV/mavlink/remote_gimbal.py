@@ -421,7 +421,7 @@ async def set_angles(self:RemoteGimbal,
     pitch:float=NAN, yaw:float=NAN, # Degrees; NaN: unchanged
     frame:str='vehicle', # Frame of `yaw`: 'vehicle' (nose) or 'earth' (north)
     lock:bool|None=None, # True: yaw holds its direction on earth; `None`: if it is from north
-    pitch_rate:float=NAN, yaw_rate:float=NAN, # Degrees per second; NaN: the gimbal's choice
+    pitch_rate:float=NAN, yaw_rate:float=NAN, # Degrees per second; NaN: its choice. ArduPilot ignores them
 )->Ack:
     "Point there; raises `HeadingUnknown` or `NoAnswer` if an autopilot as manager needs the attitude"
     flags = _pointing_flags(frame, lock)

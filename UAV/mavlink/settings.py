@@ -21,6 +21,7 @@ from fastcore.basics import patch
 from ..cameras.parameters import as_float32, kinds, Option, Parameter, Parameters, typed
 from ..cameras.values import CameraInformation
 from .protocol import Answer
+from ..utils.files import unpacked
 from ..wire.dialect import Ack, enum_name
 
 # %% auto #0
@@ -160,12 +161,9 @@ def definition_xz(xml:bytes, # Result of `definition_xml`
 most_bytes,most_settings = 1<<20,1000   # limits of a definition: its size, its parameters and options of each
 
 def _unpacked(data:bytes)->bytes:
-    "Decompress `data` if necessary; raises `ValueError`"
-    if data.startswith(b'\xfd7zXZ\0'):
-        try: data = lzma.LZMADecompressor(memlimit=1<<26).decompress(data, most_bytes+1)
-        except (lzma.LZMAError, EOFError) as e: raise ValueError(f'the definition is damaged: {e}') from None
-    if len(data)>most_bytes: raise ValueError(f'the definition has more than {most_bytes} bytes')
-    return data
+    "Decompress a definition; raises `ValueError`"
+    try: return unpacked(data, most_bytes)
+    except ValueError as e: raise ValueError(f'the definition cannot be read: {e}') from None
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #649c22ef
 def _root(data:bytes):

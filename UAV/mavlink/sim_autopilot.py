@@ -15,7 +15,7 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_ATTITUDE as ATT
     MAVLINK_MSG_ID_SYS_STATUS as SYS_STATUS, MAVLINK_MSG_ID_SYSTEM_TIME as SYSTEM_TIME,
     MAVLINK_MSG_ID_VFR_HUD as VFR_HUD)
 from ..logging import LogLevels
-from ..utils.general import inside, known, one_of, time_since_boot_ms, time_UTC_usec
+from ..utils.general import inside, known, no_class, one_of, time_since_boot_ms, time_UTC_usec
 from ..utils.geo import quaternion
 from ..wire.dialect import address, protocol_version
 from .protocol import command, Denied, message, receives, Unsupported
@@ -43,6 +43,8 @@ class SimAutopilot(Component):
         battery:float|None=80., # Charge of its battery, %, which stays; `None`: no battery is reported
         loglevel:int=LogLevels.INFO,
     ):
+        if not hasattr(no_class(vehicle, 'vehicle'), 'state'):
+            raise TypeError(f'{vehicle!r} is no vehicle: write SimAutopilot(SimVehicle())')
         super().__init__(source_component, mav_type, loglevel)
         store_attr('vehicle,gimbals')
         self.battery = None if battery is None else inside('battery', battery, 0, 100)

@@ -317,6 +317,7 @@ class Geotagger(Vehicle):
     remembers = 20.         # s of age of a frame, at most
     time_lasts = 10.        # s for which SYSTEM_TIME is valid
     wrong = 1.              # s of difference to the autopilot's time up to which our clock counts
+    measures = False        # positions count, although the camera has a pose of its own
     def __init__(self,
                  component, # Server of a camera with `gimbal_device_id`, `mounted` and `clock_error`
                  asks:bool=True, # Request missing messages from the autopilot
@@ -439,19 +440,22 @@ def _serves(self:Geotagger)->bool:
 @patch(as_prop=True)
 def wishes(self:Geotagger)->dict:
     "Messages we need from the autopilot, `{message id: Hz}`"
-    return self.rates if self.asks and self._serves else {}
+    if not self.asks: return {}
+    return self.rates if self._serves else {POSITION:self.rates[POSITION]} if self.measures else {}
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #a107c164
 @patch
 def _counts(self:Geotagger, msg)->bool:
     "True if this message counts for our camera"
     if msg.get_msgId()==GIMBAL_STATUS: return self._serves
-    return self._believes(address(msg)) and (msg.get_msgId()==SYSTEM_TIME or self._serves)
+    needed = msg.get_msgId()==SYSTEM_TIME or self._serves or msg.get_msgId()==POSITION and self.measures
+    return self._believes(address(msg)) and needed
 
 @patch
 def _pass_on(self:Geotagger, msg):
     "Give the camera a pose"
-    if msg.get_msgId() not in (SYSTEM_TIME, HOME): self.device.pose,self.device.velocity = self.pose,self.velocity
+    if not self._serves or msg.get_msgId() in (SYSTEM_TIME, HOME): return
+    self.device.pose,self.device.velocity = self.pose,self.velocity
 
 @patch
 @receives(SYSTEM_TIME)
@@ -484,9 +488,14 @@ class Survey(Part):
 
     def _expect(self, distance:float):
         "Store a survey announced by our autopilot, or its end (0)"
-        us,self._announced = self.component,None
+        us = self.component
+        self._note(None)
         if distance<=0 or not us.can('capture_status'): return
-        self._announced = distance,us.vehicle.pose(),us.camera.capture_status().image_count
+        self._note((distance, us.vehicle.pose(), us.camera.capture_status().image_count))
+
+    def _note(self, announced:tuple|None):
+        "Store a survey, over which the autopilot's positions count"
+        self._announced,self.component.vehicle.measures = announced,announced is not None
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #771c7f74
 @patch
@@ -495,11 +504,12 @@ def beat(self:Survey):
     if not self._announced: return
     (distance,start,count),us = self._announced,self.component
     pose = us.vehicle.pose()
-    if not known(start.lat): self._announced = distance,pose,count      # the first known position
-    if not (known(start.lat) and known(pose.lat)) or count!=us.camera.capture_status().image_count: return
+    if count!=us.camera.capture_status().image_count: return self._note(None)       # it triggers
+    if not known(start.lat): self._note((distance, pose, count))            # the first known position
+    if not (known(start.lat) and known(pose.lat)): return
     way = math.hypot(*metres(start.lat, start.lon, pose.lat, pose.lon))
     if way<=self.patience*distance: return
-    self._announced = None
+    self._note(None)
     us.say(mavlink.MAV_SEVERITY_WARNING, f'No trigger in {way:.0f} m: PX4 needs TRIG_MODE 4')
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #a6d1fbca

@@ -10,7 +10,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..gimbals.viewsheen import Viewsheen, ViewsheenSetup
 from ..logging import LogLevels
-from .protocol import command
+from .protocol import command, Denied
 from .basecomponent import Part
 from .camera_server import _CameraVerbs
 from .gimbal_server import GimbalServer
@@ -24,7 +24,7 @@ class _Tracking(Part):
     def have(self, verb:str, camera_id:int, msg, *args):
         "Call a verb that turns the gimbal; raises `Denied` for another camera, or without control"
         us = self.component
-        us.for_us(camera_id)
+        if camera_id not in (0, us.source_component): raise Denied(f'camera {camera_id} is not here')
         us._admit(msg)
         with us.region.giving_way(): us.need(verb)(*args)
 

@@ -358,6 +358,7 @@ def join(self:World, task:_Task, timeout:float|None=None)->bool:
 # %% ../../nbs/api/testing/00_scheduler.ipynb #37c1de09
 @patch
 def __enter__(self:World):
+    "Begin simulated time; raises `RuntimeError` if it runs already"
     global _current
     if _current is not None: raise RuntimeError(f'time is simulated already, by {_current!r}')
     self.main = self.tasks[_get_ident()] = _Task(self, threading.current_thread())

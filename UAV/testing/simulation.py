@@ -129,8 +129,11 @@ def _stamp(path):
     if here() is None: return
     with suppress(OSError): os.utime(path, (_time(),)*2)
 
+_real_work = clock.work
+def _work(thread): return _real_work(thread) if here() is None else None      # of a real processor
+
 _clocks |= {time.localtime: _localtime, time.gmtime: _of_now(time.gmtime), time.ctime: _of_now(time.ctime),
-            time.strftime: _strftime, time.sleep: _sleep, clock.stamp: _stamp}
+            time.strftime: _strftime, time.sleep: _sleep, clock.stamp: _stamp, clock.work: _work}
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #3ddb32cf
 class _Lock:

@@ -10,6 +10,7 @@ from urllib.parse import parse_qsl, unquote, urlsplit
 import re
 
 from .general import Value
+from .sockets import host_in
 
 # %% auto #0
 __all__ = ['DeviceURL', 'device_url', 'register_device', 'device_schemes', 'open_device']
@@ -53,7 +54,7 @@ def device_url(text:str, # Such as 'siyi://192.168.144.25' or 'siyi:///dev/ttyUS
     if not parts.scheme or '://' not in text: raise _no_device(text, 'write SCHEME://HOST')
     if port==0: raise _no_device(text, 'a port is 1 to 65535')
     user,password = unquote(parts.username or ''),unquote(parts.password or '')
-    return DeviceURL(parts.scheme, parts.hostname or '', port, unquote(parts.path), user, password, tuple(options))
+    return DeviceURL(parts.scheme, host_in(parts), port, unquote(parts.path), user, password, tuple(options))
 
 # %% ../../nbs/api/utils/07_devices.ipynb #e30acd56
 _openers = {}       # `{scheme: function}`; what was registered here

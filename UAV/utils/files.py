@@ -9,13 +9,14 @@ from functools import partial
 from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
-import errno, os, re, stat
+import errno, lzma, os, re, stat, zlib
 
 from fastcore.basics import patch
+from ..logging import get_logger
 from . import clock
 
 # %% auto #0
-__all__ = ['most_bytes', 'FileEntry', 'FileTree']
+__all__ = ['most_bytes', 'most_name', 'FileEntry', 'FileTree', 'read_secret', 'unpacked', 'local_name']
 
 # %% ../../nbs/api/utils/02_files.ipynb #892c7433
 most_bytes,_odd = 255,re.compile(r'[\x00-\x1f\\\x7f]')     # of a name; characters that no name of ours has
@@ -308,3 +309,53 @@ def truncate(self:FileTree, path:str, size:int):
     with jail.open(names, os.O_RDWR) as file:
         if size>os.fstat(file.fileno()).st_size: raise ValueError(f'{path} is shorter than {size} bytes')
         file.truncate(size)
+
+# %% ../../nbs/api/utils/02_files.ipynb #d5deae78
+def read_secret(path:Path)->bytes:
+    "Return the bytes of a file with a secret; logs a warning if all users may read or write it. Raises `OSError`"
+    data,mode = path.read_bytes(),path.stat().st_mode
+    if os.name=='posix' and stat.S_ISREG(mode) and mode&(stat.S_IROTH|stat.S_IWOTH):
+        get_logger('files').warning('%s is open to every user of this computer: chmod 600 %s', path, path)
+    return data
+
+# %% ../../nbs/api/utils/02_files.ipynb #77bd3407
+_packers = {b'\xfd7zXZ\0': lambda: lzma.LZMADecompressor(lzma.FORMAT_XZ, memlimit=1<<26),     # by how a file begins
+            b']\0\0': lambda: lzma.LZMADecompressor(lzma.FORMAT_ALONE, memlimit=1<<26),
+            b'\x1f\x8b': lambda: zlib.decompressobj(31)}
+
+def _packer(data:bytes): return next((packer for magic,packer in _packers.items() if data.startswith(magic)), None)
+
+def unpacked(data:bytes, # An xz, gzip or lzma file, or any other
+             most:int, # Bytes that may come out
+            )->bytes:
+    "Return the content of a file, decompressed if necessary; raises `ValueError` if it is damaged or too long"
+    for _ in range(3):              # a web server may compress what is compressed
+        packer,content = _packer(data),b''
+        if packer is None: break
+        while _packer(data) is packer:          # several members are one file
+            part = packer()
+            try: content += part.decompress(data, most+1-len(content))
+            except (lzma.LZMAError, zlib.error, EOFError) as e: raise ValueError(f'it is damaged: {e}') from None
+            if len(content)>most: raise ValueError(f'it has more than {most} bytes')
+            if not part.eof: raise ValueError('it is damaged: it ends too early')
+            data = part.unused_data
+        data = content
+    if len(data)>most: raise ValueError(f'it has more than {most} bytes')
+    return data
+
+# %% ../../nbs/api/utils/02_files.ipynb #3bba6d3e
+most_name = 200         # bytes of a name on our disk: a `_2` or `.2.part` still fits
+_device = re.compile(r'(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³]) *(\.|$)', re.I)      # of Windows
+
+def local_name(path:str, # A path, or that of a URL, as the other side writes it
+               default:str='file', # When nothing is left of it
+              )->str:
+    "Return a plain name for its file: not hidden, not reserved, not too long, without separators and control characters"
+    name = re.split(r'[/\\]', path)[-1]
+    name = ''.join(c if c.isprintable() and c not in '<>:"|?*' else '_' for c in name).lstrip('.-~ ').rstrip('. ')
+    if _device.match(name): name = f'_{name}'
+    if name.lower().endswith('.part'): name += '_'         # not a half one of ours
+    stem,dot,ending = name.rpartition('.')
+    if not stem or len(ending.encode())>20: stem,dot,ending = name,'',''
+    stem = stem.encode()[:most_name-len((dot+ending).encode())].decode(errors='ignore').rstrip('. ')
+    return stem+dot+ending or default

@@ -6,11 +6,11 @@
 from __future__ import annotations
 from abc import ABCMeta
 from collections.abc import AsyncGenerator
-from dataclasses import fields
+from dataclasses import fields, is_dataclass
 from datetime import datetime
-from functools import wraps
+from functools import cached_property, wraps
 from importlib import import_module
-from inspect import CORO_CREATED, getcoroutinestate
+from inspect import CORO_CREATED, getattr_static, getcoroutinestate, isdatadescriptor, isfunction, ismemberdescriptor
 from numbers import Real
 from types import CoroutineType
 import heapq, inspect, math, os, re, sys, weakref
@@ -22,8 +22,8 @@ from . import clock, clock as _clock
 
 # %% auto #0
 __all__ = ['log', 'timers', 'NAN', 'time_since_boot_ms', 'time_UTC_usec', 'date_time_str', 'in_child', 'Closes', 'Opened',
-           'Timers', 'Worker', 'known', 'Value', 'inside', 'one_of', 'plain', 'CompleteLater', 'Seen', 'for_async',
-           'show_unawaited', 'Report', 'kept', 'doc_class', 'takes_options', 'from_rooms']
+           'Timers', 'Worker', 'known', 'Value', 'inside', 'one_of', 'no_class', 'plain', 'CompleteLater', 'KeepsNames',
+           'Seen', 'for_async', 'show_unawaited', 'Report', 'kept', 'doc_class', 'takes_options', 'from_rooms']
 
 # %% ../../nbs/api/utils/00_general.ipynb #b1083063
 log = get_logger('timers')
@@ -268,6 +268,13 @@ def one_of(what:str, value:str, values)->str:
     if value in values: return value
     raise ValueError(f'{what} must be one of {", ".join(values)}, not {value!r}')
 
+# %% ../../nbs/api/utils/00_general.ipynb #004960f0
+def no_class(value, # What should be an object
+             kind:str): # Such as 'camera'
+    "Return `value`; raises `TypeError` if it's a class"
+    if isinstance(value, type): raise TypeError(f'{value.__name__} is a class; a {kind} is {value.__name__}(…)')
+    return value
+
 # %% ../../nbs/api/utils/00_general.ipynb #178c3c99
 _of_place = 'lat','lon','latitude','longitude'       # degrees
 
@@ -287,6 +294,57 @@ class CompleteLater(ABCMeta):
         if not getattr(made, '_begun', True): raise TypeError(f'{cls.__name__}.__init__ must call super().__init__()')
         made._complete()
         return made
+
+# %% ../../nbs/api/utils/00_general.ipynb #2f337d14
+_unset = object()
+
+def _serves(base:type, name:str, value, of_class:bool)->bool:
+    "True if `value`, as an attribute of a class or of an object, does what `base` has under this name"
+    if name in (parts := vars(base)['_parts']):
+        return isinstance(value, parts[name]) if isinstance(parts[name], type) else parts[name](value)
+    ours = vars(base).get(name)
+    calls = callable(value) and not isinstance(value, type)
+    if not isinstance(ours, property) and (not isfunction(ours) or value is None or calls): return True
+    if not of_class or callable(value) or not hasattr(value, '__get__') or ismemberdescriptor(value): return False
+    return isinstance(ours, property) or not (isdatadescriptor(value) or isinstance(value, cached_property))
+
+def _clash(kind:type, base:type, name:str)->str:
+    parts,ours = vars(base)['_parts'],vars(base).get(name)
+    what = 'part' if name in parts else 'property' if isinstance(ours, property) else 'method'
+    return (f"{kind.__name__}.{name} can't replace the {what} `{name}` of {base.__name__}: "
+            f"give yours another name, such as `my_{name.strip('_')}`")
+
+# %% ../../nbs/api/utils/00_general.ipynb #81da0d75
+class KeepsNames:
+    "Base of a class that others continue: names of theirs that replace its parts, methods or properties raise"
+    _parts = {}         # what the constructor of this class sets: `{name: type, or function that is true for a value}`
+    _keeps = ()         # the classes that have `_parts`
+
+    def __init_subclass__(cls, **kwargs):
+        super().__init_subclass__(**kwargs)
+        cls._keeps = tuple(c for c in cls.__mro__[:-1] if '_parts' in vars(c) and c is not KeepsNames)
+        cls._check_names()
+
+    @classmethod
+    def _check_names(cls):
+        "Raise `TypeError` for a name in a class that's taken"
+        for base in cls._keeps:
+            for name in {*vars(base), *vars(base)['_parts']}:
+                value,ours = getattr_static(cls, name, _unset),getattr_static(base, name, _unset)
+                if value is not ours and not _serves(base, name, value, True): raise TypeError(_clash(cls, base, name))
+
+    def _check_name(self, name:str, value):
+        "Raise `AttributeError` for an attribute that's taken, unless a subclass has its own property there"
+        for base in self._keeps:
+            ours = base.__dict__
+            if name not in ours and name not in ours['_parts'] or _serves(base, name, value, False): continue
+            theirs = getattr_static(type(self), name, None)
+            if name in ours['_parts'] or not isdatadescriptor(theirs) or theirs is ours[name]:
+                raise AttributeError(_clash(type(self), base, name))
+
+    def __setattr__(self, name, value):
+        self._check_name(name, value)
+        super().__setattr__(name, value)
 
 # %% ../../nbs/api/utils/00_general.ipynb #3e446c9c
 class Seen:
@@ -445,6 +503,7 @@ class _Doc(str):
     def __new__(cls, f):
         self = super().__new__(cls, f.__doc__ or '')
         self.f,self.asked = inspect.unwrap(f),False
+        self.title = 'Fields:' if inspect.isclass(f) else 'Parameters:'
         return self
 
     def expandtabs(self, *size):
@@ -455,7 +514,8 @@ class _Doc(str):
         except Exception: told = {}         # there is no source
         finally: self.asked = False
         lines = [f'    {name}: {" ".join(says.split())}' for name,says in told.items() if says and name!='self']
-        return '\n'.join([str.expandtabs(self, *size), *(['','Parameters:',*lines] if lines else [])])
+        text = inspect.cleandoc(str(self))      # or `Parameters:` would keep it indented
+        return '\n'.join([text, *(['',self.title,*lines] if lines else [])])
 
 _explained = {}         # modules whose functions have a `_Doc`
 
@@ -466,14 +526,20 @@ def _functions_of(module):
         if inspect.isfunction(thing): yield thing
         elif inspect.isclass(thing): yield from (f for f in vars(thing).values() if inspect.isfunction(f))
 
+def _values_of(module):
+    "The dataclasses of a module that have a docstring"
+    own = [c for c in vars(module).values() if is_dataclass(c) and getattr(c, '__module__', '')==module.__name__]
+    return [c for c in own if inspect.isclass(c) and c.__doc__ and not isinstance(c.__doc__, _Doc)]
+
 def _explain():
-    "Have `help` show the parameters of our public functions that are loaded by now; quick when there is nothing new"
+    "Have `help` show parameters and fields of what is public and loaded by now; quick when there is nothing new"
     for name,module in list(sys.modules.items()):
         if name in _explained or not name.startswith(_explains): continue
         _explained[name] = True
         for f in _functions_of(module):
             told = f.__doc__ and f.__name__[0]!='_' or f.__name__=='__init__'
             if told and not isinstance(f.__doc__, _Doc): f.__doc__ = _Doc(f)
+        for cls in _values_of(module): cls.__doc__ = _Doc(cls)
 
 _explains = 'UAV.mavlink.','UAV.cameras.','UAV.gimbals.','UAV.manager.','UAV.blocking','UAV.wire.'
 

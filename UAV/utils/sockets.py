@@ -6,8 +6,8 @@
 from __future__ import annotations
 from collections import deque
 from concurrent.futures import Future, TimeoutError as TooLate
-from urllib.parse import urljoin, urlsplit
-import asyncio, errno, math, selectors, socket
+from urllib.parse import quote, urljoin, urlsplit
+import asyncio, errno, math, selectors, socket, ipaddress
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
@@ -111,60 +111,140 @@ def serve(self:Loop, listener, # From `listen_tcp`
     listener.setblocking(False)
     self.call(lambda: self.watch(listener, accept))
 
+# %% ../../nbs/api/utils/01_sockets.ipynb #0d5e7c92
+class _Guesses:
+    "Slows down who guesses passwords, by address"
+    def __init__(self, free:int=10, # Wrong ones in a row that nothing waits for
+                 pace:float=.5, # s between two looks after that
+                 most:int=1000): # Addresses that are remembered
+        store_attr()
+        self._until = {}            # when all is forgiven, monotonic s
+
+    @staticmethod
+    def _place(host:str)->str:
+        try: address = ipaddress.ip_address(host.partition('%')[0])
+        except ValueError: return host
+        if address.version==4: return host
+        return str(address.ipv4_mapped or ipaddress.ip_network((int(address)>>64<<64, 64)))
+
+    def wait(self, host:str)->float: # s until the next password from there may be looked at
+        "Return 0 when it may be now"
+        return max(0., self._until.get(self._place(host), 0.)-self.free*self.pace-clock.monotonic())
+
+    def wrong(self, host:str):
+        "One from there was wrong"
+        place,now = self._place(host),clock.monotonic()
+        self._until[place] = max(now, self._until.get(place, 0.))+self.pace
+        if len(self._until)<=self.most: return
+        last = sorted(self._until, key=self._until.get)[-self.most//2:]
+        self._until = {place: self._until[place] for place in last if self._until[place]>now}
+
+# %% ../../nbs/api/utils/01_sockets.ipynb #e2846a1f
+def _body(answer, most:int, take)->bytes:
+    "Return the first `most` bytes of an `HTTPResponse`, or give all pieces to `take`; raises `OSError`, `ValueError`"
+    size,done,data = answer.length or 0,0,b''
+    if take is None: data = answer.read(most)
+    elif size>most: raise ValueError(f'it has {size} bytes, more than {most}')
+    while take and (piece := answer.read(1<<14)):
+        if (done := done+len(piece))>most: raise ValueError(f'it has more than {most} bytes')
+        take(piece, size)
+    if answer.length and len(data)<most: raise OSError(f'it broke off: {answer.length} of {size} bytes did not come')
+    return data
+
 # %% ../../nbs/api/utils/01_sockets.ipynb #4425884b
-def _get(url:str, hosts, most:int, opened:list, end:float)->bytes:
-    "GET, by connections whose sockets will be in `opened`, and follow five redirects at most"
-    from http.client import HTTPConnection, HTTPSConnection
-    def connect(*args, **kwargs):
-        sock = socket.create_connection(*args, **kwargs)
-        opened.append(sock.dup())       # TLS takes the other
-        return sock
+class _Deadline:
+    "A moment at which the sockets of a request are shut, so nobody reads on; `with` closes them"
+    def __init__(self, seconds:float): # From now
+        self.seconds,self.end,self.late,self._opened = seconds,clock.monotonic()+seconds,clock.Event(),[]
+
+    def __enter__(self):
+        self._alarm = timers.alarm(self.give_up)
+        timers.move(self._alarm, self.end)
+        return self
+
+    def __exit__(self, *args):
+        timers.cancel(self._alarm)
+        for sock in self._opened: sock.close()
+
+    def extend(self):
+        "Begin anew, as something came"
+        self.end = clock.monotonic()+self.seconds
+        timers.move(self._alarm, self.end)
+
+    def give_up(self):
+        "Wake the one who reads or connects"
+        self.late.set()
+        for sock in list(self._opened): _shut(sock)
+
+    left = property(lambda self: max(self.end-clock.monotonic(), .01), doc="s until then")
+
+    def connect(self, address:tuple, *args)->socket.socket: # As `socket.create_connection`, for http.client
+        "Connect to one of its addresses; raises `OSError`"
+        why = OSError(f'{address[0]} has no address')
+        for family,kind,protocol,_,place in socket.getaddrinfo(*address, type=socket.SOCK_STREAM):
+            sock = socket.socket(family, kind, protocol)
+            self._opened.append(sock.dup())         # TLS takes the other
+            sock.settimeout(self.left)
+            try:
+                if self.late.is_set(): raise TimeoutError('given up')
+                sock.connect(place)
+                return sock
+            except OSError as e: why = e
+            sock.close()
+        raise why
+
+def _shut(sock):
+    "Wake the one who reads"
+    try: sock.shutdown(socket.SHUT_RDWR)
+    except OSError: pass                # it is gone
+
+# %% ../../nbs/api/utils/01_sockets.ipynb #c0683c48
+def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes|None=None, take=None,
+             **headers)->tuple:
+    "Status, reason, headers and body of one answer, to a POST of `body` or a GET; raises `ValueError` and `OSError`"
+    from http.client import HTTPConnection, HTTPException, HTTPSConnection
+    parts = urlsplit(url)
+    host = (parts.hostname or '').replace('localhost', '127.0.0.1')
+    if parts.scheme not in ('http','https') or not host: raise ValueError(f'{url!r} is no address of a web server')
+    if hosts is not None and host not in hosts: raise PermissionError(f'{url} is not at {" or ".join(sorted(hosts))}')
+    connection = dict(http=HTTPConnection, https=HTTPSConnection)[parts.scheme](host, parts.port, timeout=deadline.left)
+    connection._create_connection = deadline.connect
+    try:
+        path = quote(parts.path or '/', safe="/%:@!$&'()*+,;=~")+(f'?{parts.query}' if parts.query else '')
+        connection.request('GET' if body is None else 'POST', path, body, {'Connection':'close', **headers})
+        answer = connection.getresponse()
+        data = _body(answer, most, take) if answer.status==200 else answer.read(most)
+        return answer.status,answer.reason,answer.headers,data
+    except HTTPException as e: raise OSError(f'{url}: {e!r}') from None
+    finally: connection.close()
+
+def _get(deadline:_Deadline, url:str, hosts, most:int, take)->bytes:
+    "GET, and follow five redirects at most"
     for _ in range(6):
-        parts = urlsplit(url)
-        host = (parts.hostname or '').replace('localhost', '127.0.0.1')
-        if parts.scheme not in ('http','https') or not host: raise ValueError(f'{url!r} is no address of a web server')
-        if hosts is not None and host not in hosts:
-            raise PermissionError(f'{url} is not at {" or ".join(sorted(hosts))}')
-        kind = dict(http=HTTPConnection, https=HTTPSConnection)[parts.scheme]
-        connection = kind(host, parts.port, timeout=max(end-clock.monotonic(), .01))
-        connection._create_connection = connect
-        try:
-            connection.request('GET', (parts.path or '/')+(f'?{parts.query}' if parts.query else ''))
-            answer = connection.getresponse()
-            if answer.status==200: return answer.read(most)
-            to = answer.getheader('location')
-            if not 300<=answer.status<400 or not to: raise OSError(f'{answer.status} {answer.reason}')
-            url = urljoin(url, to)
-        finally: connection.close()
+        status,reason,headers,data = _ask_web(deadline, url, hosts, most, take=take)
+        if status==200: return data
+        to = headers.get('location')
+        if not 300<=status<400 or not to: raise OSError(f'{status} {reason}')
+        url = urljoin(url, to)
     raise OSError('too many redirects')
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #fcdf5a79
 def get_web(url:str, # http:// or https://
             hosts=None, # Addresses that we may connect to; `None`: any, and names too
             most:int=1<<20, # Bytes
-            seconds:float=30., # For all of it
+            seconds:float=30., # For all of it; with `take` for each piece
+            take=None, # Called with each piece and the size (0: unknown), in place of the returned bytes
            )->bytes:
     "Return the first `most` bytes of a page; raises `ValueError`, `OSError`, `PermissionError` among them"
-    from http.client import HTTPException
-    opened,late = [],clock.Event()
-    def stop():
-        late.set()
-        for sock in list(opened): _shut(sock)
-    alarm,end = timers.alarm(stop),clock.monotonic()+seconds
-    timers.move(alarm, end)
-    try: data = _get(url, hosts, most, opened, end)
-    except (OSError, HTTPException) as e:
-        if not late.is_set(): raise e if isinstance(e, OSError) else OSError(f'{url}: {e!r}') from None
-    finally:
-        timers.cancel(alarm)
-        for sock in opened: sock.close()
-    if late.is_set(): raise TimeoutError(f'{url} did not come in {seconds:g} s')
+    with _Deadline(seconds) as deadline:
+        def piece(*args):
+            deadline.extend()
+            take(*args)
+        try: data = _get(deadline, url, hosts, most, take and piece)
+        except OSError:
+            if not deadline.late.is_set(): raise
+    if deadline.late.is_set(): raise TimeoutError(f'{url} did not come in {seconds:g} s')
     return data
-
-def _shut(sock):
-    "Wake the one who reads"
-    try: sock.shutdown(socket.SHUT_RDWR)
-    except OSError: pass                # it is gone
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #581c5e0b
 log = get_logger('tcp')

@@ -12,8 +12,8 @@ from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import _begin_thread, av, Closes
 from ..utils.pictures import as_bgr
-from .units import (AccessUnit, byte_stream, Codec, codecs, _even, _is_hardware, is_key, _nal_type, nal_units,
-    _open_codec, parameter_sets, sensible_bitrate, VideoFormat)
+from .units import (AccessUnit, byte_stream, Codec, codecs, _DecodeTimes, _even, _is_hardware, is_key, _nal_type,
+    nal_units, _open_codec, parameter_sets, sensible_bitrate, Sink, VideoFormat)
 
 # %% auto #0
 __all__ = ['Encoder', 'PassThrough']
@@ -154,7 +154,9 @@ def _deliver(self:Encoder, unit:AccessUnit):
         for sink in self.sinks:
             with self._changed:
                 if unit.key and sink in self._sinks: self._sinks[sink] = True
-                if not self._sinks.get(sink): continue
+                begun = self._sinks.get(sink)
+            if begun is False and isinstance(sink, Sink): sink.miss()
+            if not begun: continue
             try: sink.put(unit)
             except Exception as e:
                 _log.warning('%s: %r is taken out, it raised %r', self.name, sink, e, exc_info=e)
@@ -290,7 +292,8 @@ class PassThrough(Encoder):
     def __init__(self, codec:str='h264', # One of `codecs`
                  name:str='video'): # For people
         super().__init__(None, codec, name=name)
-        self._sets,self._came,self.complete = [],0.,True        # the parameter sets; when a unit came last
+        self._sets,self._came,self.complete = [],0.,True        # the parameter sets; when a unit came last that was of use
+        self._decode_times = _DecodeTimes()
 
     def _setting(self, name):
         "As the source has decided; the usual rate before that is known"
@@ -338,7 +341,7 @@ def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
          taken:float|None=None, # When the frame was taken, monotonic s; `None` is now
          **known): # What is known of the format: `width`, `height`, `rate`, `bitrate`
     "Hand an access unit to all sinks; nothing happens before the first key picture"
-    now = self._came = clock.monotonic()
+    now = clock.monotonic()
     taken,key = now if taken is None else taken,is_key(data, self.codec)
     made = self.format
     if key:                             # complete it with its parameter sets; they may be new, and so the format
@@ -347,5 +350,6 @@ def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
         made = made or self.expected or VideoFormat(self.codec, bitrate=0)
         made = replace(made, headers=byte_stream(self._sets), **known)
     elif made is None: return
-    self._number += 1
-    self._deliver(AccessUnit(data, key, taken, clock.time()-now+taken, self._number, made))
+    self._number,self._came = self._number+1,now
+    decode = self._decode_times(taken)
+    self._deliver(AccessUnit(data, key, taken, clock.time()-now+taken, self._number, made, decode))

@@ -15,9 +15,9 @@ from fastcore.basics import GetAttr, patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import _begin_thread, av, Closes, np
-from ..utils.pictures import contact_sheet, Thumbnail
+from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
-from .rtsp import _authorization, _Interleaved, _RequestReader, RTSPError
+from .rtsp import _authorization, _challenges, _Interleaved, _RequestReader, RTSPError
 
 # %% auto #0
 __all__ = ['transports', 'receivers', 'RTSPReceiver', 'PlayerError', 'Decoded', 'Player', 'strip']
@@ -35,9 +35,12 @@ class _AnswerReader(_RequestReader):
     most_head = most_body = 1<<16 # bytes
     @staticmethod
     def parse(head:bytes)->_Answer:
-        first,*lines = re.split(r'\r?\n', head.decode('utf-8', 'replace'))
-        parts = (line.partition(':') for line in lines)
-        return _Answer(first, {name.strip().lower():value.strip() for name,_,value in parts})
+        first,*lines = re.split(r'\r?\n', re.sub(r'\r?\n[ \t]+', ' ', head.decode('utf-8', 'replace')))
+        answer,asks = _Answer(first, {}),'www-authenticate'
+        for name,_,value in (line.partition(':') for line in lines):
+            name,value,before = name.strip().lower(),value.strip(),answer.headers.get(asks)
+            answer.headers[name] = f'{before}, {value}' if name==asks and before else value
+        return answer
 
     def feed(self, data:bytes):
         "All that is complete with `data`, one after the other; raises `ConnectionError`"
@@ -58,32 +61,35 @@ class RTSPReceiver(Receiver):
         self._place = place.hostname,place.port or 554
         self._user = unquote(place.username or ''),unquote(place.password or '')
         super().__init__(place._replace(netloc=place.netloc.rpartition('@')[2]).geturl(), timeout)
-        self.transport,self._challenge = transport,None
+        self.transport,self._challenge,self._count = transport,'',0         # how often it was answered
         self._forget()
 
     def _forget(self):
         "Nothing is agreed with the server yet, or no longer"
         self._sock,self._udp,self._answers,self._packets = None,None,_AnswerReader(),[]
         self._cseq,self._session,self._methods,self._alive = 0,None,'',30.
+        self._ping_at,self._denied = 0.,0       # when to give a sign of life, monotonic s; how many were refused
 
     def _send(self, method, url, headers):
         "Send a request, with its number, the session and the password"
         self._cseq += 1
         headers = dict(CSeq=self._cseq, **{'User-Agent':'UAV'}, **headers)
         if self._session: headers['Session'] = self._session
-        if self._challenge: headers['Authorization'] = _authorization(self._challenge, method, url, *self._user)
+        if self._challenge:
+            self._count += 1
+            headers['Authorization'] = _authorization(self._challenge, method, url, *self._user, self._count)
         lines = [f'{method} {url} RTSP/1.0', *(f'{name}: {value}' for name,value in headers.items())]
         self._sock.sendall(('\r\n'.join(lines)+'\r\n\r\n').encode())
 
     def _answer(self)->_Answer:
-        "The answer to the last request"
-        data = b''
+        "The whole answer to the last request; raises `OSError`"
+        data,end = b'',clock.monotonic()+self.timeout
         while True:
             for item in self._answers.feed(data):
                 if isinstance(item, _Interleaved): self._packets.append((item.channel,item.data))
-                elif item.headers.get('cseq')==str(self._cseq): return item
+                elif not re.search(r' RTSP/\d\.\d$|^RTSP/\d\.\d 1', item.line): return item     # no request, no 100 Continue
                 if len(self._packets)>self.most: raise ConnectionError('the server sends packets, and no answer')
-            data = self._receive(self._sock)
+            data = self._receive(self._sock, end)
             if not data: raise ConnectionError('the server has closed the connection')
 
 # %% ../../nbs/api/video/08_player.ipynb #e5e493ad
@@ -95,14 +101,22 @@ def _status(line:str)->int:
 @patch
 def _ask(self:RTSPReceiver, method, url, also=(), **headers)->tuple:
     "Status, headers and body of the answer; raises `ConnectionError` for a refusal, unless its status is in `also`"
-    for attempt in range(2):
+    for attempt in range(4):
         self._send(method, url, headers)
         answer = self._answer()
         code,said = _status(answer.line),answer.headers
-        if code!=401 or attempt or not self._user[0]: break
-        self._challenge = said.get('www-authenticate', '')
+        if code!=401 or not self._take_challenge(said) and attempt: break
+        if not self._challenge: break
     if code not in (200,*also): raise ConnectionError(f'{method}: {answer.line.partition(" ")[2] or answer.line}')
     return code,said,answer.body.decode('utf-8', 'replace')
+
+@patch
+def _take_challenge(self:RTSPReceiver, said:dict)->bool:
+    "Answer the server's challenge from now on, if we can; true when only its nonce was too old, not the password wrong"
+    offered = said.get('www-authenticate', '')
+    able = self._user[0] and _authorization(offered, '', '', *self._user)
+    self._challenge,self._count = offered if able else '',0
+    return bool(able) and any(fields.get('stale', '').lower()=='true' for _,fields in _challenges(offered))
 
 # %% ../../nbs/api/video/08_player.ipynb #0876b11a
 def _resolve(base:str, control:str)->str:
@@ -165,9 +179,13 @@ def _listen_until(self:RTSPReceiver, until, silent_at):
 # %% ../../nbs/api/video/08_player.ipynb #8def4bf9
 @patch
 def _take(self:RTSPReceiver, data:bytes):
-    "Keep the packets of what has come on the connection"
-    items = self._answers.feed(data)
-    self._packets += [(item.channel,item.data) for item in items if isinstance(item, _Interleaved)]
+    "Keep the packets of what has come on the connection, and what a sign of life was answered"
+    for item in self._answers.feed(data):
+        if isinstance(item, _Interleaved): self._packets.append((item.channel,item.data))
+        elif _status(item.line)==401 and self._denied<2:        # the nonce is too old: at once with another one
+            self._take_challenge(item.headers)
+            self._denied,self._ping_at = self._denied+1,0.
+        elif _status(item.line)==200: self._denied = 0
 
 @patch
 def _arrived(self:RTSPReceiver):
@@ -183,15 +201,15 @@ def _arrived(self:RTSPReceiver):
 def _play(self:RTSPReceiver, url):
     "The RTP packets"
     method = 'GET_PARAMETER' if 'GET_PARAMETER' in self._methods else 'OPTIONS'
-    silent_at,ping_at = clock.monotonic()+self.timeout,clock.monotonic()+self._alive
+    silent_at,self._ping_at = clock.monotonic()+self.timeout,clock.monotonic()+self._alive
     while True:
         for packet in self._arrived():
             silent_at = clock.monotonic()+self.timeout
             yield packet
-        if clock.monotonic()>=ping_at:
+        if clock.monotonic()>=self._ping_at:
             self._send(method, url, {})
-            ping_at = clock.monotonic()+self._alive
-        self._listen_until(min(silent_at, ping_at), silent_at)
+            self._ping_at = clock.monotonic()+self._alive
+        self._listen_until(min(silent_at, self._ping_at), silent_at)
 
 # %% ../../nbs/api/video/08_player.ipynb #cb011e52
 @patch
@@ -204,7 +222,7 @@ def units(self:RTSPReceiver):
             self._setup(url)
             self._reader = RTPReader(media.codec, media.headers, media.payload_type)
             self._ask('PLAY', session_url, Range='npt=0.000-')
-            for packet in self._play(session_url): yield from self._reader(packet)
+            for packet in self._play(session_url): yield from self._read(packet)
         finally:            # say goodbye, without waiting for the answer
             for sock in self._udp or (): sock.close()
             with suppress(OSError): self._session and self._send('TEARDOWN', session_url, {})
@@ -218,10 +236,21 @@ receivers = dict(rtsp=RTSPReceiver, udp=TSReceiver, tcp=TSReceiver, rtp=RTPRecei
 def _url_name(url)->str: return re.sub(r'(?<=://)[^/]+@', '', str(url))      # for people: without user and password
 
 # %% ../../nbs/api/video/08_player.ipynb #df7e9f83
+_theirs = dict(rtspt='rtsp', rtspu='rtsp', mpegts='udp', udp264='rtp', udp265='rtp')     # schemes of GStreamer and QGC
+
+def _in_our_schemes(url)->tuple:
+    "`(url, transport)` in our schemes, in small letters; `transport` is `None` unless an RTSP scheme names it"
+    if '://' not in str(url): return url,None
+    scheme,_,rest = str(url).partition('://')
+    scheme = scheme.lower()
+    if scheme in ('udp264','udp265'): rest += ('&' if '?' in rest else '?')+f'codec=h{scheme[3:]}'
+    return f'{_theirs.get(scheme, scheme)}://{rest}',dict(rtspt='tcp', rtspu='udp').get(scheme)
+
 def _scheme(url)->str:
     "'rtsp', 'udp' …, 'sdp' or 'file'; raises `ValueError` for one that we do not know"
+    url,_ = _in_our_schemes(url)
     scheme = str(url).partition('://')[0] if '://' in str(url) else 'file'
-    if scheme=='file': return 'sdp' if str(url).endswith('.sdp') else 'file'
+    if scheme=='file': return 'sdp' if str(url).lower().endswith('.sdp') else 'file'
     if scheme not in receivers: raise ValueError(f'{_url_name(url)}: a player knows {", ".join(receivers)} and files')
     if scheme!='rtsp' and urlsplit(url).port is None: raise ValueError(f'{_url_name(url)} has no port')
     return scheme
@@ -231,10 +260,12 @@ class Decoded:
     "A decoded picture"
     def __init__(self, decoded, # `av.VideoFrame`
                  number:int, # Counts the pictures of a player
-                 time:float, # When it arrived, monotonic s; in a file, when it is due
+                 time:float, # When the sender's time stamp says it came, or it came, monotonic s; in a file, when it is due
                  time_utc:float): # When it was taken, if the sender says so (RTCP), else when it came; s since 1970
         store_attr()
-        self.size = decoded.width,decoded.height
+        self._turns = _frame_turns(decoded)
+        size = decoded.width,decoded.height
+        self.size = size[::-1] if self._turns and self._turns[0] else size
 
     def __repr__(self): return f'Decoded({self.number}, {self.size[0]}×{self.size[1]})'
     def _repr_jpeg_(self): return Thumbnail(self.image)._repr_jpeg_()
@@ -247,21 +278,40 @@ class Decoded:
     def scaled(self, width:int, # px
                height:int, # px
               )->np.ndarray:
-        "The picture in another size, BGR, `uint8`; threads may ask at the same time"
-        return av.video.reformatter.VideoReformatter().reformat(self.decoded, width, height, 'bgr24').to_ndarray()
+        "The picture in another size, upright, BGR, `uint8`; threads may ask at the same time"
+        size = (height,width) if self._turns and self._turns[0] else (width,height)
+        image = av.video.reformatter.VideoReformatter().reformat(self.decoded, *size, 'bgr24').to_ndarray()
+        return _turned(image, self._turns)
 
 # %% ../../nbs/api/video/08_player.ipynb #4b2af606
 def _decoder(codec:str):
     "FFmpeg's decoder, set up for no delay"
     decoder = av.CodecContext.create(dict(h264='h264', h265='hevc')[codec], 'r')
     decoder.thread_count,decoder.flags = 1,decoder.flags|av.codec.context.Flags.low_delay
+    decoder.options = dict(max_pixels=str(pixel_limit()))
     return decoder
 
 # %% ../../nbs/api/video/08_player.ipynb #e58e4870
-def _decode(decoder, data:bytes)->list:
-    "The pictures that come out; none for bytes that are wrong"
-    try: return decoder.decode(av.Packet(data))
+def _decode(decoder, data:bytes, number:int|None=None)->list:
+    "The pictures that come out, each with the `number` of its data as `pts`; none for bytes that are wrong"
+    packet = av.Packet(data)
+    packet.pts = number
+    try: return decoder.decode(packet)
     except av.FFmpegError: return []
+
+class _Decoding:
+    "Decodes access units; with B-frames, pictures come out in another order than they went in"
+    most = 32           # that may be inside
+    def __init__(self): self._codec,self._decoder,self._inside,self._number = None,None,{},0
+
+    def __call__(self, unit)->list:
+        "`(av.VideoFrame, time, time_utc)` of each picture that comes out, with the times of its own unit"
+        if unit.format.codec!=self._codec: self._codec,self._decoder = unit.format.codec,_decoder(unit.format.codec)
+        self._number += 1
+        self._inside[self._number] = times = unit.time,unit.time_utc
+        self._inside.pop(self._number-self.most, None)
+        pictures = _decode(self._decoder, unit.data, self._number)
+        return [(picture, *self._inside.pop(picture.pts, times)) for picture in pictures]
 
 # %% ../../nbs/api/video/08_player.ipynb #b889899a
 class _LivePictures(GetAttr):
@@ -272,12 +322,18 @@ class _LivePictures(GetAttr):
 
     def pictures(self):
         "`(av.VideoFrame, time, time_utc)` of each; raises `OSError`"
+        vain,patience = None,self.receiver.patience         # since when no unit can be decoded, monotonic s
         with closing(self.receiver.units()) as units:
-            codec,decoder = None,None
+            decoding = _Decoding()
             for unit in units:
                 for sink in list(self.sinks): sink.put(unit)
-                if unit.format.codec!=codec: codec,decoder = unit.format.codec,_decoder(unit.format.codec)
-                for picture in _decode(decoder, unit.data): yield picture,unit.time,unit.time_utc
+                pictures = decoding(unit)
+                for picture,time,utc in pictures: yield picture,min(time, clock.monotonic()),utc
+                if pictures: vain = None
+                elif vain is None: vain = clock.monotonic()
+                elif clock.monotonic()-vain>patience:
+                    vain = float('inf')
+                    self.receiver.tell(f'no picture can be decoded for {patience:g} s')
 
 # %% ../../nbs/api/video/08_player.ipynb #30aaeb4c
 class _FilePictures:
@@ -311,10 +367,10 @@ class _FilePictures:
 # %% ../../nbs/api/video/08_player.ipynb #c62616e2
 def _open_pictures(url, timeout:float=5., paced:bool=True, transport:str|None=None):
     "Open the source of `url`, as in the table above; raises `ValueError` or `PlayerError`"
-    scheme = _scheme(url)
+    scheme,(url,named) = _scheme(url),_in_our_schemes(url)
     path = re.sub('^file://', '', os.fspath(url))
     if scheme=='file': return _FilePictures(path, paced)
-    if scheme=='rtsp': return _LivePictures(RTSPReceiver(url, timeout, transport))
+    if scheme=='rtsp': return _LivePictures(RTSPReceiver(url, timeout, transport or named))
     if scheme!='sdp': return _LivePictures(receivers[scheme](url, timeout))
     if not os.path.isfile(path): raise PlayerError(f'there is no file {path!r}')
     return _LivePictures(RTPReceiver(path, timeout))
@@ -401,6 +457,7 @@ class Player(Closes):
         self.log = get_logger('video.player')
         self._source,self._pictures = _open_pictures(url, timeout, newest, transport),_Pictures(newest)
         self._closing = clock.Event()
+        if receiver := getattr(self._source, 'receiver', None): receiver.tell = self._note
         self._thread = _begin_thread(self._run, f'player {_url_name(url)}')
         atexit.register(self.close)
 
@@ -445,12 +502,16 @@ def _play(self:Player):
 
 # %% ../../nbs/api/video/08_player.ipynb #d29c3aa5
 @patch
+def _note(self:Player, said:str, surprise=None):
+    "Note why there are no pictures"
+    if said!=self.fault: self.log.warning('%s: %s', _url_name(self.url), said, exc_info=surprise)
+    self.connected,self.fault = False,said
+
+@patch
 def _lose(self:Player, error)->bool:
     "Note why there is no stream; true when all we can do is to listen on"
     said = (error.strerror if isinstance(error, OSError) else None) or str(error) or type(error).__name__
-    surprise = None if isinstance(error, OSError) else error
-    if said!=self.fault: self.log.warning('%s: %s', _url_name(self.url), said, exc_info=surprise)
-    self.connected,self.fault = False,said
+    self._note(said, None if isinstance(error, OSError) else error)
     return isinstance(error, TimeoutError) and not self._source.connects
 
 # %% ../../nbs/api/video/08_player.ipynb #03ee16cb
@@ -488,7 +549,7 @@ def next(self:Player, after:int=-1, # The number of the last picture seen
 
 # %% ../../nbs/api/video/08_player.ipynb #2c9bb91d
 @patch
-def __aiter__(self:Player): return self
+def __aiter__(self:Player): "Each new frame, for an `async for`"; return self
 
 @patch
 async def __anext__(self:Player):

@@ -15,28 +15,66 @@ from fastcore.basics import patch, store_attr
 from ..utils import clock
 from ..utils.general import Closes
 from .senders import is_group
-from .units import AccessUnit, byte_stream, clock_rate, codecs, is_key, parameter_sets, VideoFormat
+from .units import (AccessUnit, _begins_decoding, byte_stream, clock_rate, codecs, _DecodeTimes, _nal_type,
+    nal_units, _parameter_sets as _set_kinds, _slices, VideoFormat)
 
 # %% auto #0
 __all__ = ['ts_size', 'RTPReader', 'Receiver', 'own_host', 'TSReceiver', 'RTPReceiver']
+
+# %% ../../nbs/api/video/03_receivers.ipynb #9d2f61c8
+class _SenderTimes:
+    "Times on our clock from time stamps of `bits` bits"
+    jump,ahead,gain = 10.,5.,1/32       # s that no stamp steps; s that none is ahead; share of a difference to make up
+    def __init__(self, bits:int=32):
+        self._half = 1<<bits-1
+        self._stamp,self._time,self._same,self._trusted = None,0.,0,True
+
+    def __call__(self, stamp:int, now:float)->float:
+        "When to show a picture with this stamp that has come `now`, monotonic s"
+        half,before,self._stamp = self._half,self._stamp,stamp
+        step = 0. if before is None else ((stamp-before+half)%(2*half)-half)/clock_rate
+        self._same = 0 if step else self._same+1
+        due = self._time+step
+        if due-now>self.ahead and abs(step)<self.jump: self._trusted = False       # its clock is too fast
+        anew = abs(step)>self.jump or now-due>self.jump or self._same>1 or not self._trusted
+        if before is None: self._time = now
+        elif anew: self._time = max(now, self._time+1/clock_rate)
+        else: self._time = due+min(max((now-due)*self.gain, -abs(step)/4), abs(step)/4)
+        return self._time
 
 # %% ../../nbs/api/video/03_receivers.ipynb #974a59c6
 class _UnitMaker:
     "Makes access units of the bytes of pictures, from the first key picture on"
     most = 16<<20               # bytes of one picture; a larger one is lost
-    def __init__(self, codec:str='h264', headers:bytes=b''):
+    def __init__(self, codec:str='h264', headers:bytes=b'', bits:int=32): # Of a time stamp
         store_attr()
         self.number,self.begun,self.lost = 0,False,0        # `lost`: pictures that came in part only
+        self._times,self._decode_times,self._before = _SenderTimes(bits),_DecodeTimes(),b''
 
-    def __call__(self, data:bytes, taken:float|None=None)->list:
-        "A list of one access unit, or of none, of a picture `taken` at s since 1970, or now"
-        key = is_key(data, self.codec)
+    def __call__(self, data:bytes, taken:float|None=None, stamp:int|None=None)->list:
+        "A list of one access unit, or of none, of a picture `taken` at s since 1970, or now, to be shown at a `stamp`"
+        data,self._before = self._before+data,b''
+        nals,now = nal_units(data),clock.monotonic()
+        kinds = {_nal_type(nal, self.codec) for nal in nals}
+        if not kinds.intersection(_slices[self.codec]):         # what comes before a picture, such as parameter sets
+            self._before = data if len(data)<1<<16 else b''
+            return []
+        key = _begins_decoding(nals, self.codec)
+        self._keep_sets(nals, kinds)
         self.begun = self.begun or key
         if not self.begun: return []
-        if key and self.headers and not parameter_sets(data, self.codec): data = self.headers+data
+        if key and self.headers and not kinds & _sps[self.codec]: data = self.headers+data
         self.number += 1
+        time = now if stamp is None else self._times(stamp, now)
         form = VideoFormat(self.codec, 0, 0, 0, 0)              # what the decoder will find out
-        return [AccessUnit(data, key, clock.monotonic(), taken or clock.time(), self.number-1, form)]
+        return [AccessUnit(data, key, time, taken or clock.time(), self.number-1, form, self._decode_times(time))]
+
+    def _keep_sets(self, nals:list, kinds:set):
+        "Remember the parameter sets that came, for key pictures without them"
+        if not kinds & _sps[self.codec]: return
+        self.headers = byte_stream(nal for nal in nals if _nal_type(nal, self.codec) in _set_kinds[self.codec])
+
+_sps = dict(h264={7}, h265={33})
 
 # %% ../../nbs/api/video/03_receivers.ipynb #988cb569
 def _rtp_parts(packet:bytes)->tuple|None:
@@ -120,10 +158,26 @@ class _SenderClock:
         ticks = (timestamp-self._timestamp+2**31)%2**32-2**31
         return None if self._at is None else self._at+ticks/clock_rate
 
+# %% ../../nbs/api/video/03_receivers.ipynb #6f9027ae
+_heads = dict(h264=(6,7,8,9,14,15), h265=(32,33,34,35,39))      # what comes before the slices of a picture
+
+def _place(payload:bytes, codec:str='h264')->tuple:
+    "Whether a picture may begin with a payload, and whether it has a slice"
+    header,several,piece = _layouts[codec]
+    if len(payload)<=header: return False,False
+    kind,begins,at = _nal_type(payload, codec),True,header
+    if kind==several:
+        places = [_place(nal[len(_start):], codec) for nal in _several(payload[header:])] or [(False,False)]
+        return places[0][0],any(slice for _,slice in places)
+    if kind==piece: kind,begins,at = payload[header]&(31 if codec=='h264' else 63),payload[header]>127,header+1
+    if kind in _slices[codec]: return begins and payload[at:at+1]>=b'\x80',True
+    return begins and kind in _heads[codec],False
+
 # %% ../../nbs/api/video/03_receivers.ipynb #ace8cb40
 class RTPReader:
     "RTP packets in, access units out"
     lost = property(lambda self: self._make.lost, doc="How many pictures came in part only")
+    begun = property(lambda self: self._make.begun, doc="True if there was a key picture")
     def __init__(self, codec:str='h264', # One of `UAV.video.units.codecs`
                  headers:bytes=b'', # Parameter sets, when the description of the stream has them
                  payload_type:int|None=None): # Only these packets; `None` takes all
@@ -132,6 +186,8 @@ class RTPReader:
         self._make,self._reorder = _UnitMaker(codec, headers),_Reorder()
         self._data,self._timestamp,self._last = bytearray(),None,None
         self._whole = True                                      # `None`: it was too large, and is counted already
+        self._marked,self._sliced = False,False     # had the last packet the mark; has the picture a slice?
+        self.trust = None                           # does the mark end a picture? `None`: nobody knows yet
 
     def __call__(self, packet:bytes)->list:
         "The access units that this packet completes"
@@ -142,21 +198,42 @@ class RTPReader:
 
     def _add(self, sequence, marker, timestamp, payload)->list:
         "The next packet in turn: what it completes"
-        units = self._complete() if timestamp!=self._timestamp else []      # the mark of the one before was lost
-        if self._last is not None and sequence!=(self._last+1)&0xffff: self._whole = False
-        self._last,self._timestamp = sequence,timestamp
+        first,slice = _place(payload, self.codec)
+        missing = 0 if self._last is None else (sequence-self._last-1)&0xffff
+        other = timestamp!=self._timestamp or self._marked and first            # of another picture?
+        units = self._turn(missing, first) if other else []
+        if self._marked and not other: self._distrust(slice)
+        if missing and not other: self._whole = self._whole and False
+        self._last,self._timestamp,self._marked = sequence,timestamp,marker
+        self._sliced = self._sliced or slice
         try: self._data += _rtp_payload(payload, self.codec) if self._whole else b''
         except ValueError: self._whole = False
         if len(self._data)>self._make.most:         # forget it, and all that still comes of it
             self._data,self._whole = bytearray(),None
             self._make.lost += 1
-        return units+self._complete() if marker else units
+        return units+self._complete() if marker and self.trust else units
+
+    def _turn(self, missing:int, first:bool)->list:
+        "Another picture begins; that `missing` packets are of the one before is ruled out by a single one of this one"
+        if self.trust is None and self._marked and self._sliced and not missing: self.trust = True
+        elif missing>(not first) and self._data: self._whole = self._whole and False
+        units = self._complete()
+        if missing and not first: self._whole = False
+        return units
+
+    def _distrust(self, slice:bool):
+        "A picture goes on behind the mark: from now on, the next picture ends it"
+        if not slice: return                        # such as filler data
+        if self.trust:                              # this one was given away in part
+            self._whole,self._make.begun = None,False
+            self._make.lost += 1
+        self.trust = False
 
     def _complete(self)->list:
         "The picture is at its end: an access unit, when all of it came"
         data,whole = bytes(self._data),self._whole
-        self._data,self._whole = bytearray(),True
-        if whole: return self._make(data, self.clock.utc(self._timestamp)) if data else []
+        self._data,self._whole,self._sliced = bytearray(),True,False
+        if whole: return self._make(data, self.clock.utc(self._timestamp), self._timestamp) if data else []
         self._make.lost += whole is False
         return []
 
@@ -200,6 +277,12 @@ def _pes_size(payload:bytes)->int|None:
     "All bytes of a PES packet that begins here, as it says; `None` when it does not"
     return said+6 if (said := int.from_bytes(payload[4:6], 'big')) else None
 
+def _pes_stamp(payload:bytes)->int|None:
+    "When to show what is in a PES packet, in 1/90000 s; `None` when it isn't said (H.222.0, 2.4.3.7)"
+    if len(payload)<14 or not payload[7]&128: return None
+    first,*pairs = payload[9],int.from_bytes(payload[10:12], 'big'),int.from_bytes(payload[12:14], 'big')
+    return (first>>1&7)<<30 | pairs[0]>>1<<15 | pairs[1]>>1
+
 # %% ../../nbs/api/video/03_receivers.ipynb #91a1d8e4
 def _is_packet(data:bytes, n:int)->bool:
     "Whether a packet is at `n`, followed by another one or by nothing yet"
@@ -209,6 +292,7 @@ def _is_packet(data:bytes, n:int)->bool:
 class _TSReader:
     "The bytes of an MPEG transport stream in, access units out"
     lost = property(lambda self: self._make.lost if self._make else 0, doc="How many pictures came in part only")
+    begun = property(lambda self: bool(self._make and self._make.begun), doc="True if there was a key picture")
     def __init__(self):
         self.programs,self.pid,self._make = None,None,None      # PID of the program map, and of the video
         self._rest,self._pes,self._size = b'',None,None         # bytes of a packet not yet complete; the picture so far
@@ -239,7 +323,7 @@ class _TSReader:
         elif pid==self.programs:
             found = _video_stream(_section(payload))
             if not found or found==(self.pid,self._make and self._make.codec): return
-            self.pid,self._make = found[0],_UnitMaker(found[1])
+            self.pid,self._make = found[0],_UnitMaker(found[1], bits=33)
 
 # %% ../../nbs/api/video/03_receivers.ipynb #61584ec8
 @patch
@@ -275,7 +359,7 @@ def _give_up(self:_TSReader):
 def _complete(self:_TSReader)->list:
     "The picture is at its end: an access unit"
     data,self._pes = bytes(self._pes or b''),None
-    return self._make(data[9+data[8]:]) if len(data)>9 else []
+    return self._make(data[9+data[8]:], stamp=_pes_stamp(data)) if len(data)>9 else []
 
 # %% ../../nbs/api/video/03_receivers.ipynb #a3bf5f35
 class _Stopped(Exception): "The receiver was told to stop"
@@ -284,11 +368,13 @@ class _Stopped(Exception): "The receiver was told to stop"
 class Receiver(Closes):
     "Reads access units from the network; `stop`, called from any thread, ends it at once"
     connects,port,_socks = True,None,()         # False: it only listens; the UDP port and sockets for that
+    patience = 5.                               # s of packets, and not one picture, that are a fault
     def __init__(self, url:str, # Where the stream is
                  timeout:float=5.): # s that it may be silent
         if not 0<timeout<float('inf'): raise ValueError(f'timeout is some seconds, not {timeout}')
         store_attr()
         self._reader,self._stopped,self._process = None,False,os.getpid()
+        self.tell,self._vain = (lambda problem: None),None      # called with a fault; since when no picture comes of data
         self._inside,self._outside = socket.socketpair()
         self._selector = selectors.DefaultSelector()
         self._selector.register(self._inside, selectors.EVENT_READ)
@@ -317,10 +403,20 @@ class Receiver(Closes):
         if not ready: raise TimeoutError(f'silent for {self.timeout:g} s')
         return [key.fileobj for key,_ in ready]
 
-    def _receive(self, sock)->bytes:
-        "Read more; empty at the end of a TCP connection"
-        self._wait({sock:selectors.EVENT_READ})
+    def _receive(self, sock, until:float|None=None)->bytes:
+        "Read more, by then (monotonic s) or within `timeout`; empty at the end of a TCP connection"
+        self._wait({sock:selectors.EVENT_READ}, until)
         return sock.recv(1<<16)
+
+    def _read(self, data:bytes)->list:
+        "The access units that the reader makes of `data`; tells when there are none for too long, once"
+        units,now = self._reader(data),clock.monotonic()
+        if units: self._vain = None
+        elif self._vain is None: self._vain = now
+        elif now-self._vain>self.patience:
+            self._vain = float('inf')
+            self.tell(f'no {"picture" if self._reader.begun else "key frame"} for {self.patience:g} s')
+        return units
 
 # %% ../../nbs/api/video/03_receivers.ipynb #91458a68
 @patch
@@ -414,9 +510,9 @@ class TSReceiver(Receiver):
         self._reader,sender = _TSReader(),_OneSender(lambda data: data[:1]==b'G')           # of every TS packet
         while not self.connects:
             self._wait(dict.fromkeys(self._socks, selectors.EVENT_READ))
-            yield from self._reader(sender.receive(*self._socks))
+            yield from self._read(sender.receive(*self._socks))
         with closing(self._connect(self._host, self.port)) as sock:
-            while data := self._receive(sock): yield from self._reader(data)
+            while data := self._receive(sock): yield from self._read(data)
         raise ConnectionError('the server has closed the connection')
 
 # %% ../../nbs/api/video/03_receivers.ipynb #0a1c1e4b
@@ -499,7 +595,7 @@ class RTPReceiver(Receiver):
         self._reader = RTPReader(media.codec, media.headers, media.payload_type)
         while True:
             for sock in self._wait(dict.fromkeys(self._socks, selectors.EVENT_READ)):
-                if sock is self._socks[0]: yield from self._reader(sender.receive(sock))
+                if sock is self._socks[0]: yield from self._read(sender.receive(sock))
                 else:
                     report,address = sock.recvfrom(1<<16)           # from a port of its own
                     if sender.address and address[0]==sender.address[0]: self._reader.clock.report(report)

@@ -12,7 +12,7 @@ from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import av, Closes
-from .senders import _add_video, _as_packet
+from .senders import _add_video, _as_packet, _Ticks
 from .units import AccessUnit, Sink, VideoFormat, clock_rate
 
 # %% auto #0
@@ -97,7 +97,8 @@ class _MP4File(Closes):
     def __init__(self, path, unit:AccessUnit):
         self._container,self.path,self.format = None,Path(path),unit.format
         self.began,self.seconds = unit.time,0.
-        self.file,self._ticks,self._step = _SafeFile(path),-1,round(clock_rate/unit.format.rate)
+        self.file,self._ticks,self._step = _SafeFile(path),_Ticks(),round(clock_rate/(unit.format.rate or 15))
+        self._first = None                                      # when its first picture is shown, in ticks
         options = dict(movflags=self.flags, frag_duration=str(int(1e6*self.fragment)))
         self._container = av.open(self.file, 'w', format='mp4', options=options)
         taken = datetime.fromtimestamp(unit.time_utc or clock.time(), timezone.utc)
@@ -112,10 +113,11 @@ class _MP4File(Closes):
 
     def write(self, unit:AccessUnit):
         "Add a picture; raises `OSError`"
-        ticks = max(self._ticks+1, round((unit.time-self.began)*clock_rate))
-        self._container.mux(_as_packet(unit, self._stream, ticks, self._step))
+        show,decode = self._ticks(unit)
+        if self._first is None: self._first = show
+        self._container.mux(_as_packet(unit, self._stream, show, decode, self._step))
         self.file.mark()
-        self._ticks,self.seconds = ticks,(ticks+self._step)/clock_rate      # the last one is shown for a step
+        self.seconds = max(self.seconds, (show-self._first+self._step)/clock_rate)      # the last one is shown for a step
 
     def close(self):
         "Make a plain MP4 of it; raises `OSError` when that cannot be, and then it stays as it was"

@@ -22,7 +22,7 @@ __all__ = ['reasons', 'RTPSender', 'RTSPError']
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #aac5f1bf
 def _auth_fields(header:str)->dict:
-    fields = re.findall(r'\b(\w+)=(?:"([^"]*)"|([^\s,]+))', header)
+    fields = re.findall(r'\b(\w+)\s*=\s*(?:"((?:[^"\\]|\\.)*)"|([^\s,]+))', header)
     return {name.lower():quoted or plain for name,quoted,plain in fields}
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #2750641e
@@ -33,18 +33,43 @@ def _hashed(*parts:str, kind:str='md5')->str:
 def _proof(secret:str, method:str, given:dict, kind:str='md5')->str:
     "The field `response`, with which a player proves that it knows the secret"
     parts = [given.get(name, '') for name in ('nonce','nc','cnonce','qop')]
-    asked = _hashed(method, given.get('uri', ''), kind=kind)
+    asked = _hashed(method, given.get('uri', ''), *[_hashed('', kind=kind)]*(given.get('qop')=='auth-int'), kind=kind)
     return _hashed(secret, *(parts if given.get('qop') else parts[:1]), asked, kind=kind)
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #dd620a2a
-def _authorization(challenge:str, method:str, url:str, user:str, password:str)->str:
-    "The header Authorization that answers it"
-    if challenge.lower().startswith('basic'): return 'Basic '+b64encode(f'{user}:{password}'.encode()).decode()
-    fields = dict(realm='', nonce='')|_auth_fields(challenge)
-    kind = 'sha256' if 'SHA-256' in fields.get('algorithm', '').upper() else 'md5'
-    said = dict(username=user, realm=fields['realm'], nonce=fields['nonce'], uri=url)
-    if 'auth' in fields.get('qop', ''): said |= dict(nc='00000001', cnonce=secrets.token_hex(8), qop='auth')
-    said['response'] = _proof(_hashed(user, fields['realm'], password, kind=kind), method, said, kind)
+_kinds = {'md5':'md5', 'sha-256':'sha256', 'sha-512-256':'sha512_256'}          # of digests, the strongest last
+
+def _challenges(header:str)->list:
+    "`(scheme, its fields)` of each challenge in a WWW-Authenticate, or in several that commas join (RFC 9110, 11.6.1)"
+    found,value = [],r'(?:\s*=\s*(?:"((?:[^"\\]|\\.)*)"|([^\s,"]*)))'
+    for comma,name,given,quoted,plain in re.findall(rf'(?:(^|,)\s*)?([\w+/.~-]+)({value})?', ','+header):
+        if given and found: found[-1][1][name.lower()] = quoted or plain
+        elif not given and comma: found.append((name.lower(), {}))
+    return found
+
+def _strength(challenge:tuple)->int:
+    "0 for `basic`, more for a digest with a better hash, -1 for what we don't know"
+    scheme,fields = challenge
+    kind = fields.get('algorithm', 'md5').lower().removesuffix('-sess')
+    known = scheme=='digest' and _kinds.get(kind) in hashlib.algorithms_available
+    return 1+list(_kinds).index(kind) if known else 0 if scheme=='basic' else -1
+
+def _quoted(text:str)->str: return re.sub(r'([\\"])', r'\\\1', text)
+
+def _authorization(challenge:str, method:str, url:str, user:str, password:str, count:int=1)->str:
+    "The header Authorization that answers the strongest challenge, the `count`th with it; empty when none is known"
+    scheme,fields = max(_challenges(challenge), key=_strength, default=('',{}))
+    if _strength((scheme, fields))<0: return ''
+    if scheme=='basic': return 'Basic '+b64encode(f'{user}:{password}'.encode()).decode()
+    algorithm,cnonce,qops = fields.get('algorithm', 'MD5').lower(),secrets.token_hex(8),fields.get('qop', '').lower()
+    kind,realm,nonce = _kinds[algorithm.removesuffix('-sess')],fields.get('realm', ''),fields.get('nonce', '')
+    said = dict(username=_quoted(user), realm=realm, nonce=nonce, uri=url)
+    qop = next((qop for qop in ('auth','auth-int') if qop in re.split(r'[,\s]+', qops)), None)
+    if qop or algorithm.endswith('-sess'): said |= dict(cnonce=cnonce)
+    if qop: said |= dict(nc=f'{count:08x}', qop=qop)
+    secret = _hashed(user, realm, password, kind=kind)
+    if algorithm.endswith('-sess'): secret = _hashed(secret, nonce, cnonce, kind=kind)
+    said['response'] = _proof(secret, method, said, kind)
     said |= {name:fields[name] for name in ('opaque','algorithm') if name in fields}
     return 'Digest '+', '.join(f'{k}={v}' if k in ('nc','qop','algorithm') else f'{k}="{v}"' for k,v in said.items())
 
@@ -54,11 +79,15 @@ class _Digest:
     def __init__(self, user:str, password:str, realm:str='UAV'):
         self.realm,self._secret = realm,_hashed(user, realm, password)
 
-    def challenge(self, method:str, header:str, nonce:str)->str:
-        "The header WWW-Authenticate of a 401; empty when the request has the right answer to this nonce"
+    def knows(self, method:str, header:str)->bool:
+        "Whether the header Authorization comes from one who knows the password"
         given = _auth_fields(header)
         right = _same(given.get('response', ''), _proof(self._secret, method, given))
-        knows = right and header.partition(' ')[0].lower()=='digest'
+        return right and header.partition(' ')[0].lower()=='digest'
+
+    def challenge(self, method:str, header:str, nonce:str)->str:
+        "The header WWW-Authenticate of a 401; empty when the request has the right answer to this nonce"
+        knows,given = self.knows(method, header),_auth_fields(header)
         if knows and _same(given.get('nonce', ''), nonce): return ''
         return f'Digest realm="{self.realm}", nonce="{nonce}"'+(', stale=TRUE' if knows else '')
 

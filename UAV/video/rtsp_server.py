@@ -12,6 +12,7 @@ from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import Closes
+from ..utils.sockets import _Guesses
 from .receivers import _listen_pair
 from .rtsp import _Digest, _Interleaved, _is_report, _Request, _RequestReader, _Response
 from .rtsp import _RTPStream, RTSPError, _Session
@@ -87,6 +88,7 @@ class _Connection:
         self.reader,self.asked,self.busy = _RequestReader(),deque(),False        # busy: what was `asked` must wait
         self.viewer,self.refused,self.host = None,0,plain_host(address[0])      # how often the password was wrong
         self.late = None                                        # an answer that waits, and until when, monotonic s
+        self.held,self.known = None,False       # since when its password waits to be looked at; was it right?
 
     def __repr__(self): return f'rtsp {self.session.path or "-"} to {self.host}:{self.address[1]}'
 
@@ -160,11 +162,28 @@ def _give_up(self:_Connection, response:_Response):
     try: self.sock.shutdown(socket.SHUT_WR)
     except OSError: self.close()                        # it has gone
 
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #9c7d15ba
+@patch
+def _must_wait(self:_Connection)->bool:
+    "Whether the next request has a password whose turn has not come; else counts a wrong one"
+    digest,request = self.server.digest,self.asked[0]
+    given = request.headers.get('authorization')
+    if not digest or not given or self.known or request.method=='OPTIONS': return False
+    guesses,others = self.server.guesses,(c for c in self.server.connections.values() if c.host==self.host and c.held)
+    first = min(others, key=lambda c: c.held, default=self)
+    if guesses.wait(self.host) or first is not self:
+        self.held = self.held or clock.monotonic()
+        return True
+    self.held = None
+    if not digest.knows(request.method, given): guesses.wrong(self.host)
+    else: self.known = not digest.challenge(request.method, given, self.session.nonce)
+    return False
+
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #f963ec82
 @patch
 def _go_on(self:_Connection):
     "Answer what was asked, in order"
-    while self.asked and not self.busy:
+    while self.asked and not self.busy and not self._must_wait():
         request = self.asked.popleft()
         if request.method=='DESCRIBE': self._describe(request)
         else: self._reply(self.session.answer(request))
@@ -252,6 +271,7 @@ class RTSPServer(Closes):
         self.host,self.digest = host,_Digest(user, password or '') if user else None
         self.videos,self.connections,self.helpers = _Videos(),{},set()   # connections by socket; threads that describe
         self.resting = {}           # `{path: function that starts its video}`
+        self.guesses = _Guesses()
         self.listener = listen_tcp(host, port)          # raises `OSError`
         host,self.port = self.listener.getsockname()[:2]
         try: self.udp = _listen_pair(host, blocking=True)        # RTP for all players leaves by this pair
@@ -264,9 +284,9 @@ class RTSPServer(Closes):
         self.loop.serve(self.listener, self._admit)
         self.loop.call(lambda: self.loop.watch(self.udp[1], self._hear))
 
-    def _make_room(self, connections:list):
-        "End the oldest of them, if any, that does not play, those that have agreed on nothing first"
-        idle = [c for c in connections if c.session.state!='playing']
+    def _make_room(self, connections:list, host:str|None=None):
+        "End the oldest of them, if any, that neither plays nor waits for its turn at `host`; first who agreed on nothing"
+        idle = [c for c in connections if c.session.state!='playing' and not (c.held and c.host==host)]
         if idle: min(idle, key=lambda c: c.session.state!='init').close()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #c6f33185
@@ -281,7 +301,8 @@ def _crowd(self:RTSPServer, host:str)->list:
 def _admit(self:RTSPServer, sock, address:tuple):
     "A connection for a newcomer, if there is a place"
     host = plain_host(address[0])
-    self._make_room(self._crowd(host))
+    for connection in self._crowd(host): connection.ready(0)            # has it hung up?
+    self._make_room(self._crowd(host), host)
     if self._crowd(host): return self._turn_away(sock)
     try: _tune(sock)
     except OSError: return sock.close()                         # it has gone already
@@ -300,8 +321,9 @@ def _turn_away(self:RTSPServer, sock):
 @patch
 def _drop_lost(self:RTSPServer):
     "End what gives no sign of life, or has no encoder any more; send the answers that waited long enough"
-    for connection in list(self.connections.values()):
+    for connection in sorted(self.connections.values(), key=lambda c: c.held or 0.):
         connection.send_late(clock.monotonic())
+        if connection.held: connection._go_on()
         if connection.session.overdue(clock.monotonic()): connection.close()
         else: connection._check_viewer()
 

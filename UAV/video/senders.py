@@ -147,11 +147,21 @@ def _add_video(container, unit:AccessUnit):
     return stream
 
 # %% ../../nbs/api/video/02_senders.ipynb #9ca9c370
-def _as_packet(unit:AccessUnit, stream, ticks:int, duration:int=0):
-    "The unit as PyAV's containers take it, to show at `ticks` of the stream's clock"
+class _Ticks:
+    "Time stamps of units in 1/90000 s, from 0 on: when to show, and when to decode, which grows and isn't later"
+    def __init__(self): self._began,self._last = None,-1
+
+    def __call__(self, unit:AccessUnit)->tuple:
+        decode = unit.time if unit.decode_time is None else unit.decode_time
+        if self._began is None: self._began = decode
+        self._last = max(self._last+1, round((decode-self._began)*clock_rate))
+        return max(self._last, round((unit.time-self._began)*clock_rate)),self._last
+
+def _as_packet(unit:AccessUnit, stream, show:int, decode:int|None=None, duration:int=0):
+    "The unit as PyAV's containers take it, to show and to decode at these ticks of the stream's clock"
     packet = av.Packet(unit.data)
     packet.stream,packet.time_base,packet.is_keyframe = stream,stream.time_base,unit.key
-    packet.pts,packet.dts,packet.duration = ticks,ticks,duration
+    packet.pts,packet.dts,packet.duration = show,show if decode is None else decode,duration
     return packet
 
 # %% ../../nbs/api/video/02_senders.ipynb #0dde0d3a
@@ -160,7 +170,7 @@ class TSMuxer:
     def __init__(self, name:str='video'): # Of the program; players show it as the title
         self.name,self.codec = name,None
         self._bytes,self._container,self._stream = io.BytesIO(),None,None
-        self._began,self._ticks = None,-1       # time of the first unit; time stamp of the last one
+        self._ticks = _Ticks()
 
     def __del__(self): self.close()             # PyAV up to 16 breaks memory when an open container is forgotten
     def close(self):
@@ -176,15 +186,13 @@ class TSMuxer:
         self._container = av.open(self._bytes, 'w', format='mpegts', options=flags)
         self._container.metadata.update(service_name=self.name, service_provider='UAV')
         self._stream,self.codec = _add_video(self._container, unit),unit.format.codec
-        if self._began is None: self._began = unit.time
 
     def mux(self, unit:AccessUnit, # The next picture
            )->bytes:
         "Its packets, 188 bytes each; empty before the first key picture"
         if unit.key and unit.format.codec!=self.codec: self._open(unit)
         if self._stream is None: return b''
-        self._ticks = max(self._ticks+1, round((unit.time-self._began)*clock_rate))
-        self._container.mux(_as_packet(unit, self._stream, self._ticks))
+        self._container.mux(_as_packet(unit, self._stream, *self._ticks(unit)))
         packets = self._bytes.getvalue()
         self._bytes.seek(0)
         self._bytes.truncate()

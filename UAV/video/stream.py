@@ -11,6 +11,7 @@ from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import Closes, in_child
+from ..utils.sockets import url_host
 from .rtsp import RTPSender
 from .rtsp_server import RTSPServer
 from .senders import is_group, is_loopback, TSSender, TSServer
@@ -203,10 +204,10 @@ def uri(self:VideoStream, host:str='127.0.0.1', # Our address, as the viewer can
        )->str:
     "The viewer's address: a URL, or the number of its own port"
     if self.told_uri: return self.told_uri
-    if self.kind in senders: return f'udp://{self.host}:{self.port}' if is_group(self.host) else str(self.port)
+    if self.kind in senders: return f'udp://{url_host(self.host)}:{self.port}' if is_group(self.host) else str(self.port)
     if self.kind=='rtsp' and self.server: return self.server.url(self.path, host)
     port = self.sink.port if self.sink else self.port
-    host = f'[{host}]' if ':' in host else host
+    host = url_host(host)
     return f'rtsp://{host}:{port}/{self.path}' if self.kind=='rtsp' else f'tcp://{host}:{port}'
 
 # %% ../../nbs/api/video/07_stream.ipynb #9f8acd64

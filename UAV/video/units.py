@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/video/00_units.ipynb #9738e9ed
 from __future__ import annotations
+from bisect import insort
 from collections import deque
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -44,10 +45,11 @@ class AccessUnit:
     "All bytes of one encoded picture"
     data:bytes # NAL units with start codes (H.264 and H.265, Annex B)
     key:bool # Can decoding begin here? Then the parameter sets are in `data`, too
-    time:float # When the frame came, monotonic s
+    time:float # When to show it, monotonic s: when the frame came, or what the sender's time stamp says
     time_utc:float=0. # When it was taken, s since 1970
     number:int=0 # Of the frame
     format:VideoFormat=VideoFormat() # How it is encoded
+    decode_time:float|None=None # When to decode it, monotonic s, if that isn't `time`: streams with B-frames
 
     def __repr__(self): return f'{"key " if self.key else ""}picture {self.number}, {len(self.data)} bytes'
 
@@ -77,20 +79,72 @@ def parameter_sets(data:bytes, # A byte stream
     "The parameter sets in it: SPS and PPS, for H.265 the VPS before them"
     return [nal for nal in nal_units(data) if _nal_type(nal, codec) in _parameter_sets[codec]]
 
+# %% ../../nbs/api/video/00_units.ipynb #8e02c71f
+_sei = dict(h264=6, h265=39)
+_slices = dict(h264=range(1,6), h265=range(32))
+
+def _sei_kinds(nal:bytes, codec:str='h264')->list:
+    "The payload types of the messages in a SEI NAL unit (H.264 7.3.2.3, H.265 7.3.5)"
+    data,kinds = nal[2 if codec=='h265' else 1:].replace(b'\0\0\3', b'\0\0'),[]
+    while len(data)>2:                          # type, size, and that many bytes; 255 in a number: it goes on
+        numbers = []
+        for _ in range(2):
+            more = len(data)-len(data.lstrip(b'\xff'))
+            numbers.append(255*more+sum(data[more:more+1]))
+            data = data[more+1:]
+        kinds.append(numbers[0])
+        data = data[numbers[1]:]
+    return kinds
+
+# %% ../../nbs/api/video/00_units.ipynb #a7714bd5
+def _is_intra(slice:bytes)->bool:
+    "True if an H.264 slice refers to no other picture: its second Exp-Golomb number is 2, 4, 7 or 9 (7.4.3)"
+    bits = ''.join(f'{byte:08b}' for byte in slice[1:17])
+    for _ in range(2):
+        size = len(bits)-len(bits.lstrip('0'))
+        value,bits = int(bits[:2*size+1] or '0', 2)-1,bits[2*size+1:]
+    return value%5 in (2,4)
+
+def _begins_decoding(nals:list, codec:str='h264')->bool:
+    "True if decoding can begin with these NAL units"
+    kinds = [_nal_type(nal, codec) for nal in nals]
+    if any(kind in _keys[codec] for kind in kinds): return True
+    slices = [nal for nal,kind in zip(nals, kinds) if kind in _slices[codec]]
+    if not slices: return False
+    if any(kind==_sei[codec] and 6 in _sei_kinds(nal, codec) for nal,kind in zip(nals, kinds)): return True
+    return codec=='h264' and 7 in kinds and all(map(_is_intra, slices))
+
 # %% ../../nbs/api/video/00_units.ipynb #c52955ea
 def is_key(data:bytes, # A byte stream
            codec:str='h264', # One of `codecs`
           )->bool:
-    "Whether decoding can begin with this access unit"
-    return any(_nal_type(nal, codec) in _keys[codec] for nal in nal_units(data))
+    "True if decoding can begin with this access unit: an IDR or CRA picture, or a recovery point"
+    return _begins_decoding(nal_units(data), codec)
+
+# %% ../../nbs/api/video/00_units.ipynb #4f2d86a7
+class _DecodeTimes:
+    "Times to decode pictures, from the times to show them in the order of decoding"
+    most,jump = 16,5.           # pictures that may overtake one, at most; s back that are a new beginning
+    def __init__(self): self._depth,self._recent,self._last = 0,[],-float('inf')
+
+    def __call__(self, time:float)->float:
+        if time<self._last-self.jump: self._recent,self._last = [],-float('inf')
+        insort(self._recent, time)
+        late = time<=self._last
+        if late and self._depth<self.most: self._depth += 1
+        due = self._recent.pop(0) if len(self._recent)>self._depth else self._last
+        self._last = max(due, self._last+1/clock_rate)
+        return self._last
 
 # %% ../../nbs/api/video/00_units.ipynb #e9244d3e
 class Sink(Closes):
     "Takes access units, on a thread of its own; a subclass has `send(unit)`, and `end()` if it likes"
     most = 30           # units that may wait; more are too late
+    patience = 5.       # s of units without a key frame to begin with that are a fault
     def __init__(self, name:str='sink'): # For its thread and its log lines
         self.name,self.source = name,None           # `source`: the encoder, which is asked for a key picture
-        self.dropped,self.fault = 0,None            # units that came too late; why it ended, if by an error
+        self.dropped,self.fault = 0,None            # units that came too late; why it ended, or what it waits for
+        self._missed = None                         # since when it waits for a key frame, monotonic s
         self._queue,self._changed = deque(),clock.Condition()
         self._thread,self._needs_key,self._closed = None,True,False
 
@@ -125,7 +179,7 @@ class Sink(Closes):
         "It cannot go on: `fault` says why"
         get_logger('video').warning('%r: %s', self, error, exc_info=None if isinstance(error, OSError) else error)
         with self._changed:
-            self.fault,self._closed = self.fault or error,True
+            self.fault,self._closed = error if self._missed is not None else self.fault or error,True
             self._queue.clear()
         if source := self.source: source.remove(self, wait=False)
 
@@ -138,10 +192,22 @@ def put(self:Sink, unit:AccessUnit):
         if len(self._queue)>=self.most: self._drop()
         if self._needs_key and not unit.key: self.dropped += 1
         else:
+            if self._missed is not None: self._missed = self.fault = None
             self._needs_key = False
             self._queue.append(unit)
         if self._thread is None: self._thread = _begin_thread(self._run, f'sink {self.name}')
         self._changed.notify()
+    if self._needs_key: self.miss()
+
+@patch
+def miss(self:Sink):
+    "Note that a unit came with which it can't begin; after `patience` s that's a fault, until a key frame comes"
+    with self._changed:
+        if self._closed: return
+        if self._missed is None: self._missed = clock.monotonic()
+        if self.fault or clock.monotonic()-self._missed<self.patience: return
+        self.fault = TimeoutError(f'no key frame for {self.patience:g} s')
+    get_logger('video').warning('%r: %s', self, self.fault)
 
 # %% ../../nbs/api/video/00_units.ipynb #493297c9
 @patch

@@ -19,6 +19,24 @@ __all__ = ['crc_extras', 'command_cancel', 'timesync', 'protocol_version', 'addr
 @patch
 def __repr__(self:mavlink.MAVLink_message): "Name and fields"; return str(self)
 
+# %% ../../nbs/api/wire/00_dialect.ipynb #1ce6dcf2
+_list_str = mavlink.MAVLink_message.__str__
+_texts = 'name','uri','storage'             # how the names of such fields end
+
+def _shown(msg, field:str):
+    "The value of a field as it's printed"
+    values = getattr(msg, field, None)
+    if not isinstance(values, (list,tuple)) or field.rpartition('_')[2] not in _texts: return msg.format_attr(field)
+    try: text = bytes(values).partition(b'\0')[0].decode()
+    except (TypeError,ValueError): return values        # numbers of another kind, or no UTF-8
+    return text if text.isprintable() else values
+
+@patch
+def __str__(self:mavlink.MAVLink_message):
+    "Name and fields"
+    if not any(field.rpartition('_')[2] in _texts for field in self._fieldnames): return _list_str(self)
+    return f'{self._type} {{{", ".join(f"{field} : {_shown(self, field)}" for field in self._fieldnames)}}}'
+
 # %% ../../nbs/api/wire/00_dialect.ipynb #8c525249
 def address(msg)->tuple:
     "`(system, component)` that sent `msg`"

@@ -62,7 +62,9 @@ def _text(cls)->tuple:
     return text,constants
 
 # %% ../../nbs/api/wire/01_frames.ipynb #9f7e4777
-def _is_plain(cls)->bool: return not any(cls.array_lengths) and 'char' not in cls.fieldtypes    # only numbers
+def _is_plain(cls)->bool:
+    "True if a message has only numbers"
+    return not any(cls.array_lengths) and 'char' not in cls.fieldtypes
 
 # %% ../../nbs/api/wire/01_frames.ipynb #0672629b
 def _arrange(cls, values:tuple)->list:

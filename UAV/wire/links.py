@@ -70,14 +70,24 @@ class VirtualLink(Link):
         self._inbox.put(None)
 
 # %% ../../nbs/api/wire/03_links.ipynb #b9bd0f8b
-def _net_address(name:str)->tuple:
-    "`(host, port)` of `HOST:PORT`; raises `LinkError`"
+def _net_addresses(name:str)->list:
+    "Socket addresses of `HOST:PORT`, IPv4 first; four numbers long for IPv6. Raises `LinkError`"
     host,colon,port = name.rpartition(':')
-    is_port = port.isdecimal() and int(port)<=65535
+    is_port,in_brackets = port.isdecimal() and int(port)<=65535,host[:1]=='[' and host[-1:]==']'
+    if ':' in host.strip('[]') and not in_brackets and not host.startswith('//'):
+        raise LinkError(f'{name!r} is not a HOST:PORT: IPv6 is written in brackets, such as [::1]:14550')
     if not colon or not is_port or host.startswith('//'):
         raise LinkError(f'{name!r} is not a HOST:PORT, such as 127.0.0.1:{port if is_port else 14550}')
-    try: return socket.getaddrinfo(host or '0.0.0.0', int(port), socket.AF_INET)[0][4]
-    except (ValueError, OSError) as e: raise LinkError(f'{name!r} is not a HOST:PORT that can be reached: {e}') from e
+    host,found = host[1:-1] if in_brackets else host or '0.0.0.0',[]
+    for family in (socket.AF_INET6,) if in_brackets else (socket.AF_INET,socket.AF_INET6):
+        try: found += [f[4] for f in socket.getaddrinfo(host, int(port), family, socket.SOCK_DGRAM)]
+        except (ValueError, OSError) as e: problem = e
+    if not found: raise LinkError(f'{name!r} is not a HOST:PORT that can be reached: {problem}') from problem
+    return found
+
+def _net_address(name:str)->tuple: return _net_addresses(name)[0]
+
+def _family(address:tuple)->int: return socket.AF_INET6 if len(address)==4 else socket.AF_INET
 
 # %% ../../nbs/api/wire/03_links.ipynb #bd17d9d8
 class UDPLink(Link):
@@ -88,12 +98,16 @@ class UDPLink(Link):
         self._bind(bind)
 
     def _bind(self, bind:tuple):
-        self.sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        host = f'[{bind[0]}]' if ':' in bind[0] else bind[0]
+        try: self.sock = socket.socket(_family(bind), socket.SOCK_DGRAM)
+        except OSError as e: raise LinkError(f'cannot open UDP port {host}:{bind[1]}: {e.strerror}') from e
         self.sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4<<20)
-        try: self.sock.bind(bind)
+        try:
+            if ':' in host: self.sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 0)    # :: is IPv4, too
+            self.sock.bind(bind)
         except OSError as e:
             self.sock.close()
-            raise LinkError(f'cannot open UDP port {bind[0]}:{bind[1]}: {e.strerror}') from e
+            raise LinkError(f'cannot open UDP port {host}:{bind[1]}: {e.strerror}') from e
         self._bound = self.sock.getsockname()
         self.port = self._bound[1]      # our own
 
@@ -133,8 +147,8 @@ def pause(self:UDPLink):
 
 @patch
 def _wake_reader(self:UDPLink):
-    host,port = self._bound
-    try: self.sock.sendto(b'', ('127.0.0.1' if host=='0.0.0.0' else host, port))
+    host,*rest = self._bound
+    try: self.sock.sendto(b'', ({'0.0.0.0':'127.0.0.1', '::':'::1'}.get(host, host), *rest))
     except OSError:
         with suppress(OSError): self.sock.shutdown(socket.SHUT_RDWR)
 
@@ -144,7 +158,7 @@ class _UDPOut(UDPLink):
     prefixes = ('udpout:',)
     def __init__(self, name:str, baudrate:int=0):
         self.peer = _net_address(name)
-        super().__init__(('0.0.0.0',0))
+        super().__init__(('0.0.0.0',0) if _family(self.peer)==socket.AF_INET else ('::',0,0,0))
 
     def _expects(self, peer): return peer[1]==self.peer[1]
     def write(self, data, peer=None): self._send(data, self.peer)
@@ -202,7 +216,7 @@ def _check_name(name):
     if better := _in_our_words(name): raise LinkError(f'{name!r} is how MAVSDK writes it: here it is {better}')
     if name.startswith(tuple(_prefixes())): return
     if meant := _kind_meant(name): raise LinkError(f'{name!r} is no link: write {meant!r}')
-    if re.fullmatch(r'[\w.-]+:\d+', name):
+    if re.fullmatch(r'([\w.-]+|\[[\w.:%-]+\]):\d+', name):
         raise LinkError(f"{name!r} is no link: 'udpin:{name}' listens there, 'udpout:{name}' sends there")
 
 # %% ../../nbs/api/wire/03_links.ipynb #5ddefd82
@@ -300,9 +314,12 @@ class _TCPOut(_StreamLink):
     "`tcp:HOST:PORT`: a client"
     prefixes = ('tcp:',)
     def _open(self):
-        address = _net_address(self.name)
-        try: self.sock = socket.create_connection(address, timeout=3)
-        except OSError as e: raise LinkError(f'cannot connect to TCP {self.name}: {e}') from e
+        for address in _net_addresses(self.name):
+            try:
+                self.sock = socket.create_connection(address[:2], timeout=3)
+                break
+            except OSError as e: problem = e        # perhaps another address is better
+        else: raise LinkError(f'cannot connect to TCP {self.name}: {problem}') from problem
         self.sock.settimeout(None)
         self._outbox = _tcp_outbox(self.sock)
 
@@ -331,7 +348,8 @@ class _TCPIn(Link):
     prefixes,most = ('tcpin:',),256    # clients; one more, and another one goes
     def __init__(self, name:str, baudrate:int=0):
         address,self.clients,self._inbox = _net_address(name),set(),deque()
-        try: self.sock = socket.create_server(address, backlog=128)
+        both = address[0]=='::' and socket.has_dualstack_ipv6()
+        try: self.sock = socket.create_server(address, family=_family(address), backlog=128, dualstack_ipv6=both)
         except OSError as e: raise LinkError(f'cannot listen on TCP {name}: {e}') from e
         self.port = self.sock.getsockname()[1]      # our own
         self._bell,self._ring = socket.socketpair()

@@ -6,6 +6,7 @@
 from __future__ import annotations
 from collections import Counter
 from contextlib import contextmanager
+from datetime import datetime, timedelta
 from functools import lru_cache
 from pathlib import Path
 from struct import Struct
@@ -13,13 +14,14 @@ import hashlib, hmac, json, os, secrets
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from ..logging import get_logger
+from ..logging import get_logger, LogLevels
 from ..utils import clock, clock as _clock
+from ..utils.files import read_secret
 from ..utils.general import Closes
 from .frames import crc
 
 # %% auto #0
-__all__ = ['log', 'latest', 'state_file', 'secret_key', 'Signing']
+__all__ = ['log', 'latest', 'first_year', 'ten_years', 'state_file', 'secret_key', 'Signing']
 
 # %% ../../nbs/api/wire/02_signing.ipynb #fe3658dd
 try: import fcntl
@@ -36,6 +38,13 @@ def _ticks(seconds:float)->int:
     "UNIX time as the timestamp of a signature"
     return int((seconds-1_420_070_400)*100_000) if seconds>1_420_070_400 else 0
 
+# %% ../../nbs/api/wire/02_signing.ipynb #d2d7b5bf
+first_year,ten_years = _ticks(1_735_689_600),315_576_000*100_000      # 2025: an earlier clock was never set
+
+def _last_believed(now:int)->int:
+    "The latest timestamp that is believed by a clock that says `now`"
+    return min(now+ten_years if now>=first_year else 1<<47, latest-1)
+
 # %% ../../nbs/api/wire/02_signing.ipynb #f77e06dd
 def state_file(fingerprint:str, # Of a key
               )->Path:
@@ -50,6 +59,7 @@ class _TimestampFile:
     "Keeps the timestamps of one key, those of the `most` newest streams; any number of processes may share it"
     def __init__(self, path, most:int=1024):
         self.path,self.most,self.id = Path(path),most,secrets.token_hex(4)     # `id`: of this writer, in the file
+        self.last = latest          # later timestamps in the file are ignored
         self._last_writer,self._alone,self._warned = '',True,False
 
     def _newest(self, streams:dict)->dict: return dict(sorted(streams.items(), key=lambda s: s[1])[-self.most:])
@@ -80,7 +90,8 @@ def _read(self:_TimestampFile)->tuple:
         if type(t) is not int or not 0<=t<=latest: raise ValueError('a timestamp that cannot be')
     for s in streams:
         if len(s)!=3 or min(s)<0 or max(s)>255: raise ValueError('a stream that cannot be')
-    return data['timestamp'],streams,str(data['by'])
+    timestamp = data['timestamp'] if data['timestamp']<=self.last else 0        # one that an older version took over
+    return timestamp,{s: t for s,t in streams.items() if t<=self.last},str(data['by'])
 
 # %% ../../nbs/api/wire/02_signing.ipynb #e21bd5fd
 @patch
@@ -145,7 +156,7 @@ def secret_key(
 
 # %% ../../nbs/api/wire/02_signing.ipynb #78d5ecb2
 def _key_from_file(path:Path)->bytes:
-    data = path.read_bytes()
+    data = read_secret(path)
     try: text = data.decode('utf-8-sig').rstrip('\r\n')
     except UnicodeDecodeError: text = ''
     typed = text.isprintable() and data.endswith(b'\n')       # 31 letters and an end of line are 32 bytes as well
@@ -168,9 +179,10 @@ class _Reserve:
     "Keeps a file ahead of the timestamps in use: ours, and those that were accepted"
     period,lead = 500_000,200_000 # in 10 µs: between two writes at most; ahead of what was accepted
 
-    def __init__(self, state:Path|str|bool|None, fingerprint:str, most:int):
+    def __init__(self, state:Path|str|bool|None, fingerprint:str, most:int, last:int=latest): # Last timestamp believed
         path = state_file(fingerprint) if state in (None,True) else state
         self.file = None if state is False else _TimestampFile(path, most)
+        if self.file: self.file.last = last
         self.ours,self.streams = -1,{}      # what the file holds
         self._renew,self._saved,self._step = -1,0,self.period//20
 
@@ -221,7 +233,7 @@ class Signing(Closes):
         self._hash,self.fingerprint,self.clock = hashlib.sha256(key),hashlib.sha256(key).hexdigest()[:8],clock
         self.accept_unsigned = accept_unsigned if callable(accept_unsigned) else frozenset(accept_unsigned)
         self.dropped,self._lock = Counter(),_clock.Lock()
-        self.reserve = _Reserve(state, self.fingerprint, self.most)
+        self.reserve = _Reserve(state, self.fingerprint, self.most, _last_believed(_ticks(clock())))
         self.file = self.reserve.file       # where the reserved time is kept
         self.timestamp,self.streams = self.reserve.load()   # ours; the newest accepted of each stream
         self._forgotten = min(self.streams.values()) if len(self.streams)>=self.most else 0
@@ -232,6 +244,35 @@ class Signing(Closes):
 
 # %% ../../nbs/api/wire/02_signing.ipynb #0536cbd1
 _crc_link_time,_link_time = Struct('<HBQ'),Struct('<BIH')
+
+# %% ../../nbs/api/wire/02_signing.ipynb #8d39aecc
+def _date(seconds:float)->str: # UNIX time
+    return f'{datetime(1970, 1, 1)+timedelta(seconds=seconds):%Y-%m-%d %H:%M} UTC'     # `gmtime` may end in 2038
+
+def _date_of(ticks:int)->str: return _date(1_420_070_400+ticks//100_000)
+
+def _stamp_of(frame:bytes)->int:
+    "The timestamp of a signed frame"
+    return int.from_bytes(frame[-12:-6], 'little')
+
+@patch(as_prop=True)
+def time(self:Signing)->str:
+    "The time of our signatures, as text: that of the clock, or later"
+    return _date_of(max(self.timestamp, _ticks(self.clock())))
+
+@patch(as_prop=True)
+def has_time(self:Signing)->bool:
+    "False while the time of our signatures is one of a clock that was never set"
+    return max(self.timestamp, _ticks(self.clock()))>=first_year
+
+@patch
+def why_unheard(self:Signing)->str:
+    "Return why others may drop what we sign, as a question or advice"
+    if self.has_time:
+        return f'we sign: has the other side the same key, and is our clock right to the minute? It says {self.time}'
+    return ("we sign, and this computer's clock was never set: it says "
+            f'{_date(self.clock())}, so others drop our frames as old. Set it, or have the other side send first '
+            '(udpin here, udpout there)')
 
 # %% ../../nbs/api/wire/02_signing.ipynb #ab20c47e
 @patch
@@ -259,6 +300,7 @@ def _judge(self:Signing, frame:bytes, source:tuple)->str:
     if not hmac.compare_digest(h.digest()[:6], frame[-6:]): return 'wrong'
     link,low,high = _link_time.unpack_from(frame, len(frame)-13)
     stream,stamp,now = (*source,link),low|high<<32,_ticks(self.clock())
+    if stamp>_last_believed(now): return 'ahead'
     with self._lock:
         last = self.streams.get(stream)
         if last is not None and stamp<=last: return 'replayed'
@@ -286,12 +328,16 @@ def check(self:Signing, frame:bytes, # A whole frame, its CRC checked
           msg_id:int, # Its message id
           source:tuple, # `(system, component)` that sent it
          )->bool:
-    "Is `frame` to be believed? What is not is counted in `dropped`: `unsigned`, `wrong`, `replayed` or `old`"
+    "Is `frame` to be believed? What is not is counted in `dropped`: `unsigned`, `wrong`, `replayed`, `old` or `ahead`"
     if frame[0]==0xfd and frame[2]&1: why = self._judge(frame, source)
     else: why = '' if self._unsigned(msg_id, source) else 'unsigned'
     if why:
         with self._lock: self.dropped[why] += 1
-        if self.dropped[why]==1: log.info('first frame dropped as %s: message %s of %s', why, msg_id, source)
+        if self.dropped[why]==1:
+            timed = why in ('old','ahead')
+            says = f'; signed at {_date_of(_stamp_of(frame))}, our time is {self.time}' if timed else ''
+            level = LogLevels.WARNING if timed else LogLevels.INFO
+            log.log(level, 'first frame dropped as %s: message %s of %s/%s%s', why, msg_id, *source, says)
     return not why
 
 # %% ../../nbs/api/wire/02_signing.ipynb #401f7317
