@@ -23,7 +23,7 @@ from ..utils import clock, clock as _clock
 from ..utils.devices import DeviceURL
 from ..utils.general import inside
 from ..utils.geo import quaternion
-from ..utils.sockets import _ask_web, _Deadline, url_host
+from ..utils.sockets import _ask_web, _Deadline, url_host, _web_path
 from ..video.rtsp import _authorization
 from ..utils.pictures import decode_picture
 
@@ -136,14 +136,11 @@ def _shown(url:str)->str: return re.sub(r'(://)(?:[^/]*@)?([^/]*)/.*', r'\1\2/â€
 def _proof(self:_OnvifLine, url:str, method:str, headers)->str:
     "Return the header Authorization for the headers of a 401; empty: there is none. Raises `GimbalError`"
     asked = ', '.join(headers.get_all('www-authenticate') or ())
-    offers = {offer.partition(' ')[0].lower(): offer for offer in re.split(r',\s*(?=\w+\s+\w+=)', asked)[::-1]}
-    parts,way = urlsplit(url),offers.get('digest') or offers.get('basic')
-    if not self.user or not way: return ''
-    if 'digest' not in offers and parts.scheme!='https' and not self.basic:
+    proof = _authorization(asked, method, _web_path(url), self.user, self.password) if self.user else ''
+    if proof.startswith('Basic') and not (self.basic or url.startswith('https:')):
         raise GimbalError(f'{self!r} asks for the password in plain text, for all on its network to read: '
                           f'to allow that, write onvif://USER:PASSWORD@{self.place}?basic=yes')
-    path = (parts.path or '/')+(f'?{parts.query}' if parts.query else '')
-    return _authorization(way, method, path, self.user, self.password)
+    return proof
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #c1de876d
 @patch

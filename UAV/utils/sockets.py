@@ -183,7 +183,7 @@ class _Deadline:
         self.seconds,self.end,self.late,self._opened = seconds,clock.monotonic()+seconds,clock.Event(),[]
 
     def __enter__(self):
-        self._alarm = timers.alarm(self.give_up)
+        self._alarm = timers.alarm(self._ring)
         timers.move(self._alarm, self.end)
         return self
 
@@ -194,7 +194,10 @@ class _Deadline:
     def extend(self):
         "Begin anew, as something came"
         self.end = clock.monotonic()+self.seconds
-        timers.move(self._alarm, self.end)
+
+    def _ring(self):
+        if clock.monotonic()<self.end: timers.move(self._alarm, self.end)       # it was extended
+        else: self.give_up()
 
     def give_up(self):
         "Wake the one who reads or connects"
@@ -219,6 +222,11 @@ class _Deadline:
         raise why
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #c0683c48
+def _web_path(url:str)->str:
+    "Return path and query of a URL, as a request needs them"
+    parts = urlsplit(url)
+    return quote(parts.path or '/', safe="/%:@!$&'()*+,;=~")+(f'?{parts.query}' if parts.query else '')
+
 def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes|None=None, take=None,
              **headers)->tuple:
     "Status, reason, headers and body of one answer, to a POST of `body` or a GET; raises `ValueError` and `OSError`"
@@ -233,8 +241,7 @@ def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes
     connection = dict(http=HTTPConnection, https=HTTPSConnection)[parts.scheme](host, parts.port, timeout=deadline.left)
     connection._create_connection = deadline.connect
     try:
-        path = quote(parts.path or '/', safe="/%:@!$&'()*+,;=~")+(f'?{parts.query}' if parts.query else '')
-        connection.request('GET' if body is None else 'POST', path, body, {'Connection':'close', **headers})
+        connection.request('GET' if body is None else 'POST', _web_path(url), body, {'Connection':'close', **headers})
         answer = connection.getresponse()
         data = _body(answer, most, take) if answer.status==200 else answer.read(most)
         return answer.status,answer.reason,answer.headers,data
