@@ -391,10 +391,10 @@ async def _shot(self:RemoteCamera, timeout:float, ready=None):
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #66be06a7
 @patch
-async def _fetched(self:RemoteCamera, notice, to:str|Path|None, progress=None)->Picture:
+async def _fetched(self:RemoteCamera, notice, to:str|Path|None, progress=None, any_host:bool|None=None)->Picture:
     "Fetch the file of a notice; return its `Picture`"
     if not notice.file_url.strip(): raise MAVError(f'{self._label} does not say where its picture is')
-    try: return Picture(notice, await self.files.fetch(notice, to, progress))
+    try: return Picture(notice, await self.files.fetch(notice, to, progress, any_host=any_host))
     except (ValueError, Lost) as e:
         kind = Lost if isinstance(e, Lost) else MAVError
         raise kind(f'{self._label} has taken the picture, but its file did not come: {e}') from None
@@ -405,10 +405,11 @@ async def take_picture(self:RemoteCamera,
     to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: keep the bytes
     timeout:float=5., # As for `capture`
     progress=None, # As for `files.fetch`
+    any_host:bool|None=None, # As for `files.fetch`
 )->Picture:
     "Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`"
     if to is not None: place_on_disk(to, '')         # or an error before there is a picture
-    return await self._fetched(await self._shot(timeout), to, progress)
+    return await self._fetched(await self._shot(timeout), to, progress, any_host)
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #9f893879
 def _given(what:str, **values)->tuple:

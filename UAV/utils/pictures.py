@@ -57,7 +57,7 @@ class Thumbnail:
     def _repr_jpeg_(self): return _small_jpeg(self.image, self.width)
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #5f313c36
-most_pixels = 1<<26     # decoded from a picture from elsewhere: 67 million; the variable UAV_MOST_PIXELS raises it
+most_pixels = 1<<26     # decoded from a picture from elsewhere: 67 million, 390 MiB; UAV_MOST_PIXELS raises it
 
 def pixel_limit()->int:
     "Return the most pixels that are decoded of a picture from elsewhere; raises `ValueError`"
@@ -103,7 +103,8 @@ def decode_picture(data:bytes, # JPEG or PNG
     data,most,step,flag = bytes(data),most or pixel_limit(),1,cv2.IMREAD_COLOR
     if data.startswith(b'\xff\xd8\xff') and (head := _jpeg_head(data)):
         w,h,once = head
-        if data.count(b'\xff\xda')>_most_scans: raise ValueError(f'it is no picture: a JPEG of more than {_most_scans} scans')
+        if data.count(b'\xff\xda')>_most_scans:
+            raise ValueError(f'it is no picture: a JPEG of more than {_most_scans} scans')
         steps = [s for s in (8,4,2) if width and min(w, h)//s>=width]
         if steps: step,flag = steps[0],getattr(cv2, f'IMREAD_REDUCED_COLOR_{steps[0]}')
         if not once: step = 1
