@@ -9,7 +9,7 @@ __all__ = ['most_pixels', 'as_bgr', 'Thumbnail', 'pixel_limit', 'decode_picture'
 # %% ../../nbs/api/utils/03_pictures.ipynb #809564e0
 from functools import lru_cache
 from pathlib import Path
-import base64, io, os, sys, tempfile, zlib
+import base64, io, os, sys, tempfile
 
 from fastcore.imports import in_ipython, in_jupyter
 from fastcore.basics import patch
