@@ -5,6 +5,7 @@
 # %% ../../nbs/api/cli/03_camera.ipynb #02b8b82f
 from __future__ import annotations
 from argparse import ArgumentTypeError
+from collections import deque
 from contextlib import aclosing, contextmanager, ExitStack, suppress
 from difflib import get_close_matches
 from pathlib import Path
@@ -26,6 +27,7 @@ from UAV.mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_INFORMATION
     STORAGE_INFORMATION)
 from UAV.mavlink.camera_asking import (CAMERA_TRACKING_IMAGE_STATUS, cameras_heard, is_camera, storage_of, Stream,
     tracking_of)
+from ..mavlink.component import StatusText, Texts
 from ..mavlink.protocol import Busy, comes_from, CommandError, Denied, NoAnswer
 from ..mavlink.settings import PARAM_EXT_VALUE, param_name, param_value
 from ..utils import clock
@@ -656,9 +658,9 @@ async def _trigger(visit, distance:_spacing, # Metres between two pictures; 0: s
     visit.tell(f'a picture every {distance:g} m' if distance else 'no more pictures by distance', distance=distance)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #54207283
-def _text(msg)->Result:
-    severity = enum_name('MAV_SEVERITY', msg.severity, 'MAV_SEVERITY_')
-    return Result(f'{severity}: {printable(msg.text)}', severity=severity, text=printable(msg.text))
+def _text(text)->Result:
+    severity = enum_name('MAV_SEVERITY', text.severity, 'MAV_SEVERITY_')
+    return Result(f'{severity}: {text}', severity=severity, text=str(text))
 
 def _changed_setting(msg)->Result:
     name,value = param_name(msg),param_value(msg)
@@ -676,17 +678,27 @@ _news = {CAMERA_SETTINGS:_settings, CAMERA_CAPTURE_STATUS:_doing, STATUSTEXT:_te
 @patch
 async def news(self:CameraVisit):
     "Yield `(message name, Result)` of the camera's messages; raises `Lost`"
-    came = asyncio.Queue()
+    came,texts,told = asyncio.Queue(),Texts(),deque(maxlen=16)      # `told`: the newest texts
     async def follow():
         try:
             async with aclosing(self.camera.pictures()) as pictures:
                 async for msg in pictures: came.put_nowait(msg)
         except Exception as e: came.put_nowait(e)
+    def joined(msg):
+        "Return a STATUSTEXT whose pieces are all there, or don't come; or `None`"
+        is_late = isinstance(msg, StatusText)
+        text,is_new = (msg, False) if is_late else texts.take(msg)
+        if is_new and not text.complete: asyncio.get_running_loop().call_later(2., came.put_nowait, text)
+        if text in told or not (text.complete or is_late): return None
+        told.append(text)
+        return text
     with self.hearing(_news, came.put_nowait):
         following = asyncio.ensure_future(follow())
         try:
             while not isinstance(msg := await came.get(), Exception):
-                yield msg.get_type(),_news.get(msg.get_msgId(), _picture)(msg)
+                is_text = isinstance(msg, StatusText) or msg.get_msgId()==STATUSTEXT
+                if not is_text: yield msg.get_type(),_news.get(msg.get_msgId(), _picture)(msg)
+                elif text := joined(msg): yield 'STATUSTEXT',_text(text)
             raise msg
         finally: following.cancel()
 

@@ -22,7 +22,7 @@ from .component import Component, sends, verb
 from .settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
 from .camera_asking import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
     CAMERA_SETTINGS,
-    CameraAsking, cameras_heard, RemoteTracking, RemoteVideo, STORAGE_INFORMATION)
+    CameraAsking, cameras_heard, flags_of, text_of, RemoteTracking, RemoteVideo, STORAGE_INFORMATION)
 from .capture import Capture, PictureLog, RemotePictures
 from .camera_downloads import FtpNumbers, RemoteFiles
 from .parameter_client import RemoteSettings
@@ -60,16 +60,13 @@ class RemoteCamera(CameraAsking):
 def name(self:RemoteCamera)->str:
     "Vendor and model"
     names = (self.information.vendor_name, self.information.model_name) if self.information else ()
-    text = [bytes(n).split(b'\0')[0].decode(errors='replace') for n in names]
-    return ' '.join(t for t in text if t) or 'unknown'
+    return ' '.join(filter(None, map(text_of, names))) or 'unknown'
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #9549b8f5
 @patch(as_prop=True)
 def can(self:RemoteCamera)->list:
     "Names of its CAMERA_CAP_FLAGS"
-    flags = self.information.flags if self.information else 0
-    names = sorted(mavlink.enums['CAMERA_CAP_FLAGS'].items())
-    return [e.name.removeprefix('CAMERA_CAP_FLAGS_') for i,e in names if flags&i==i]
+    return flags_of(self.information)
 
 @patch
 def __repr__(self:RemoteCamera):

@@ -24,8 +24,8 @@ from ..wire.dialect import Ack, address, enum_name, MAVError, message_name
 from ..wire.frames import pack
 
 # %% auto #0
-__all__ = ['everyone', 'Stream', 'Streams', 'Component', 'Texts', 'Health', 'DeviceServer', 'verb', 'sends', 'verbs', 'MAVLink',
-           'mavlink', 'LogLevels']
+__all__ = ['everyone', 'Stream', 'Streams', 'Component', 'StatusText', 'Texts', 'Health', 'DeviceServer', 'verb', 'sends',
+           'verbs', 'MAVLink', 'mavlink', 'LogLevels']
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #6e19bbae
 class Stream:
@@ -454,17 +454,61 @@ def say(self:Component, severity:int, # MAV_SEVERITY
         send(self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n))
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #d9da7216
+class StatusText:
+    "A text of a component, in one STATUSTEXT or in pieces; `…` stands for what is missing"
+    most = 5            # pieces that are kept
+    def __init__(self, severity:int, # MAV_SEVERITY
+                 number:int): # The `id` of its pieces; 0: it has one
+        store_attr()
+        self.pieces,self.heard = {},0.      # by `chunk_seq`; when the last one came, monotonic s
+
+    @property
+    def ended(self)->bool:
+        "True if its last piece is there"
+        last = max(self.pieces)
+        return not self.number or len(self.pieces[last])<50 or last>=self.most-1
+
+    @property
+    def complete(self)->bool:
+        "True if all its pieces are there"
+        return self.ended and len(self.pieces)==max(self.pieces)+1
+
+    def __str__(self):
+        last,gap = -1,' … '.encode()
+        raw = b''
+        for n,piece in sorted(self.pieces.items()):
+            raw += (gap if n>last+1 else b'')+piece
+            last = n
+        text = (raw if self.ended else raw+gap).decode(errors='replace')
+        return ''.join(c for c in text if c.isprintable()).strip()
+
+    def __repr__(self): return f'{enum_name("MAV_SEVERITY", self.severity, "MAV_SEVERITY_")}: {self}'
+
 class Texts:
-    "Joins the pieces of one component's STATUSTEXTs"
-    def __init__(self): self.number,self.pieces = 0,{}      # of the newest text; its pieces, by `chunk_seq`
+    "Joins the pieces of one component's STATUSTEXTs, in any order and with duplicates"
+    most,life = 8,10.   # texts that may get more pieces; s without one after which an `id` may be another text's
+    def __init__(self): self.open = {}          # by `id`, the newest last
+
+    def take(self, msg, # A STATUSTEXT
+            )->tuple:
+        "Add a piece; return its `StatusText`, and True if that is new"
+        number,n,now = getattr(msg, 'id', 0),getattr(msg, 'chunk_seq', 0),clock.monotonic()
+        raw = getattr(msg, '_text_raw', None) or msg.text.encode()
+        piece,text = raw[:50].split(b'\0')[0],self.open.get(number)
+        is_new = text is None or text.severity!=msg.severity or now-text.heard>self.life or text.pieces.get(n, piece)!=piece
+        if is_new: text = StatusText(msg.severity, number)
+        if n<text.most or is_new: text.pieces[min(n, text.most-1)] = piece
+        text.heard = now
+        if number and is_new:
+            self.open.pop(number, None)
+            self.open[number] = text
+            if len(self.open)>self.most: del self.open[next(iter(self.open))]
+        return text,is_new
 
     def add(self, msg, # A STATUSTEXT
            )->str:
         "Add a piece and return its text so far"
-        if not msg.id or msg.id!=self.number: self.number,self.pieces = msg.id,{}
-        if len(self.pieces)<5: self.pieces[msg.chunk_seq] = msg._text_raw.split(b'\0')[0]
-        parts = [self.pieces.get(n, ' … '.encode()) for n in range(min(max(self.pieces)+1, 5))]
-        return ''.join(c for c in b''.join(parts).decode(errors='replace') if c.isprintable()).strip()
+        return str(self.take(msg)[0])
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #e98d573c
 class Health:
