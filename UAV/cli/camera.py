@@ -313,7 +313,8 @@ async def fetch(self:CameraVisit, path:str, # Path on the camera, or a `mftp://`
                 folder, # Local folder, as for `_folder_here`
                )->Path:
     "Fetch a file and return its local path; raises `ValueError`, `OSError` or `MAVError`"
-    if '://' in path and not path.lower().startswith('mftp://'): raise ValueError(f'{path} is not to be had over MAVLink')
+    if '://' in path and not path.lower().startswith('mftp://'):
+        raise ValueError(f'{path} is not to be had over MAVLink')
     place = _free_place(_folder_here(folder), path)
     await self.camera.files.fetch(path, place, progress=None if self.options.json else Progress(place.name))
     return place

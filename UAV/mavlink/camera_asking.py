@@ -262,7 +262,7 @@ def _reachable(self:RemoteComponent, url:str)->str:
     "Return the URL of a stream as we reach it when the camera's MAVLink is IPv6"
     six = [own for own in self._own_hosts() if ':' in own]
     host = host_in(urlsplit(url))
-    if not six or host=='0.0.0.0': return url.replace('//0.0.0.0:', '//[::]:', 1) if six else url      # it will push here
+    if six and host=='0.0.0.0': return url.replace('//0.0.0.0:', '//[::]:', 1)      # it will push here
     zoned = [own for own in six if '%' in own and own.partition('%')[0]==host]
     return url.replace(f'[{host}]', f'[{zoned[0]}]', 1) if zoned else url
 

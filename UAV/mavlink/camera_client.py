@@ -144,6 +144,7 @@ async def _next_beat(self:CameraClient, timeout:float, there, asked=()):
             beat.cancel()
             await asyncio.wait([beat])
 
+# %% ../../nbs/api/mavlink/16_camera_client.ipynb #920253ca
 @patch
 async def _look(self:CameraClient, start:float, end:float, there):
     "Listen until `there()` or `end`, and ask those with the id of a camera what they are; monotonic s"

@@ -23,8 +23,8 @@ def _checked(image):
     "`image` as an array of numbers, H×W×1, H×W×3 or H×W×4; raises `ValueError` when it is no picture"
     im = np.asarray(image)
     if im.ndim==2: im = im[...,None]
-    if im.ndim!=3 or im.shape[2] not in (1,3,4) or 0 in im.shape or im.dtype.kind not in 'buif': raise _not_a_picture(im)
-    return im
+    if im.ndim==3 and im.shape[2] in (1,3,4) and 0 not in im.shape and im.dtype.kind in 'buif': return im
+    raise _not_a_picture(im)
 
 def _stretched(im):
     "Numbers of any range as 0…255: from the darkest to the brightest, but for one in a thousand at both ends"
@@ -33,7 +33,8 @@ def _stretched(im):
     low,high = np.percentile(some, (.1, 99.9)) if some.size else (0., 0.)
     if low==high and some.size: low,high = some.min(),some.max()
     if low==high: return np.full(im.shape, 127, np.uint8)
-    return ((np.nan_to_num(im.astype(np.float32), nan=low).clip(low, high)-low)*(255/(high-low))).round().astype(np.uint8)
+    inside = np.nan_to_num(im.astype(np.float32), nan=low).clip(low, high)
+    return ((inside-low)*(255/(high-low))).round().astype(np.uint8)
 
 def as_bgr(image): # Array H×W, H×W×1, H×W×3 or H×W×4; integers 0…255 or floats 0…1; others are stretched
     "`image` as OpenCV likes it; raises `ValueError` when it is no picture"
