@@ -204,7 +204,8 @@ def uri(self:VideoStream, host:str='127.0.0.1', # Our address, as the viewer can
        )->str:
     "The viewer's address: a URL, or the number of its own port"
     if self.told_uri: return self.told_uri
-    if self.kind in senders: return f'udp://{url_host(self.host)}:{self.port}' if is_group(self.host) else str(self.port)
+    if self.kind in senders and is_group(self.host): return f'udp://{url_host(self.host)}:{self.port}'
+    if self.kind in senders: return str(self.port)
     if self.kind=='rtsp' and self.server: return self.server.url(self.path, host)
     port = self.sink.port if self.sink else self.port
     host = url_host(host)
