@@ -330,7 +330,9 @@ def _posed(self:Camera, frame:Frame)->Frame:
 def _encode(self:Camera, frame)->bytes:
     "The frame as JPEG; that of the camera, if it has made one"
     if isinstance(frame, Still): return frame.jpeg
-    ok,jpeg = cv2.imencode('.jpg', as_bgr(frame.image), [cv2.IMWRITE_JPEG_QUALITY, self.jpeg_quality])
+    try: image = as_bgr(frame.image)
+    except ValueError as e: raise CameraError(f'a frame is {e}') from None
+    ok,jpeg = cv2.imencode('.jpg', image, [cv2.IMWRITE_JPEG_QUALITY, self.jpeg_quality])
     if not ok: raise CameraError('the frame cannot be encoded')
     return jpeg.tobytes()
 

@@ -75,7 +75,7 @@ def moved(self:Pose, north:float=0., # m
 @dataclass(frozen=True, repr=False, eq=False)
 class Frame:
     "One image of a camera"
-    image:object # BGR, uint8, height x width x 3
+    image:object # BGR, uint8, height x width x 3; others are converted, and more than 8 bits stretched
     number:int # Counts the frames of the camera
     time_utc:float # When it was taken, s since 1970
     pose:Pose|None=None # Where it was taken

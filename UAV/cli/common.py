@@ -26,6 +26,7 @@ from ..mavlink.protocol import CommandError, NoAnswer
 from ..utils import clock
 from ..utils.general import plain
 from ..utils.output import output_error
+from ..utils.sockets import url_host
 from ..wire.dialect import enum_name, LinkError, MAVError
 from ..wire.signing import secret_key
 
@@ -76,7 +77,7 @@ def place_for(what:str, # Purpose of the port, such as 'page'
     except OSError as e:
         why = (e.strerror or str(e)).partition(' (')[0]     # without Python's addition in brackets
         hint = f'; {instead} takes a free one' if instead and _is_taken(e) else ''
-        raise error(f'no {what} at {host}:{port}: {why}{hint}') from e
+        raise error(f'no {what} at {url_host(host)}:{port}: {why}{hint}') from e
 
 # %% ../../nbs/api/cli/01_common.ipynb #3778ed06
 def _is_taken(error:Exception)->bool:
@@ -461,7 +462,7 @@ def _two_ports(text:str)->str:
     found = re.search(r'UDP port (\S+):(\d+)', text)
     if not found: return ''
     host,port = found[1],int(found[2])
-    here = '127.0.0.1' if host in ('0.0.0.0','::') else host
+    here = {'0.0.0.0':'127.0.0.1', '[::]':'[::1]'}.get(host, host)
     return (f'; or let the sender send to two: --connection udpout:{here}:{port},udpout:{here}:{port+1}, '
             f'and type --connection udpin:{host}:{port+1} here')
 

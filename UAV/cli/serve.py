@@ -307,7 +307,7 @@ def _device(typed, stack:ExitStack, storage:dict)->tuple:
     return gimbal,camera
 
 def _camera_of(typed, stack:ExitStack, aboard:Aboard, size:tuple|None, storage:dict)->Camera:
-    "Open that of the gimbal, or `--camera`, on which the gimbal's driver takes photos; raises `ValueError`, `CameraError`"
+    "Open that of the gimbal, or `--camera` with the gimbal's camera verbs; raises `ValueError`, `CameraError`"
     own,orders = getattr(aboard.gimbal, 'camera', None),aboard.gimbal if takes_orders(aboard.gimbal) else None
     if own and not (orders or typed.camera):
         raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')

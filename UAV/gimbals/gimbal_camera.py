@@ -9,7 +9,8 @@ from dataclasses import replace
 from fastcore.basics import patch
 from ..cameras.camera import Camera
 from ..cameras.url_camera import URLCamera
-from ..cameras.values import CameraBusy, CameraError, CameraInformation, CaptureStatus, Frame, Picture, StorageError, WrongMode
+from UAV.cameras.values import (CameraBusy, CameraError, CameraInformation, CaptureStatus, Frame, Picture, StorageError,
+    WrongMode)
 from .values import GimbalError
 from ..utils import clock
 
@@ -20,7 +21,7 @@ __all__ = ['GimbalCamera', 'CardCamera', 'gimbal_camera', 'takes_orders', 'camer
 class _Verbs:
     "Camera verbs of a gimbal's driver, before those of the class that has the video"
     gimbal = None                   # the driver; `close` leaves it open
-    _shot,_records = False,None     # was the last photo taken on the card? since when does the card record, monotonic s?
+    _shot,_records = False,None     # was the last photo taken on the card? when its recording began, monotonic s
 
     def _do(self, verb:str, *args)->bool:
         "Call a verb of the driver, if it has that; raises `CameraError` when the line is down"
@@ -42,21 +43,6 @@ class _Verbs:
         there = self._posed(Frame(None, 0, started))
         return self.storages.elsewhere(there.time_utc, there.pose)
 
-    def video_start_capture(self, stream_id:int=0):
-        "Record here, and on the device's card; raises what `Camera.video_start_capture` does"
-        try: super().video_start_capture(stream_id)
-        except (CameraBusy, StorageError, WrongMode): raise
-        except CameraError as e: self.log.warning('only the card of the device records: %s', e)
-        try: self._records = clock.monotonic() if self._do('video_start_capture') else None
-        except CameraError:
-            super().video_stop_capture()
-            raise
-
-    def video_stop_capture(self, stream_id:int=0):
-        "Record no more; raises `CameraError`"
-        super().video_stop_capture(stream_id)
-        self._do('video_stop_capture')
-        self._records = None
 
 # %% ../../nbs/api/gimbals/05_gimbal_camera.ipynb #fe61c2f7
 @patch
@@ -86,6 +72,28 @@ def capture_status(self:_Verbs)->CaptureStatus:
     "The camera's state"
     now = super(_Verbs, self).capture_status()
     return replace(now, recording=self.recording, recording_time=self.recording_time)
+
+# %% ../../nbs/api/gimbals/05_gimbal_camera.ipynb #ff4f41b1
+@patch
+def video_start_capture(self:_Verbs, stream_id:int=0):
+    "Record here, and on the device's card; raises what `Camera.video_start_capture` does"
+    if self._records is not None: raise CameraBusy('a video is being recorded')
+    try: super(_Verbs, self).video_start_capture(stream_id)
+    except (CameraBusy, StorageError, WrongMode): raise
+    except CameraError as e: self.log.warning('only the card of the device records: %s', e)
+    try: self._records = clock.monotonic() if self._do('video_start_capture') else None
+    except CameraError:
+        super(_Verbs, self).video_stop_capture()
+        raise
+    self.announce(self.capture_status())
+
+@patch
+def video_stop_capture(self:_Verbs, stream_id:int=0):
+    "Record no more; raises `CameraError`"
+    self._records = None            # before it's announced
+    super(_Verbs, self).video_stop_capture(stream_id)
+    self._do('video_stop_capture')
+    self.announce(self.capture_status())
 
 # %% ../../nbs/api/gimbals/05_gimbal_camera.ipynb #fc608c55
 class GimbalCamera(_Verbs, URLCamera):

@@ -23,7 +23,7 @@ from ..utils import clock, clock as _clock
 from ..utils.devices import DeviceURL
 from ..utils.general import inside
 from ..utils.geo import quaternion
-from ..utils.sockets import _ask_web, _Deadline
+from ..utils.sockets import _ask_web, _Deadline, url_host
 from ..video.rtsp import _authorization
 from ..utils.pictures import decode_picture
 
@@ -118,7 +118,7 @@ class _OnvifLine:
     def __init__(self, host:str, port:int|None=None, user:str='', password:str='', clock=clock.now,
                  basic:bool=False): # May the password go in plain text, when the camera asks for that?
         store_attr()
-        self.place = (f'[{host}]' if ':' in host else host)+(f':{port}' if port else '')
+        self.place = url_host(host)+(f':{port}' if port else '')
         self.services = dict(tds=f'http://{self.place}/onvif/device_service')
         self.log,self.skew = get_logger('onvif'),None       # `skew`: s that its clock is ahead; `None`: not known
         self.hear = self.changed = lambda: None     # called when `status` is new, and when `error` comes or goes
@@ -227,9 +227,10 @@ def here(self:_OnvifLine, url:str, *schemes:str)->str: # `schemes` in place of h
         host,port = parts.hostname,f':{parts.port}' if parts.port else ''
     except ValueError: raise _BadAddress(f'{self!r} names {_shown(url)!r}, which is no address') from None
     scheme = parts.scheme or (schemes[0] if url.startswith('/') else '')
-    if scheme not in schemes: raise _BadAddress(f'{self!r} names {_shown(url)!r}, and not an address of {" or ".join(schemes)}')
+    ways = ' or '.join(schemes)
+    if scheme not in schemes: raise _BadAddress(f'{self!r} names {_shown(url)!r}, and not an address of {ways}')
     if host==self.host.lower(): return urlunsplit(parts._replace(scheme=scheme))
-    place = self.place if scheme=='http' else (f'[{self.host}]' if ':' in self.host else self.host)+port
+    place = self.place if scheme=='http' else url_host(self.host)+port
     return urlunsplit(parts._replace(scheme=scheme, netloc=place))
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #3194f626

@@ -20,9 +20,9 @@ from UAV.gimbals.siyi_link import (Cmd, read_config, read_range, read_stream, re
     zoom_data)
 from .values import GimbalError
 from ..utils import clock
-from ..utils.general import inside, timers
+from ..utils.general import inside, timers, cv2, np
 from ..utils.pictures import decode_picture
-from ..utils.sockets import get_web
+from ..utils.sockets import get_web, url_host
 from ..video.units import VideoFormat
 
 # %% auto #0
@@ -150,7 +150,7 @@ class _CardFiles:
 @patch
 def get(self:_CardFiles, path:str, most:int=1<<26)->bytes:
     "Return a file; raises `OSError` and `ValueError`"
-    return get_web(f'http://{self.host}:{self.port}{path}', {self.host}, most, 5.)
+    return get_web(f'http://{url_host(self.host)}:{self.port}{path}', {self.host}, most, 5.)
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #4fe381de
 @patch
@@ -208,7 +208,7 @@ def _receive(self:SiyiCamera):
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #acebbb45
 @patch
-def _usual_url(self:SiyiCamera)->str: return f'rtsp://{self.host}:8554/{self.link.model.streams[0]}'
+def _usual_url(self:SiyiCamera)->str: return f'rtsp://{url_host(self.host)}:8554/{self.link.model.streams[0]}'
 
 @patch
 def _fit_model(self:SiyiCamera):

@@ -16,7 +16,7 @@ from ..logging import get_logger
 from ..utils import clock
 from ..utils.files import local_name
 from ..utils.general import Closes
-from ..utils.sockets import listen_tcp
+from ..utils.sockets import listen_tcp, url_host, _Guesses
 from ..wire.dialect import MAVError
 
 # %% auto #0
@@ -61,6 +61,7 @@ class Door:
         if token is not None and not re.fullmatch(r'[A-Za-z0-9._~-]{8,200}', token):
             raise ValueError('a token has 8 or more characters, of A-Z, a-z, 0-9, and . _ ~ -')
         self.token,self.everywhere = token or secrets.token_urlsafe(24),host in ('','0.0.0.0','::')
+        self.guesses,self.queues = _Guesses() if token else None,{}         # `[lock, how many wait]` for each address
         own = socket.gethostname().lower()
         names = host, *names, *((own, f'{own.partition(".")[0]}.local') if self.everywhere else ())
         self.names = {*map(str.lower, names)}-{''}
@@ -71,6 +72,24 @@ class Door:
         "Check the token; raises `Refused` (403)"
         if not hmac.compare_digest((given or '').encode('utf-8', 'replace'), self.token.encode()):
             raise Refused(403, 'this link has no token, or an old one')
+
+    async def admit(self, given:str|None, # Token sent by the browser
+                    address:str): # Of the browser
+        "As `check_token`; a chosen token waits for its turn when many from that address were wrong. Raises `Refused`"
+        if self.guesses is None: return self.check_token(given)
+        queue = self.queues.setdefault(address, [asyncio.Lock(), 0])
+        if queue[1]>=8: raise Refused(429, 'too many wrong tokens come from your address')
+        queue[1] += 1
+        try:
+            async with queue[0]:
+                while wait := self.guesses.wait(address): await asyncio.sleep(wait)
+                try: self.check_token(given)
+                except Refused:
+                    self.guesses.wrong(address)
+                    raise
+        finally:
+            queue[1] -= 1
+            if not queue[1]: self.queues.pop(address, None)
 
     def knows(self, name:str, # Host name or address
              )->bool:
@@ -274,7 +293,7 @@ class Site:
         if request.method=='POST' or name=='socket': self.door.check_origin(request.headers.get('Origin'), hosts[0])
         if name=='socket': return await _Talk(self, visit).live(request)
         public = request.method=='GET' and (not name or name in self.files or folder=='download')
-        if not public: self.door.check_token(request.headers.get('X-Token'))
+        if not public: await self.door.admit(request.headers.get('X-Token'), request.remote or '')
         visit.admitted,visit.trusted = True,visit.trusted or not public
         if public and folder=='download': return await self.download(request, visit, ticket)
         if public: return self._static(request, name)
@@ -395,7 +414,8 @@ class _Talk:
         self.site.talks.add(self)
         try:
             first = self._read(await self.socket.receive())
-            self.site.door.check_token(str(first.get('token')) if first.get('kind')=='token' else None)
+            given = str(first.get('token')) if first.get('kind')=='token' else None
+            await self.site.door.admit(given, request.remote or '')
             visit.trusted = visit.admitted = True
             async for message in self.socket: await self._take(self._read(message))
         except Refused as e:
@@ -495,6 +515,7 @@ class PanelServer(Closes):
                  token:str|None=None, # `None`: a new one; set your own so that open pages find a restarted panel
                  names:tuple=()): # Further host names, such as that of a proxy
         if gui.closed: raise RuntimeError('the panel is closed')
+        host = host.strip('[]')
         store_attr('gui,host')
         self.site,self.visits,self.closed = Site(gui, Door(host, token, names)),{},False
         web = _web_class()                  # imports aiohttp here, so that the panel's loop doesn't wait
@@ -508,7 +529,7 @@ class PanelServer(Closes):
     def link(self, host:str, # Host name or address that the browser can reach
             )->str:
         "Return the address of the page, with its token"
-        return f'http://{f"[{host}]" if ":" in host else host}:{self.port}/#token={self.site.door.token}'
+        return f'http://{url_host(host)}:{self.port}/#token={self.site.door.token}'
 
     async def _start(self, web):
         self.web = web(self)

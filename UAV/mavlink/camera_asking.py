@@ -18,7 +18,8 @@ from ..cameras.tracker import TrackingStatus
 from ..cameras.values import Pose, StorageInformation
 from ..utils.general import for_async, inside, known, NAN, one_of, Value
 from ..utils.geo import euler
-from ..video.senders import is_group, is_loopback, plain_host
+from ..utils.sockets import host_in, plain_host
+from ..video.senders import is_group, is_loopback
 from ..wire.dialect import Ack, enum_name, enum_value, LinkError, MAVError
 from .protocol import Lost, NoAnswer, comes_from
 from .mavcom import ends, own_host
@@ -223,7 +224,7 @@ def _is_here(host:str)->bool:
     "True if an address is this computer's; names are not looked up"
     try: ipaddress.ip_address(host)
     except ValueError: return False
-    return is_loopback(host) or own_host(host)==host
+    return is_loopback(host) or plain_host(own_host(host) or '')==plain_host(host)
 
 def same_host(one:str, # An address
               other:str, # Another address
@@ -240,10 +241,19 @@ def _own_hosts(self:RemoteComponent)->set:
     return {ends(*way)[1] for way in com.where(*self.address)}-{None}
 
 @patch
+def _reachable(self:RemoteComponent, url:str)->str:
+    "Return the URL of a stream as we reach it when the camera's MAVLink is IPv6"
+    six = [own for own in self._own_hosts() if ':' in own]
+    host = host_in(urlsplit(url))
+    if not six or host=='0.0.0.0': return url.replace('//0.0.0.0:', '//[::]:', 1) if six else url      # it will push here
+    zoned = [own for own in six if '%' in own and own.partition('%')[0]==host]
+    return url.replace(f'[{host}]', f'[{zoned[0]}]', 1) if zoned else url
+
+@patch
 def _check_host(self:RemoteComponent, url:str, what:str='the video'):
     "Raise `PermissionError` unless the URL of a stream or a file leads to the camera's own address"
     theirs = self._own_hosts()
-    host = (urlsplit(url).hostname or 'localhost').replace('localhost', '127.0.0.1')
+    host = (host_in(urlsplit(url)) or 'localhost').replace('localhost', '127.0.0.1')
     if any(same_host(host, own) for own in theirs): return
     known = f'its MAVLink comes from {" and ".join(sorted(theirs))}' if theirs else 'its own address is not known'
     where = f'{what} of {self.system}/{self.component} is at {host}'
@@ -283,7 +293,7 @@ async def watch(self:RemoteVideo,
     if any_host is None: any_host = self.camera.client.any_host
     if not comes and not any_host: self.camera._check_host(url)
     if not comes and not stream.running: (await self.start(stream.id)).check()
-    player = Player(url, **options)
+    player = Player(self.camera._reachable(url), **options)
     try:
         if comes: (await self.start(stream.id)).check()
     except BaseException:

@@ -17,7 +17,8 @@ from ..utils import clock
 from ..utils.general import for_async, NAN
 from ..wire.dialect import Ack, address, MAVError, number_of
 from .asking import first_rto
-from .protocol import Busy, check_count, check_seconds, check_which, Command, Failed, Found, Lost, NoAnswer, receives
+from UAV.mavlink.protocol import (Busy, check_count, check_seconds, check_which, Command, Failed, Found, Lost,
+    NoAnswer, receives)
 from .component import Component, sends, verb
 from .settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
 from .camera_asking import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,

@@ -38,7 +38,8 @@ __all__ = ['storage_media', 'FakeCamera', 'CameraServer', 'media_of', 'CAMERA_IN
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d53ece11
 _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
-         'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN', 'Component', 'LogLevels', 'mavlink']
+         'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN', 'Component', 'LogLevels',
+         'mavlink']
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #6b0586fd
 class FakeCamera:

@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #8b68fbd6
 from __future__ import annotations
+from collections import deque
 from contextlib import contextmanager, nullcontext
 from itertools import count as count_from, islice
 from weakref import WeakKeyDictionary
@@ -33,6 +34,10 @@ class PictureLog:
         self.notices,self.skipped = {},set()    # `{index: notice}` not given yet; indexes not to be given
         self.came,self.last,self.since = 0,None,since   # how many came; the newest of them
         self.odd,self._looks,self._lock = '',0,clock.RLock()    # what the last look at the camera was like
+        self.loose,self.known,self.serial = False,{},0      # see `loosen`: `{notice: key}` of all that came; the next key
+        self.given,self.before = None,None      # last notice given; newest one before we asked for pictures
+        self.refused = set()                    # indexes whose notice the camera does not repeat
+        self.loose,self.known,self.given = False,{},None        # see `loosen`; keys of those that came; the last given
         if count: self.begin(first, count)
 
     def __repr__(self): return f'PictureLog: {self.left:g} wanted, {len(self.ready())} ready'
@@ -42,6 +47,9 @@ class PictureLog:
 def begin(self:PictureLog, first:int|None, count:float=1):
     "Add `count` wanted pictures, from index `first` on"
     with self._lock:
+        if self.loose:                          # all that have come and are not given
+            self.runs = [[min(self.notices, default=self.serial), self.left+count]]
+            return
         if first is None and self.notices: first = min(self.notices.values(), key=_time).image_index
         if first is None: self.unknown += count
         else: self.runs.append([first, count])
@@ -79,12 +87,64 @@ def ready(self:PictureLog, most:float=math.inf)->list:
             found.append(self.notices[i])
     return found
 
+# %% ../../nbs/api/mavlink/13_capture.ipynb #2f7442b6
+def _who(msg)->tuple: # what tells one picture from another without a number
+    return (msg.time_utc,msg.time_boot_ms,msg.image_index,msg.file_url) if _time(msg) else (id(msg),)
+
+@patch
+def _same_as(self:PictureLog, msg)->list:
+    "Return other pictures with the index of a notice"
+    return [m for m in (self.notices.get(msg.image_index),self.given) if m and m.image_index==msg.image_index]
+
+@patch
+def _is_uncounted(self:PictureLog, msg)->bool:
+    "True for an index that is none, or that of an older picture among those that were asked for"
+    if msg.image_index<=0 and self.endless: return msg.image_index<0        # 0: the storage was formatted
+    return msg.image_index<0 or any(_time(msg)>_time(m) for m in self._same_as(msg))
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #d65b0faa
+@patch
+def loosen(self:PictureLog, found=()): # Notices that are pictures of this log
+    "Go by arrival from now on, because the camera does not count"
+    with self._lock:
+        left,given = self.left,self.given and _who(self.given)
+        self.loose,self.notices,self.skipped,self.refused,self.unknown = True,{},set(),set(),0
+        if given: self.known[given] = None
+        self.runs = [[self.serial, left]] if left else []
+        for msg in sorted(found, key=_time): self._add_uncounted(msg)
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #e27d6ccc
+@patch
+def _add_uncounted(self:PictureLog, msg):
+    "Store a notice that was not there before"
+    who,last = _who(msg),self.last
+    if who in self.known: return
+    if self.endless and not self.notices and last and 0<=msg.image_index!=last.image_index:       # it counts again
+        self.loose,self.runs = False,[[msg.image_index, math.inf]]
+        return self.add(msg)
+    while len(self.known)>=2*self.most: del self.known[next(iter(self.known))]
+    if len(self.notices)>=self.most: return
+    self.known[who],self.notices[self.serial] = self.serial,msg
+    self.serial,self.came,self._looks = self.serial+1,self.came+1,0
+    self._note(msg)
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #9518f265
+@patch
+def drop(self:PictureLog, msg):
+    "Drop a notice: it was returned"
+    with self._lock:
+        if self.loose: self._add_uncounted(msg)
+        self.skip(self.known.get(_who(msg)) if self.loose else msg.image_index, msg)
+
 # %% ../../nbs/api/mavlink/13_capture.ipynb #b17cf021
 @patch
 def add(self:PictureLog, msg):
     "Store a CAMERA_IMAGE_CAPTURED"
     i = msg.image_index
     with self._lock:
+        if not self.loose and self._is_uncounted(msg): self.loosen([*self.ready(), *self._same_as(msg)])
+        if self.loose: return self._add_uncounted(msg)
+        if _who(msg) in self.known: return          # it is older than this log
         if self.endless and self._counts_anew(msg):         # the storage was formatted
             self.runs,self.unknown,self.notices,self.skipped = [[0, math.inf]],0,{},set()
         first = next(self.wanted(), None)
@@ -114,7 +174,7 @@ def take(self:PictureLog, most:float=math.inf)->list:
     "Return the `ready` notices and drop them"
     with self._lock:
         found = self.ready(most)
-        for msg in found: self.skip(msg.image_index, msg)
+        for msg in found: self.drop(msg)
     return found
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #7a7876e9
@@ -123,8 +183,11 @@ def skip(self:PictureLog, index:int, msg=None):
     "Drop picture `index`: already returned (`msg`), or unavailable"
     with self._lock:
         self.notices.pop(index, None)
+        self.refused.discard(index)
         self.skipped.add(index)
-        if msg: self._note(msg)
+        if msg:
+            self._note(msg)
+            self.given = msg
         while self.runs and self.runs[0][0] in self.skipped:
             self.skipped.discard(self.runs[0][0])
             first,n = self.runs.pop(0)
@@ -136,9 +199,10 @@ def missing(self:PictureLog, image_count:int, # Of CAMERA_CAPTURE_STATUS
             most:int=16, # Maximum length of the list
            )->list:
     "Return the indexes of wanted pictures that were taken, without a notice"
+    if self.loose: return []
     with self._lock:
         taken = (i for first,n in list(self.runs) for i in range(first, int(min(first+n, image_count))))
-        return list(islice((i for i in taken if i not in self.notices and i not in self.skipped), most))
+        return list(islice((i for i in taken if i not in self.notices and i not in self.skipped|self.refused), most))
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #3fe8cd61
 @patch
@@ -149,7 +213,7 @@ def judge(self:PictureLog, image_count:int, # Of CAMERA_CAPTURE_STATUS
     "Return the verdict on the camera's count when enough looks agree, else ''"
     with self._lock:
         first,verdict = next(self.wanted(), None),''
-        if first is not None and first not in self.notices:
+        if first is not None and first not in self.notices and not self.loose:
             if any(i>=image_count for i in seen if i in self.notices): verdict = 'own'
             elif idle and image_count<=first: verdict = 'short' if image_count==first else 'anew'
         self._looks = self._looks+1 if verdict==self.odd else 1
@@ -170,17 +234,25 @@ def cut(self:PictureLog, image_count:int)->float:
 @patch
 def adopt(self:PictureLog):
     "Take the received notices as the wanted ones, whatever their index"
+    if self.loose: return
     with self._lock:
         left,found = self.left,sorted(self.notices.values(), key=_time)
         self.runs = [[m.image_index, 1] for m in found[:int(min(left, len(found)))]]
-        self.unknown,self._looks = left-len(self.runs),0
+        self.unknown,self._looks,self.refused = left-len(self.runs),0,set()
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #52e94dbb
+@patch
+def newer(self:PictureLog, index:int)->list:
+    "Return notices with a lower index than `index` that were taken after we asked: the camera does not count"
+    def new(m): return m.time_boot_ms>=self.since and (self.before is None or _time(m)>_time(self.before))
+    with self._lock: return [] if self.endless else [m for m in self.notices.values() if m.image_index<index and new(m)]
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #ccd8812c
 @patch
 def guess(self:PictureLog, first:int):
     "Start at `first` if no notice has defined the start"
     with self._lock:
-        if not self.runs: self.runs,self.unknown = [[first, self.unknown]],0
+        if not (self.runs or self.loose): self.runs,self.unknown = [[first, self.unknown]],0
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #96fd9fd8
 @patch
@@ -196,18 +268,54 @@ class RemotePictures:
         self.requests = []                      # what has a `log` of its own: each `Capture` that is under way
         self.texts,self.said = Texts(),(-math.inf,'')   # of its STATUSTEXTs; when its newest error came, and that
         self.tells = False                      # True: the camera's ack has the picture's index
+        self.uncounted,self.seen,self._lock = False,{},clock.Lock()     # True: it does not count; its newest notices
+        self.taken = deque(maxlen=64)           # those that a capture has returned
         self.turns = WeakKeyDictionary()        # turns at a camera whose acks have no index: `{event loop: Lock}`
 
     def note(self, msg):
         "Store a CAMERA_IMAGE_CAPTURED"
         self.camera._announces = True
         self.log = self.log or PictureLog()
-        for log in [self.log, *(request.log for request in list(self.requests))]: log.add(msg)
+        for log in self._logs_for(msg): log.add(msg)
 
     def hear(self, msg):
         "Store a STATUSTEXT with an error"
         text = self.texts.add(msg)
         if msg.severity<=mavlink.MAV_SEVERITY_ERROR: self.said = clock.monotonic(),text
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #914e7dd2
+@patch
+def see(self:RemotePictures, msg)->bool:
+    "Remember a notice among the newest 64; return whether it was not there"
+    with self._lock:
+        new = self.seen.setdefault(_who(msg), msg) is msg
+        while len(self.seen)>64: del self.seen[next(iter(self.seen))]
+    return new
+
+@patch
+def uncount(self:RemotePictures):
+    "Go by arrival: each capture gets the pictures that came for it, and no two the same one"
+    self.uncounted,taken = True,set(self.taken)
+    for request in [self, *self.requests]:
+        log = request.log
+        if log is None or log.loose: continue
+        came = {_who(m):m for m in (*log.ready(), *log.newer(math.inf))}
+        if not isinstance(request, Capture): log.loosen(list(log.notices.values()))
+        else: log.loosen([m for who,m in came.items() if who not in taken][:log.left])
+        if isinstance(request, Capture): taken |= {*map(_who, log.notices.values())}
+
+@patch
+def _logs_for(self:RemotePictures, msg)->list:
+    "Return the logs that get a notice: all, or of several captures from a camera that does not count only the first"
+    last,logs,new = self.log.last,[r.log for r in list(self.requests)],self.see(msg)
+    finite = [log for log in logs if not log.endless]
+    if msg.image_index<0 or any(log.loose or log._is_uncounted(msg) for log in finite): self.uncount()
+    elif last is None or msg.image_index!=last.image_index: self.uncounted = False
+    if not self.uncounted: return [self.log, *logs]
+    shots = [r for r in list(self.requests) if isinstance(r, Capture)]
+    waiting = [r.log for r in shots if r.log.left+r.owed>len(r.log.ready())]
+    others = [r.log for r in list(self.requests) if r not in shots]
+    return [self.log, *others, *(waiting[:1] if new else [])]
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #f33ec68f
 @patch
@@ -218,6 +326,22 @@ def following(self:RemotePictures, request):
     try: yield request
     finally: self.requests.remove(request)
 
+# %% ../../nbs/api/mavlink/13_capture.ipynb #4fd4f649
+@patch
+async def _ask_again(self:RemotePictures, index:int, soon:bool)->tuple:
+    "Request a lost notice, shorter if `soon`; return it or `None`, and whether the camera refuses"
+    limit = max(1. if soon else 2., 4*self.camera.client._rto(self.camera.address))
+    try: msg,ack = await asyncio.wait_for(self.camera._ask_for(CAMERA_IMAGE_CAPTURED, index), limit)
+    except asyncio.TimeoutError: return None,soon
+    busy = None,mavlink.MAV_RESULT_ACCEPTED,mavlink.MAV_RESULT_TEMPORARILY_REJECTED
+    return msg,ack.result not in (busy[:1] if soon else busy)
+
+@patch
+def give_up(self:RemotePictures, log:PictureLog, index:int):
+    "Drop a picture whose notice the camera does not repeat"
+    self.camera.client.log.warning('%s does not repeat the notice of picture %s', self.camera._label, index)
+    log.skip(index)
+
 # %% ../../nbs/api/mavlink/13_capture.ipynb #dd6400e0
 @patch
 async def look(self:RemotePictures, log:PictureLog):
@@ -226,16 +350,20 @@ async def look(self:RemotePictures, log:PictureLog):
     status = await self.camera.request(CAMERA_CAPTURE_STATUS)
     if status is None: return None,''
     verdict = log.judge(status.image_count, not status.image_status, seen)
-    if verdict=='own': log.adopt()
-    if log.endless and log.runs and 0<status.image_count<=log.runs[0][0]:      # was the storage formatted?
+    same = log.before and any(m.image_index==log.before.image_index for m in log.newer(math.inf))
+    if verdict=='own': self.uncount() if same else log.adopt()
+    if log.endless and not log.loose and log.runs and 0<status.image_count<=log.runs[0][0]:      # was the storage formatted?
         msg = await self.camera.request(CAMERA_IMAGE_CAPTURED, status.image_count-1)
         if msg: log.add(msg)            # `log` begins anew when it does not know this one
-    for i in log.missing(status.image_count) if log.odd!='own' else ():
-        msg,ack = await self.camera._ask_for(CAMERA_IMAGE_CAPTURED, i)
+    for i in [*log.refused, *log.missing(status.image_count)] if log.odd!='own' else ():
+        if i in log.refused: msg,refused = None,True
+        else: msg,refused = await self._ask_again(i, bool(log.newer(i)))
         if msg: log.add(msg)
-        elif ack.result not in (None, mavlink.MAV_RESULT_ACCEPTED, mavlink.MAV_RESULT_TEMPORARILY_REJECTED):
-            self.camera.client.log.warning('%s does not repeat the notice of picture %s', self.camera._label, i)
-            log.skip(i)
+        elif refused and (taken := log.newer(i)):           # so that is it: the camera does not count
+            self.uncount()
+            break
+        elif refused and log.endless: self.give_up(log, i)
+        elif refused: log.refused.add(i)                    # its notice may still come
     return status,verdict
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #ac2d9c4d
@@ -281,6 +409,8 @@ class Capture:
         store_attr('pictures,interval,timeout')
         self.camera,self.client = pictures.camera,pictures.camera.client
         self.owed,self.log = count or math.inf,PictureLog(count=0)      # pictures still to request; those requested
+        self.log.known = dict.fromkeys(pictures.seen)
+        if pictures.uncounted: self.log.loosen()
         self.number,self.running = None,False           # of a single shot; True: a series that we must stop
         self.asked,self.given = 0,0     # requests since the last new picture; pictures received
         self.since = self.begun = clock.monotonic()      # time of the request or the last picture; start time
@@ -317,6 +447,7 @@ async def _count_before(self:Capture, single:bool)->int|None:
         await asyncio.sleep(pause)
         status = await self.camera.request(CAMERA_CAPTURE_STATUS)
         if status is None: return None
+        self.log.since,self.log.before = status.time_boot_ms,getattr(self.pictures.log, 'last', None)
         if single or not status.image_status&2: break
     else: raise Busy(self._own_series() or f'{self.camera._label} is taking a series')
     others = [r.log for r in list(self.pictures.requests) if isinstance(r, Capture) and r is not self]
@@ -404,7 +535,9 @@ async def next(self:Capture):
         else: return None
     self.asked,self.number,self.given,self.since = 0,None,self.given+1,clock.monotonic()
     self.pictures.log = self.pictures.log or PictureLog()
-    self.pictures.log.skip(found[0].image_index, found[0])      # `wait_images` need not give it again
+    self.pictures.see(found[0])
+    self.pictures.taken.append(_who(found[0]))
+    self.pictures.log.drop(found[0])        # `wait_images` need not give it again
     return found[0]
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #5853c8d5
@@ -425,8 +558,8 @@ async def _verify(self:Capture):
     if self.running: soon = max(soon, min(1.2*self.interval, 10.))
     def there(): return self.log.came!=came
     msg = await self.camera._hear(CAMERA_IMAGE_CAPTURED, max(soon, min(silent, 2.)), there)
-    if msg: self.log.add(msg)
-    if self.number in self.log.notices: self.log.instead(self.number)      # it numbers its pictures as we do
+    if msg and msg.image_index>=0 and not self.log.loose: self.log.add(msg)
+    if self.number in self.log.notices and not self.log.loose: self.log.instead(self.number)      # it numbers its pictures as we do
     index = next(self.log.wanted(), None)
     if self.pictures.tells and not (there() or self.running or index is None):      # the camera has told which it is
         msg = await self.client.request_message(CAMERA_IMAGE_CAPTURED, [index], *self.camera.address,
@@ -444,6 +577,8 @@ async def _look(self:Capture):
     if status is None: self.asked += 1
     if self.log.came!=came: self.since = clock.monotonic()
     elif verdict in ('short','anew'): await self._cut(status.image_count, verdict)
+    elif self.log.refused and clock.monotonic()-self.since>=self.timeout:
+        for i in sorted(self.log.refused): self.pictures.give_up(self.log, i)
     elif self._in_vain(status):
         raise NoAnswer(f'{self.camera._label}: {self.log.left+self.owed:g} pictures did not come')
 
@@ -453,7 +588,7 @@ async def _cut(self:Capture, image_count:int, verdict:str):
     "Mark untaken pictures as owed; a shot keeps its number, unless the camera restarted its count"
     if self.number and not self.pictures.tells:         # does it number its pictures as we do?
         await self.camera.request(CAMERA_IMAGE_CAPTURED, self.number)
-    if self.number in self.log.notices: return
+    if self.number in self.log.notices or self.log.loose: return
     untaken = self.log.cut(image_count)
     ended_elsewhere = untaken==math.inf and self.given and verdict=='short'     # a series without an end
     self.owed += 0 if ended_elsewhere else untaken

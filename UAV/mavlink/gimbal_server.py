@@ -22,7 +22,7 @@ from .gimbal_flags import (_axis, _checked_attitude, _checked_device_id, _limits
 from .protocol import check_id, command, Denied, message, receives, Unsupported
 from .vehicle import Vehicle
 from ..utils import clock
-from ..utils.general import known, NAN, one_of, Seen, takes_options, time_since_boot_ms
+from ..utils.general import known, Lateness, NAN, one_of, Seen, takes_options, time_since_boot_ms
 from ..wire.dialect import address, enum_name, parameters
 
 # %% auto #0
@@ -115,6 +115,7 @@ class GimbalServer(DeviceServer):
         self._ticks,self._stream,self._said = None,_Stream(),Seen(60.)     # the last one: warnings already logged
         self._mover = None              # `(system, component)` that moved it last, while it is present
         self._owner_seen = None,0,0.    # the owner, its number of frames, and since when
+        self._lateness,self._was_late = Lateness(self.tick_period),0.       # of our checks; by then
         self._paced_by = {}             # `{message id: (system, component)}`: client that changed a rate for all
         self._add_parts()
 
@@ -339,11 +340,13 @@ def _let_go(self:GimbalServer, source:tuple, why:str):
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #c7b3ac92
 @patch
-def _see_owner(self:GimbalServer):
+def _see_owner(self:GimbalServer, now:float|None=None): # Monotonic time, s; `None`: now
     "Take control from an owner that was silent for five seconds"
-    seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),clock.monotonic()
-    if seen!=self._owner_seen[:2]: self._owner_seen = *seen,now
-    elif seen[1] and now-self._owner_seen[2]>=self.mav_com.lost_after: self._let_go(seen[0], 'the owner is silent')
+    seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),now or clock.monotonic()
+    late = self._lateness.look(now)         # meanwhile its frames may wait for us
+    if seen!=self._owner_seen[:2]: self._owner_seen,self._was_late = (*seen,now),late
+    elif seen[1] and now-self._owner_seen[2]-(late-self._was_late)>=self.mav_com.lost_after:
+        self._let_go(seen[0], 'the owner is silent')
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #5b74335a
 @patch

@@ -14,8 +14,8 @@ from ..logging import get_logger, line_limit, LogLevels
 from .asking import Remotes
 from .protocol import accepts, _check_component, check_id, opened
 from ..utils import clock
-from ..utils.general import (Closes, date_time_str, _explain, Opened, Seen, show_unawaited, time_since_boot_ms,
-    time_UTC_usec, timers)
+from ..utils.general import (Closes, date_time_str, _explain, HangWatch, Lateness, Opened, Seen, show_unawaited,
+    time_since_boot_ms, time_UTC_usec, timers)
 from ..wire.dialect import address, LinkError
 from ..wire.frames import decode, FrameReader, Sources, target, Wanted
 from ..wire.links import Link, UDPLink, VirtualLink
@@ -33,7 +33,7 @@ class Heart:
         self.remotes,self.sent = Remotes(),Seen(60., most=256)      # other components; our own recent heartbeats
         self.remotes.lost_after = com.lost_after
         self.ways = Seen(com.lost_after, most=256)      # `(channel, peer)` of recent heartbeats
-        self.stuck,self.greeted,self.job = False,0.,None
+        self.stuck,self.greeted,self.job,self.lateness = False,0.,None,Lateness(com.beat_period)
         self.alone_since = clock.monotonic()    # `None`: a component was heard, or it was said that none is
 
     def start(self):
@@ -46,6 +46,7 @@ class Heart:
 
     def tick(self):
         "Send heartbeats and check for silent components, on the timer"
+        self.lateness.look(clock.monotonic())
         if not self.check_stuck(): self.beat()
         self.watch()
         self.check_alone()
@@ -66,10 +67,8 @@ def beat(self:Heart):
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #85147039
 @patch
 def check_stuck(self:Heart)->bool:
-    "True if a handler has blocked a reader for `stuck_after` seconds"
-    now,were = clock.monotonic(),self.stuck
-    busy = [c.busy_since for c in self.com.channels]
-    self.stuck = any(since is not None and now-since>self.com.stuck_after for since in busy)
+    "True if a handler hangs, which blocks a reader for `stuck_after` seconds"
+    were,self.stuck = self.stuck,any([c.hangs() for c in self.com.channels])
     if self.stuck and not were: self.com.log.error('a handler does not return: no heartbeats until it does')
     return self.stuck
 
@@ -117,7 +116,7 @@ def lost(self:Heart, address:tuple)->str:
 def watch(self:Heart):
     "Report components that fell silent or are back"
     were = [r for r in self.remotes.values() if r.lost]
-    for remote in self.remotes.silent(clock.monotonic(), self.frames):
+    for remote in self.remotes.silent(clock.monotonic(), self.frames, self.lateness.total):
         if remote.address in self.com._here: remote.lost = False
         else: self.lose(remote.address)
     for remote in were:
@@ -179,9 +178,14 @@ class Channel:
         self.com,self.link,self.name,self.number,self.up = com,link,name,number,True
         self.readers,self.sources,self._passing = {},Sources(),[]     # the last: frames of these bytes to forward
         self.busy_since,self._stop = None,clock.Event()     # arrival time of the bytes in work
+        self.watch = HangWatch(com.beat_period)
         self.thread = clock.Thread(target=self._read, name=f'reader of {name}', daemon=True)
 
     def __repr__(self): return f'{self.name}{"" if self.up else " (gone)"}'
+
+    def hangs(self)->bool:
+        "True if a handler of what came does not return; called at each heartbeat of ours"
+        return self.watch.look(self.busy_since, self.thread, self.com.stuck_after)
 
     def _read(self):
         "Read the link until `close`, on the thread"
@@ -341,7 +345,7 @@ def remove_component(self:MAVCom, component):
 def _twins(self:MAVCom)->list:
     "Return other `MAVCom`s of this process with our system id and a link to the same place"
     listens = re.compile('udp:|udpin:|tcpin:')
-    def leads(com): return {c.name.replace('localhost','127.0.0.1') for c in com.channels if not listens.search(c.name)}
+    def leads(com): return {c.name.replace('localhost','127.0.0.1').replace('[::1]','127.0.0.1') for c in com.channels if not listens.search(c.name)}
     alike = [com for com in _open if com is not self and com.source_system==self.source_system]
     return [com for com in alike if leads(com)&leads(self)]
 
@@ -439,25 +443,34 @@ def reaches(self:MAVCom, system:int, component:int)->bool:
 def own_host(host:str, # Host of the other side
             )->str|None:
     "Return our own address towards `host`; `None` without a route"
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
-        try: sock.connect((host, 9))
-        except OSError: return
-        return sock.getsockname()[0]
+    family = socket.AF_INET6 if ':' in host else socket.AF_INET
+    try:
+        with socket.socket(family, socket.SOCK_DGRAM) as sock:
+            sock.connect(socket.getaddrinfo(host, 9, family, socket.SOCK_DGRAM)[0][4])      # with its interface
+            return sock.getsockname()[0]
+    except OSError: return
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #983ed5eb
+def _host_at(address:tuple)->str:
+    "Return the host of a socket address; a link-local one with its interface"
+    host,_,*six = address
+    if '.' in host: return host.removeprefix('::ffff:')         # IPv4, perhaps in a socket of IPv6
+    return f'{host}%{six[1]}' if six and six[1] and '%' not in host else host
+
 def ends(channel, # A link of a `MAVCom`
          peer, # The link's name for it
         )->tuple:
     "Return `(our host, host of the peer)` on a link; both `None` if they are hidden"
     link = getattr(channel.link, 'link', channel.link)      # the link inside a LossyLink
     if isinstance(link, VirtualLink): return '127.0.0.1','127.0.0.1'
-    if isinstance(peer, tuple): ours,theirs = own_host(peer[0]),peer[0]     # UDP
+    if isinstance(peer, tuple): ours,theirs = None,_host_at(peer)       # UDP
     else:
         sock = getattr(peer, 'sock', None) or getattr(link, 'sock', None)
-        try: ours,theirs = sock.getsockname()[0],sock.getpeername()[0]
+        try: ours,theirs = _host_at(sock.getsockname()),_host_at(sock.getpeername())
         except (AttributeError, OSError): return None,None      # no socket, or gone
+    ours = ours or own_host(theirs)
     systems = {system for system,_ in list(channel.readers[peer].seen)} if peer in channel.readers else ()
-    is_router = theirs.startswith('127.') and len(systems)>1    # several systems speak through it
+    is_router = (theirs.startswith('127.') or theirs=='::1') and len(systems)>1    # several systems speak through it
     return (None,None) if is_router else (ours,theirs)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #5270d829

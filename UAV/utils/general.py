@@ -22,8 +22,9 @@ from . import clock, clock as _clock
 
 # %% auto #0
 __all__ = ['log', 'timers', 'NAN', 'time_since_boot_ms', 'time_UTC_usec', 'date_time_str', 'in_child', 'Closes', 'Opened',
-           'Timers', 'Worker', 'known', 'Value', 'inside', 'one_of', 'no_class', 'plain', 'CompleteLater', 'KeepsNames',
-           'Seen', 'for_async', 'show_unawaited', 'Report', 'kept', 'doc_class', 'takes_options', 'from_rooms']
+           'Timers', 'Worker', 'Lateness', 'HangWatch', 'known', 'Value', 'inside', 'one_of', 'no_class', 'plain',
+           'CompleteLater', 'KeepsNames', 'Seen', 'for_async', 'show_unawaited', 'Report', 'kept', 'doc_class',
+           'takes_options', 'from_rooms']
 
 # %% ../../nbs/api/utils/00_general.ipynb #b1083063
 log = get_logger('timers')
@@ -228,6 +229,45 @@ class Worker:
         if hurry and thread.is_alive(): hurry()
         thread.join(self.patience/2)
         if thread.is_alive(): log.error('%s does not end: a job hangs', self.name)
+
+# %% ../../nbs/api/utils/00_general.ipynb #6822a588
+class Lateness:
+    "By how much a repeated look was late, in all: time in which those it looks at had no turn either"
+    def __init__(self, period:float): # s between two looks
+        self.period,self.total,self._last = period,0.,math.inf
+
+    def look(self, now:float)->float: # Monotonic time, s
+        "Call this at each look; returns the seconds by which all looks so far were late"
+        late = now-self._last-self.period
+        if late>self.period/4: self.total += late       # less is a timer's usual jitter
+        self._last = now
+        return self.total
+
+# %% ../../nbs/api/utils/00_general.ipynb #5a9e2153
+class HangWatch:
+    "Says whether a call hangs; not if its thread works, or waits for a processor"
+    idle = .01          # of its time: a thread that works or waits less than that does nothing
+    def __init__(self, period:float, # s between two looks
+                 clock=clock.now, # Gives seconds
+                 work=None): # As `clock.work`
+        self.clock,self.work,self.lateness = clock,work or (lambda thread: _clock.work(thread)),Lateness(period)
+        self._since,self._ran,self._mark = None,0.,None      # the call; processor by its first look; the last progress
+
+    def look(self, since:float|None, # When the call began, monotonic s; `None`: there is none
+             thread, # That makes it
+             patience:float, # s
+            )->bool:
+        "Call this at each look; true if the call hangs"
+        now,before,was_late = self.clock(),self._since,self.lateness.total
+        late,self._since = self.lateness.look(now),since
+        if since is None: return False
+        work = self.work(thread)
+        ran,busy = (work[0],sum(work)) if work else (0.,0.)
+        if since!=before: self._ran,self._mark = ran,(since,busy,was_late)
+        begun,done,was_late = self._mark
+        if busy-done>self.idle*(now-begun): self._mark = now,busy,late
+        begun,_,was_late = self._mark
+        return now-begun-(late-was_late)>patience or ran-self._ran>patience
 
 # %% ../../nbs/api/utils/00_general.ipynb #d2c1c824
 _all_ = ['NAN']

@@ -17,17 +17,36 @@ from fastcore.basics import GetAttr, patch
 from .general import av, Closes, cv2, np
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #f8cb565e
-def _not_a_picture(im): return ValueError(f'not a picture: an array of shape {im.shape}')
+def _not_a_picture(im): return ValueError(f'not a picture: an array of shape {im.shape}, {im.dtype}')
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #d6874b17
-def as_bgr(image): # Array H×W, H×W×1, H×W×3 or H×W×4; integers 0…255 or floats 0…1
-    "`image` as OpenCV likes it; raises `ValueError` when it is no picture"
+def _checked(image):
+    "`image` as an array of numbers, H×W×1, H×W×3 or H×W×4; raises `ValueError` when it is no picture"
     im = np.asarray(image)
     if im.ndim==2: im = im[...,None]
-    if im.ndim!=3 or im.shape[2] not in (1,3,4) or 0 in im.shape: raise _not_a_picture(im)
-    if im.dtype.kind=='f': im = np.nan_to_num(im).clip(0,1)*255
+    if im.ndim!=3 or im.shape[2] not in (1,3,4) or 0 in im.shape or im.dtype.kind not in 'buif': raise _not_a_picture(im)
+    return im
+
+def _stretched(im):
+    "Numbers of any range as 0…255: from the darkest to the brightest, but for one in a thousand at both ends"
+    some = im.reshape(-1)[::max(1, im.size//100_000)].astype(np.float32)
+    some = some[np.isfinite(some)]
+    low,high = np.percentile(some, (.1, 99.9)) if some.size else (0., 0.)
+    if low==high and some.size: low,high = some.min(),some.max()
+    if low==high: return np.full(im.shape, 127, np.uint8)
+    return ((np.nan_to_num(im.astype(np.float32), nan=low).clip(low, high)-low)*(255/(high-low))).round().astype(np.uint8)
+
+def as_bgr(image): # Array H×W, H×W×1, H×W×3 or H×W×4; integers 0…255 or floats 0…1; others are stretched
+    "`image` as OpenCV likes it; raises `ValueError` when it is no picture"
+    im = _checked(image)[...,:3]
+    if im.dtype.kind=='b': im = im*np.uint8(255)
+    if im.dtype!=np.uint8:
+        least,most = np.fmin.reduce(im, axis=None),np.fmax.reduce(im, axis=None)        # without NaN
+        usual = (-.5,1.5) if im.dtype.kind=='f' else (0,255)
+        if not usual[0]<=least<=most<=usual[1]: im = _stretched(im)
+        elif im.dtype.kind=='f': im = np.nan_to_num(im).clip(0,1)*255
     im = im.astype(np.uint8) if im.dtype!=np.uint8 else im
-    return np.repeat(im, 3, axis=2) if im.shape[2]==1 else im[...,:3]
+    return np.repeat(im, 3, axis=2) if im.shape[2]==1 else im
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #1e4360ef
 def _in_width(im, width, step=1):

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections import deque
 from concurrent.futures import Future, TimeoutError as TooLate
 from urllib.parse import quote, urljoin, urlsplit
-import asyncio, errno, math, selectors, socket, ipaddress
+import asyncio, errno, math, selectors, socket, ipaddress, re
 
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
@@ -15,7 +15,8 @@ from . import clock
 from .general import _begin_thread, Closes, inside, timers
 
 # %% auto #0
-__all__ = ['log', 'Loop', 'listen_tcp', 'get_web', 'TCPClient', 'LoopThread', 'LoopClosed', 'set_within']
+__all__ = ['log', 'Loop', 'listen_tcp', 'url_host', 'host_in', 'plain_host', 'get_web', 'TCPClient', 'LoopThread', 'LoopClosed',
+           'set_within']
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #0dce5f49
 log = get_logger('sockets')
@@ -111,6 +112,24 @@ def serve(self:Loop, listener, # From `listen_tcp`
     listener.setblocking(False)
     self.call(lambda: self.watch(listener, accept))
 
+# %% ../../nbs/api/utils/01_sockets.ipynb #54eeb0bc
+def url_host(host:str, # An address or a name
+            )->str:
+    "Return a host as a URL needs it: IPv6 in brackets"
+    return f'[{host}]' if ':' in host else host
+
+def host_in(parts, # From `urlsplit`
+           )->str:
+    "Return the host of a split URL, '' if there is none"
+    return re.sub('%25(?=.)', '%', parts.hostname or '')
+
+def plain_host(host:str, # An address, or a name
+              )->str:
+    "Return an address without its IPv6 wrapping and zone; a name as it is"
+    try: address = ipaddress.ip_address(host.partition('%')[0])
+    except ValueError: return host
+    return str(getattr(address, 'ipv4_mapped', None) or address)
+
 # %% ../../nbs/api/utils/01_sockets.ipynb #0d5e7c92
 class _Guesses:
     "Slows down who guesses passwords, by address"
@@ -129,7 +148,7 @@ class _Guesses:
 
     def wait(self, host:str)->float: # s until the next password from there may be looked at
         "Return 0 when it may be now"
-        return max(0., self._until.get(self._place(host), 0.)-self.free*self.pace-clock.monotonic())
+        return max(0., self._until.get(self._place(host), 0.)-(self.free-.5)*self.pace-clock.monotonic())
 
     def wrong(self, host:str):
         "One from there was wrong"
@@ -138,6 +157,12 @@ class _Guesses:
         if len(self._until)<=self.most: return
         last = sorted(self._until, key=self._until.get)[-self.most//2:]
         self._until = {place: self._until[place] for place in last if self._until[place]>now}
+
+# %% ../../nbs/api/utils/01_sockets.ipynb #be2713f8
+def _shut(sock):
+    "Wake the one who reads"
+    try: sock.shutdown(socket.SHUT_RDWR)
+    except OSError: pass                # it is gone
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #e2846a1f
 def _body(answer, most:int, take)->bytes:
@@ -193,20 +218,18 @@ class _Deadline:
             sock.close()
         raise why
 
-def _shut(sock):
-    "Wake the one who reads"
-    try: sock.shutdown(socket.SHUT_RDWR)
-    except OSError: pass                # it is gone
-
 # %% ../../nbs/api/utils/01_sockets.ipynb #c0683c48
 def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes|None=None, take=None,
              **headers)->tuple:
     "Status, reason, headers and body of one answer, to a POST of `body` or a GET; raises `ValueError` and `OSError`"
     from http.client import HTTPConnection, HTTPException, HTTPSConnection
     parts = urlsplit(url)
-    host = (parts.hostname or '').replace('localhost', '127.0.0.1')
+    host = host_in(parts).replace('localhost', '127.0.0.1')
     if parts.scheme not in ('http','https') or not host: raise ValueError(f'{url!r} is no address of a web server')
-    if hosts is not None and host not in hosts: raise PermissionError(f'{url} is not at {" or ".join(sorted(hosts))}')
+    allowed = {plain_host(h):h for h in hosts or ()}        # a URL can't name our interface to a link-local host
+    if hosts is not None and plain_host(host) not in allowed:
+        raise PermissionError(f'{url} is not at {" or ".join(sorted(hosts))}')
+    host = allowed.get(plain_host(host), host)
     connection = dict(http=HTTPConnection, https=HTTPSConnection)[parts.scheme](host, parts.port, timeout=deadline.left)
     connection._create_connection = deadline.connect
     try:

@@ -11,7 +11,7 @@ from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import _begin_thread, av, Closes
-from ..utils.pictures import as_bgr
+from ..utils.pictures import _checked
 from .units import (AccessUnit, byte_stream, Codec, codecs, _DecodeTimes, _even, _is_hardware, is_key, _nal_type,
     nal_units, _open_codec, parameter_sets, sensible_bitrate, Sink, VideoFormat)
 
@@ -122,7 +122,7 @@ class Encoder(Closes):
 @patch
 def _wanted(self:Encoder, image)->VideoFormat:
     "Return the encoding for such an image"
-    height,width = as_bgr(image).shape[:2]
+    height,width = _checked(image).shape[:2]
     size = self.size or _even((width,height))
     bitrate = self.bitrate or sensible_bitrate(*size, self.rate, self.codec)
     return VideoFormat(self.codec, *size, self.rate, bitrate)

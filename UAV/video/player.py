@@ -16,6 +16,7 @@ from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import _begin_thread, av, Closes, np
 from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned
+from ..utils.sockets import host_in
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
 from .rtsp import _authorization, _challenges, _Interleaved, _RequestReader, RTSPError
 
@@ -58,7 +59,7 @@ class RTSPReceiver(Receiver):
                  transport:str|None=None): # 'tcp' or 'udp'; `None` is TCP, and UDP when the server refuses it
         if transport not in (None,*transports): raise ValueError(f'transport is one of {transports}, not {transport!r}')
         place = urlsplit(url)
-        self._place = place.hostname,place.port or 554
+        self._place = host_in(place),place.port or 554
         self._user = unquote(place.username or ''),unquote(place.password or '')
         super().__init__(place._replace(netloc=place.netloc.rpartition('@')[2]).geturl(), timeout)
         self.transport,self._challenge,self._count = transport,'',0         # how often it was answered

@@ -14,6 +14,7 @@ import errno, os, re, selectors, socket
 from fastcore.basics import patch, store_attr
 from ..utils import clock
 from ..utils.general import Closes
+from ..utils.sockets import host_in
 from .senders import is_group
 from .units import (AccessUnit, _begins_decoding, byte_stream, clock_rate, codecs, _DecodeTimes, _nal_type,
     nal_units, _parameter_sets as _set_kinds, _slices, VideoFormat)
@@ -24,18 +25,19 @@ __all__ = ['ts_size', 'RTPReader', 'Receiver', 'own_host', 'TSReceiver', 'RTPRec
 # %% ../../nbs/api/video/03_receivers.ipynb #9d2f61c8
 class _SenderTimes:
     "Times on our clock from time stamps of `bits` bits"
-    jump,ahead,gain = 10.,5.,1/32       # s that no stamp steps; s that none is ahead; share of a difference to make up
+    jump,off,gain = 10.,5.,1/128        # s that no stamp steps; s that none is off by; share of a difference to make up
     def __init__(self, bits:int=32):
         self._half = 1<<bits-1
-        self._stamp,self._time,self._same,self._trusted = None,0.,0,True
+        self._stamp,self._time,self._came,self._same,self._trusted = None,0.,0.,0,True
 
     def __call__(self, stamp:int, now:float)->float:
         "When to show a picture with this stamp that has come `now`, monotonic s"
         half,before,self._stamp = self._half,self._stamp,stamp
         step = 0. if before is None else ((stamp-before+half)%(2*half)-half)/clock_rate
         self._same = 0 if step else self._same+1
-        due = self._time+step
-        if due-now>self.ahead and abs(step)<self.jump: self._trusted = False       # its clock is too fast
+        due,waited,self._came = self._time+step,now-self._came,now
+        is_fast,is_slow = due-now>self.off,now-due>self.off and 2*abs(step)<waited<1       # its clock, not the network
+        if abs(step)<self.jump and (is_fast or is_slow): self._trusted = False
         anew = abs(step)>self.jump or now-due>self.jump or self._same>1 or not self._trusted
         if before is None: self._time = now
         elif anew: self._time = max(now, self._time+1/clock_rate)
@@ -491,7 +493,7 @@ def _listen_pair(host:str, port:int=0, blocking:bool=False)->list:
 def own_host(place, # From `urlsplit`
             )->str:
     "The address of a split URL; `@` and nothing are all of ours, as VLC writes them"
-    return place.netloc.rpartition('@')[2] and place.hostname or ''
+    return place.netloc.rpartition('@')[2] and host_in(place)
 
 # %% ../../nbs/api/video/03_receivers.ipynb #9e2d2dad
 class TSReceiver(Receiver):

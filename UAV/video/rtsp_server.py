@@ -12,7 +12,7 @@ from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import Closes
-from ..utils.sockets import _Guesses
+from ..utils.sockets import _Guesses, url_host
 from .receivers import _listen_pair
 from .rtsp import _Digest, _Interleaved, _is_report, _Request, _RequestReader, _Response
 from .rtsp import _RTPStream, RTSPError, _Session
@@ -268,6 +268,7 @@ class RTSPServer(Closes):
                  user:str|None=None, # Who may watch; `None`: all who ask
                  password:str|None=None): # Of that user
         if password is not None and not user: raise ValueError('a password needs a user')
+        host = host.strip('[]')
         self.host,self.digest = host,_Digest(user, password or '') if user else None
         self.videos,self.connections,self.helpers = _Videos(),{},set()   # connections by socket; threads that describe
         self.resting = {}           # `{path: function that starts its video}`
@@ -374,7 +375,7 @@ def url(self:RTSPServer, path:str, # Of a video
        )->str:
     "The URL for players"
     if not host: host = '127.0.0.1' if self.host in ('','0.0.0.0','::') else self.host
-    return f'rtsp://{f"[{host}]" if ":" in host else host}:{self.port}/{quote(path.strip("/"))}'
+    return f'rtsp://{url_host(host)}:{self.port}/{quote(path.strip("/"))}'
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #067a65ed
 @patch

@@ -13,14 +13,14 @@ from fastcore.meta import delegates
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import av, Closes
-from ..utils.sockets import _shut, listen_tcp, Loop
+from ..utils.sockets import _shut, listen_tcp, Loop, plain_host
 from .units import AccessUnit, clock_rate, Sink
 
 # %% auto #0
-__all__ = ['log', 'is_group', 'plain_host', 'is_loopback', 'UDPSink', 'TSMuxer', 'TSSender', 'TSServer', 'Loop', 'listen_tcp']
+__all__ = ['log', 'is_group', 'is_loopback', 'UDPSink', 'TSMuxer', 'TSSender', 'TSServer', 'Loop', 'listen_tcp', 'plain_host']
 
 # %% ../../nbs/api/video/02_senders.ipynb #719bb2d1
-_all_ = ['Loop', 'listen_tcp']
+_all_ = ['Loop', 'listen_tcp', 'plain_host']
 
 # %% ../../nbs/api/video/02_senders.ipynb #25d12e23
 log = get_logger('video')
@@ -80,13 +80,6 @@ def is_group(host:str, # An address, or a name
     except ValueError: return False
 
 # %% ../../nbs/api/video/02_senders.ipynb #cd5f7be2
-def plain_host(host:str, # An address, or a name
-              )->str:
-    "Return an address without its IPv6 wrapping and zone; a name as it is"
-    try: address = ipaddress.ip_address(host.partition('%')[0])
-    except ValueError: return host
-    return str(getattr(address, 'ipv4_mapped', None) or address)
-
 def is_loopback(host:str, # An address
                )->bool:
     "True if this computer alone can reach the address"
