@@ -117,7 +117,7 @@ class _MP4File(Closes):
         if self._first is None: self._first = show
         self._container.mux(_as_packet(unit, self._stream, show, decode, self._step))
         self.file.mark()
-        self.seconds = max(self.seconds, (show-self._first+self._step)/clock_rate)      # the last one is shown for a step
+        self.seconds = max(self.seconds, (show-self._first+self._step)/clock_rate)  # the last one is shown for a step
 
     def close(self):
         "Make a plain MP4 of it; raises `OSError` when that cannot be, and then it stays as it was"

@@ -54,6 +54,7 @@ def _strength(challenge:tuple)->int:
     known = scheme=='digest' and _kinds.get(kind) in hashlib.algorithms_available
     return 1+list(_kinds).index(kind) if known else 0 if scheme=='basic' else -1
 
+# %% ../../nbs/api/video/04_rtsp.ipynb #a8d1f39c
 def _quoted(text:str)->str: return re.sub(r'([\\"])', r'\\\1', text)
 
 def _authorization(challenge:str, method:str, url:str, user:str, password:str, count:int=1)->str:

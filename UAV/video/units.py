@@ -144,9 +144,11 @@ class Sink(Closes):
     def __init__(self, name:str='sink'): # For its thread and its log lines
         self.name,self.source = name,None           # `source`: the encoder, which is asked for a key picture
         self.dropped,self.fault = 0,None            # units that came too late; why it ended, or what it waits for
-        self._missed = None                         # since when it waits for a key frame, monotonic s
+        self._missed,self._begun = None,False       # since when it waits for a key frame, monotonic s; had it one?
         self._queue,self._changed = deque(),clock.Condition()
         self._thread,self._needs_key,self._closed = None,True,False
+
+    ended = property(lambda self: self._closed, doc="True if it takes nothing any more: it was closed, or has failed")
 
     def __repr__(self): return f'{type(self).__name__} {self.name}{f", {self.dropped} dropped" if self.dropped else ""}'
 
@@ -193,7 +195,7 @@ def put(self:Sink, unit:AccessUnit):
         if self._needs_key and not unit.key: self.dropped += 1
         else:
             if self._missed is not None: self._missed = self.fault = None
-            self._needs_key = False
+            self._needs_key,self._begun = False,True
             self._queue.append(unit)
         if self._thread is None: self._thread = _begin_thread(self._run, f'sink {self.name}')
         self._changed.notify()
@@ -216,6 +218,7 @@ def close(self:Sink, timeout:float=5., # s that the units which wait may take
     "Send what waits, and end; false when that takes longer. May be called twice"
     with self._changed:
         self._closed,thread = True,self._thread
+        if self._begun and self._missed is not None: self._missed = self.fault = None  # it has not failed
         self._changed.notify()
     return _has_ended(thread, timeout)
 
