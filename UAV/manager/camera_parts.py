@@ -390,7 +390,7 @@ class _RecordHere(RowPart):
 async def watch(self:_RecordHere):
     "End a recording that failed, and log the reason"
     keeper,log = self.keeper,self.row.gui.log
-    if keeper is None or not keeper.fault or not keeper.files: return
+    if keeper is None or not keeper.ended or not keeper.files: return
     press = log.begin(self.row.id, 'record_here')
     try: await self.close()
     except OSError as e: log.end(press, Btn_State.FAILED, f'the recording has ended: {e}')

@@ -10,33 +10,20 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
     CAMERA_SETTINGS, STORAGE_INFORMATION)
+from ..mavlink.camera_asking import flags_of, printable, status_of, storage_of as _read_storage, text_of
 from ..mavlink.component import Texts
 from ..utils import clock
 from ..utils.general import known, NAN
 from ..wire.dialect import enum_name
 
 # %% auto #0
-__all__ = ['STATUSTEXT', 'BATTERY_STATUS', 'printable', 'text_of', 'flags_of', 'about_camera', 'settings_of', 'capture_of',
-           'size_of', 'storage_of', 'CameraTold']
+__all__ = ['STATUSTEXT', 'BATTERY_STATUS', 'about_camera', 'settings_of', 'capture_of', 'size_of', 'storage_of', 'CameraTold',
+           'printable', 'text_of', 'flags_of']
 
 # %% ../../nbs/api/manager/03_told.ipynb #737e7954
-def printable(raw, # Bytes, a list of them, or a text
-             )->str:
-    "Return the printable characters up to the first 0"
-    text = raw if isinstance(raw, str) else bytes(raw).decode(errors='replace')
-    return ''.join(c for c in text.split('\0')[0] if c.isprintable())
-
-def text_of(raw, # As for `printable`
-           )->str:
-    "Return a received name as readable text"
-    return printable(raw)[:200].strip()
+_all_ = ['printable', 'text_of', 'flags_of']       # of the client
 
 # %% ../../nbs/api/manager/03_told.ipynb #b721cadc
-def flags_of(info)->list:
-    "Return the names of the CAMERA_CAP_FLAGS of a CAMERA_INFORMATION or `None`"
-    flags,names = info.flags if info else 0,mavlink.enums['CAMERA_CAP_FLAGS']
-    return [names[i].name.removeprefix('CAMERA_CAP_FLAGS_') for i in sorted(names) if flags&i==i and i.bit_count()==1]
-
 def _modes_of(can:list)->list:
     "Return the modes of a camera with these flags"
     survey = ['image_survey'] if 'HAS_IMAGE_SURVEY_MODE' in can else []
@@ -59,8 +46,8 @@ def settings_of(msg, # A CAMERA_SETTINGS, or `None`
                )->dict:
     "Return mode, zoom and focus; `None` where unknown"
     if msg is None: return dict(mode=None, zoom=None, focus=None)
-    zoom,focus = (share if known(share) and 0<=share<=100 else None for share in (msg.zoomLevel, msg.focusLevel))
-    return dict(mode=enum_name('CAMERA_MODE', msg.mode_id, 'CAMERA_MODE_').lower(), zoom=zoom, focus=focus)
+    now = status_of(msg)
+    return dict(mode=now.mode, zoom=now.zoom, focus=now.focus)
 
 # %% ../../nbs/api/manager/03_told.ipynb #e8da5218
 def capture_of(msg, # A CAMERA_CAPTURE_STATUS, or `None`
@@ -80,15 +67,15 @@ def size_of(mib:float)->str:
     return f'{mib/1024:.1f} GiB' if mib>=1024 else f'{mib:.0f} MiB'
 
 # %% ../../nbs/api/manager/03_told.ipynb #00ffdb2e
-_card = {mavlink.STORAGE_STATUS_EMPTY:'no card', mavlink.STORAGE_STATUS_UNFORMATTED:'the card is not formatted'}
+_card = dict(empty='no card', unformatted='the card is not formatted')
 
 def storage_of(msgs, # STORAGE_INFORMATION of each storage
               )->dict|None:
     "Return free and total MiB, and a text; `None` if unknown"
-    first = min(msgs, key=lambda m: (m.status!=mavlink.STORAGE_STATUS_READY, m.storage_id), default=None)
-    if first is None or first.status==mavlink.STORAGE_STATUS_NOT_SUPPORTED: return None
+    first = min(map(_read_storage, msgs), key=lambda s: (s.status!='ready', s.storage_id), default=None)
+    if first is None or first.status=='not_supported': return None
     if first.status in _card: return dict(free=0., total=0., text=_card[first.status])
-    free,total = (size if 0<=size<math.inf else NAN for size in (first.available_capacity, first.total_capacity))
+    free,total = (size if 0<=size<math.inf else NAN for size in (first.available, first.total))
     return dict(free=free, total=total, text=f'{size_of(free)} of {size_of(total)} free')
 
 # %% ../../nbs/api/manager/03_told.ipynb #9bd937b8

@@ -31,9 +31,9 @@ from .camera_server import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA
     CAMERA_SETTINGS, STORAGE_INFORMATION, VIDEO_STREAM_INFORMATION, storage_media)
 
 # %% auto #0
-__all__ = ['RemoteComponent', 'is_camera', 'cameras_heard', 'Stream', 'stream_of', 'player_url', 'same_host', 'RemoteVideo',
-           'Frames', 'CameraAsking', 'CameraStatus', 'FieldOfView', 'fov_of', 'storage_of', 'RemoteTracking',
-           'tracking_of', 'place_of']
+__all__ = ['RemoteComponent', 'printable', 'text_of', 'flags_of', 'is_camera', 'cameras_heard', 'Stream', 'stream_of',
+           'player_url', 'same_host', 'RemoteVideo', 'Frames', 'CameraAsking', 'CameraStatus', 'status_of',
+           'FieldOfView', 'fov_of', 'storage_of', 'RemoteTracking', 'tracking_of', 'place_of']
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #5aae7c22
 class RemoteComponent:
@@ -122,6 +122,23 @@ async def _hear(self:RemoteComponent, msg_id:int, timeout:float, there=lambda: F
     with self.client.expecting(msg_id, lambda msg: comes_from(msg, *self.address), self.address) as wanted:
         if why := self.client.mav_com.lost(self.address): raise Lost(why)
         return None if there() else await wanted.wait(timeout)
+
+# %% ../../nbs/api/mavlink/12_camera_asking.ipynb #9a8f8f96
+def printable(raw, # Bytes, a list of them, or a text
+             )->str:
+    "Return the printable characters up to the first 0"
+    text = raw if isinstance(raw, str) else bytes(raw).decode(errors='replace')
+    return ''.join(c for c in text.split('\0')[0] if c.isprintable())
+
+def text_of(raw, # As for `printable`
+           )->str:
+    "Return a received name as readable text"
+    return printable(raw)[:200].strip()
+
+def flags_of(info)->list:
+    "Return the names of the CAMERA_CAP_FLAGS of a CAMERA_INFORMATION or `None`"
+    flags,names = info.flags if info else 0,mavlink.enums['CAMERA_CAP_FLAGS']
+    return [names[i].name.removeprefix('CAMERA_CAP_FLAGS_') for i in sorted(names) if flags&i==i and i.bit_count()==1]
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #a7fdc1ea
 def is_camera(source:tuple, mav_type:int)->bool:
@@ -245,7 +262,7 @@ def _reachable(self:RemoteComponent, url:str)->str:
     "Return the URL of a stream as we reach it when the camera's MAVLink is IPv6"
     six = [own for own in self._own_hosts() if ':' in own]
     host = host_in(urlsplit(url))
-    if not six or host=='0.0.0.0': return url.replace('//0.0.0.0:', '//[::]:', 1) if six else url      # it will push here
+    if six and host=='0.0.0.0': return url.replace('//0.0.0.0:', '//[::]:', 1)      # it will push here
     zoned = [own for own in six if '%' in own and own.partition('%')[0]==host]
     return url.replace(f'[{host}]', f'[{zoned[0]}]', 1) if zoned else url
 
@@ -361,16 +378,22 @@ class CameraStatus:
         return 'CameraStatus: '+(', '.join(word for word,there in told.items() if there) or 'nothing is known')
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #e1ce5ff5
+def status_of(settings=None, # A CAMERA_SETTINGS
+              now=None, # A CAMERA_CAPTURE_STATUS
+             )->CameraStatus:
+    "Return the `CameraStatus` of messages; `None`: not received"
+    found = dict(mode=_word('CAMERA_MODE', settings.mode_id)) if settings else {}
+    levels = dict(zoom=settings.zoomLevel, focus=settings.focusLevel) if settings else {}
+    if now: found |= dict(image_count=now.image_count, taking=bool(now.image_status), interval=now.image_interval,
+        recorded=now.recording_time_ms/1e3 if now.video_status else None, available=now.available_capacity)
+    return CameraStatus(**found, **{name: level for name,level in levels.items() if known(level) and 0<=level<=100})
+
 @patch
 async def status(self:CameraAsking)->CameraStatus:
     "Return its mode, zoom, focus, pictures, recording and free space; raises `NoAnswer`"
     settings,now = await asyncio.gather(self.request(CAMERA_SETTINGS), self.request(CAMERA_CAPTURE_STATUS))
     if settings is None and now is None: raise NoAnswer(f'{self._label} does not say what it is doing')
-    found = dict(mode=_word('CAMERA_MODE', settings.mode_id)) if settings else {}
-    levels = dict(zoom=settings.zoomLevel, focus=settings.focusLevel) if settings else {}
-    if now: found |= dict(image_count=now.image_count, taking=bool(now.image_status), interval=now.image_interval,
-        recorded=now.recording_time_ms/1e3 if now.video_status else None, available=now.available_capacity)
-    return CameraStatus(**found, **{name: level for name,level in levels.items() if known(level)})
+    return status_of(settings, now)
 
 # %% ../../nbs/api/mavlink/12_camera_asking.ipynb #ad3cf4ef
 @dataclass(frozen=True, repr=False, eq=False)

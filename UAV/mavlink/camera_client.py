@@ -23,7 +23,7 @@ from .component import Component, sends, verb
 from .settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
 from .camera_asking import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
     CAMERA_SETTINGS,
-    CameraAsking, cameras_heard, RemoteTracking, RemoteVideo, STORAGE_INFORMATION)
+    CameraAsking, cameras_heard, flags_of, text_of, RemoteTracking, RemoteVideo, STORAGE_INFORMATION)
 from .capture import Capture, PictureLog, RemotePictures
 from .camera_downloads import FtpNumbers, place_on_disk, RemoteFiles
 from ..utils.files import local_name
@@ -62,16 +62,13 @@ class RemoteCamera(CameraAsking):
 def name(self:RemoteCamera)->str:
     "Vendor and model"
     names = (self.information.vendor_name, self.information.model_name) if self.information else ()
-    text = [bytes(n).split(b'\0')[0].decode(errors='replace') for n in names]
-    return ' '.join(t for t in text if t) or 'unknown'
+    return ' '.join(filter(None, map(text_of, names))) or 'unknown'
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #9549b8f5
 @patch(as_prop=True)
 def can(self:RemoteCamera)->list:
     "Names of its CAMERA_CAP_FLAGS"
-    flags = self.information.flags if self.information else 0
-    names = sorted(mavlink.enums['CAMERA_CAP_FLAGS'].items())
-    return [e.name.removeprefix('CAMERA_CAP_FLAGS_') for i,e in names if flags&i==i]
+    return flags_of(self.information)
 
 @patch
 def __repr__(self:RemoteCamera):
@@ -149,6 +146,7 @@ async def _next_beat(self:CameraClient, timeout:float, there, asked=()):
             beat.cancel()
             await asyncio.wait([beat])
 
+# %% ../../nbs/api/mavlink/16_camera_client.ipynb #920253ca
 @patch
 async def _look(self:CameraClient, start:float, end:float, there):
     "Listen until `there()` or `end`, and ask those with the id of a camera what they are; monotonic s"
@@ -442,10 +440,10 @@ async def _shot(self:RemoteCamera, timeout:float, ready=None):
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #66be06a7
 @patch
-async def _fetched(self:RemoteCamera, notice, to:str|Path|None, progress=None)->Picture:
+async def _fetched(self:RemoteCamera, notice, to:str|Path|None, progress=None, any_host:bool|None=None)->Picture:
     "Fetch the file of a notice; return its `Picture`"
     if not notice.file_url.strip(): raise MAVError(f'{self._label} does not say where its picture is')
-    try: return Picture(notice, await self.files.fetch(notice, to, progress))
+    try: return Picture(notice, await self.files.fetch(notice, to, progress, any_host=any_host))
     except (ValueError, Lost) as e:
         kind = Lost if isinstance(e, Lost) else MAVError
         raise kind(f'{self._label} has taken the picture, but its file did not come: {e}') from None
@@ -456,13 +454,14 @@ async def take_picture(self:RemoteCamera,
     to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: keep the bytes
     timeout:float=5., # As for `capture`
     progress=None, # As for `files.fetch`
+    any_host:bool|None=None, # As for `files.fetch`
 )->Picture:
     """Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`
 
     The `Picture` has `path` or `data`, `time`, `lat`, `lon`, `alt`, `relative_alt`, `index` and `notice`.
     """
     if to is not None: place_on_disk(to, '')         # or an error before there is a picture
-    return await self._fetched(await self._shot(timeout), to, progress)
+    return await self._fetched(await self._shot(timeout), to, progress, any_host)
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #9f893879
 def _given(what:str, **values)->tuple:

@@ -390,7 +390,8 @@ async def _load(self:RemoteFiles, url:str, sink, progress, most:int, any_host:bo
     "Fetch a file from a web server into `sink`; raises `OSError`, `ValueError`"
     if any_host is None: any_host = getattr(self.client, 'any_host', False)
     if not any_host: self.remote._check_host(url, 'the file')
-    hosts,answer,loop,left = None if any_host else _Hosts(self.remote._own_hosts()),Answer(),asyncio.get_running_loop(),clock.Event()
+    hosts = None if any_host else _Hosts(self.remote._own_hosts())
+    answer,loop,left = Answer(),asyncio.get_running_loop(),clock.Event()
     def take(piece, size):
         if left.is_set(): raise OSError(errno.ECANCELED, os.strerror(errno.ECANCELED))
         if sink.write(piece)!=len(piece): raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))

@@ -34,7 +34,7 @@ class PictureLog:
         self.notices,self.skipped = {},set()    # `{index: notice}` not given yet; indexes not to be given
         self.came,self.last,self.since = 0,None,since   # how many came; the newest of them
         self.odd,self._looks,self._lock = '',0,clock.RLock()    # what the last look at the camera was like
-        self.loose,self.known,self.serial = False,{},0      # see `loosen`: `{notice: key}` of all that came; the next key
+        self.loose,self.known,self.serial = False,{},0      # see `loosen`: `{notice: key}` of all that came; next key
         self.given,self.before = None,None      # last notice given; newest one before we asked for pictures
         self.refused = set()                    # indexes whose notice the camera does not repeat
         self.loose,self.known,self.given = False,{},None        # see `loosen`; keys of those that came; the last given
@@ -352,7 +352,7 @@ async def look(self:RemotePictures, log:PictureLog):
     verdict = log.judge(status.image_count, not status.image_status, seen)
     same = log.before and any(m.image_index==log.before.image_index for m in log.newer(math.inf))
     if verdict=='own': self.uncount() if same else log.adopt()
-    if log.endless and not log.loose and log.runs and 0<status.image_count<=log.runs[0][0]:      # was the storage formatted?
+    if log.endless and not log.loose and log.runs and 0<status.image_count<=log.runs[0][0]:      # was it formatted?
         msg = await self.camera.request(CAMERA_IMAGE_CAPTURED, status.image_count-1)
         if msg: log.add(msg)            # `log` begins anew when it does not know this one
     for i in [*log.refused, *log.missing(status.image_count)] if log.odd!='own' else ():
@@ -559,7 +559,7 @@ async def _verify(self:Capture):
     def there(): return self.log.came!=came
     msg = await self.camera._hear(CAMERA_IMAGE_CAPTURED, max(soon, min(silent, 2.)), there)
     if msg and msg.image_index>=0 and not self.log.loose: self.log.add(msg)
-    if self.number in self.log.notices and not self.log.loose: self.log.instead(self.number)      # it numbers its pictures as we do
+    if not self.log.loose and self.number in self.log.notices: self.log.instead(self.number)    # it numbers as we do
     index = next(self.log.wanted(), None)
     if self.pictures.tells and not (there() or self.running or index is None):      # the camera has told which it is
         msg = await self.client.request_message(CAMERA_IMAGE_CAPTURED, [index], *self.camera.address,

@@ -485,6 +485,7 @@ class StatusText:
 
     def __repr__(self): return f'{enum_name("MAV_SEVERITY", self.severity, "MAV_SEVERITY_")}: {self}'
 
+# %% ../../nbs/api/mavlink/04_component.ipynb #fcb5c314
 class Texts:
     "Joins the pieces of one component's STATUSTEXTs, in any order and with duplicates"
     most,life = 8,10.   # texts that may get more pieces; s without one after which an `id` may be another text's
@@ -496,7 +497,8 @@ class Texts:
         number,n,now = getattr(msg, 'id', 0),getattr(msg, 'chunk_seq', 0),clock.monotonic()
         raw = getattr(msg, '_text_raw', None) or msg.text.encode()
         piece,text = raw[:50].split(b'\0')[0],self.open.get(number)
-        is_new = text is None or text.severity!=msg.severity or now-text.heard>self.life or text.pieces.get(n, piece)!=piece
+        is_other = text is not None and (text.severity!=msg.severity or text.pieces.get(n, piece)!=piece)
+        is_new = text is None or is_other or now-text.heard>self.life
         if is_new: text = StatusText(msg.severity, number)
         if n<text.most or is_new: text.pieces[min(n, text.most-1)] = piece
         text.heard = now

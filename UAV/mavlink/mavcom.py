@@ -345,7 +345,7 @@ def remove_component(self:MAVCom, component):
 def _twins(self:MAVCom)->list:
     "Return other `MAVCom`s of this process with our system id and a link to the same place"
     listens = re.compile('udp:|udpin:|tcpin:')
-    def leads(com): return {c.name.replace('localhost','127.0.0.1').replace('[::1]','127.0.0.1') for c in com.channels if not listens.search(c.name)}
+    def leads(com): return {c.name.replace('localhost','127.0.0.1') for c in com.channels if not listens.search(c.name)}
     alike = [com for com in _open if com is not self and com.source_system==self.source_system]
     return [com for com in alike if leads(com)&leads(self)]
 

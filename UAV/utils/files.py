@@ -350,7 +350,7 @@ _device = re.compile(r'(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³]) *
 def local_name(path:str, # A path, or that of a URL, as the other side writes it
                default:str='file', # When nothing is left of it
               )->str:
-    "Return a plain name for its file: not hidden, not reserved, not too long, without separators and control characters"
+    "Return a plain name for its file: not hidden, reserved or too long, without separators and control characters"
     name = re.split(r'[/\\]', path)[-1]
     name = ''.join(c if c.isprintable() and c not in '<>:"|?*' else '_' for c in name).lstrip('.-~ ').rstrip('. ')
     if _device.match(name): name = f'_{name}'

@@ -9,7 +9,7 @@ __all__ = ['most_pixels', 'as_bgr', 'Thumbnail', 'pixel_limit', 'decode_picture'
 # %% ../../nbs/api/utils/03_pictures.ipynb #809564e0
 from functools import lru_cache
 from pathlib import Path
-import base64, io, os, sys, tempfile, zlib
+import base64, io, os, sys, tempfile
 
 from fastcore.imports import in_ipython, in_jupyter
 from fastcore.basics import GetAttr, patch
@@ -24,8 +24,8 @@ def _checked(image):
     "`image` as an array of numbers, H×W×1, H×W×3 or H×W×4; raises `ValueError` when it is no picture"
     im = np.asarray(image)
     if im.ndim==2: im = im[...,None]
-    if im.ndim!=3 or im.shape[2] not in (1,3,4) or 0 in im.shape or im.dtype.kind not in 'buif': raise _not_a_picture(im)
-    return im
+    if im.ndim==3 and im.shape[2] in (1,3,4) and 0 not in im.shape and im.dtype.kind in 'buif': return im
+    raise _not_a_picture(im)
 
 def _stretched(im):
     "Numbers of any range as 0…255: from the darkest to the brightest, but for one in a thousand at both ends"
@@ -34,7 +34,8 @@ def _stretched(im):
     low,high = np.percentile(some, (.1, 99.9)) if some.size else (0., 0.)
     if low==high and some.size: low,high = some.min(),some.max()
     if low==high: return np.full(im.shape, 127, np.uint8)
-    return ((np.nan_to_num(im.astype(np.float32), nan=low).clip(low, high)-low)*(255/(high-low))).round().astype(np.uint8)
+    inside = np.nan_to_num(im.astype(np.float32), nan=low).clip(low, high)
+    return ((inside-low)*(255/(high-low))).round().astype(np.uint8)
 
 def as_bgr(image): # Array H×W, H×W×1, H×W×3 or H×W×4; integers 0…255 or floats 0…1; others are stretched
     "`image` as OpenCV likes it; raises `ValueError` when it is no picture"
@@ -76,7 +77,7 @@ class Thumbnail:
     def _repr_jpeg_(self): return _small_jpeg(self.image, self.width)
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #5f313c36
-most_pixels = 1<<26     # decoded from a picture from elsewhere: 67 million; the variable UAV_MOST_PIXELS raises it
+most_pixels = 1<<26     # decoded from a picture from elsewhere: 67 million, 390 MiB; UAV_MOST_PIXELS raises it
 
 def pixel_limit()->int:
     "Return the most pixels that are decoded of a picture from elsewhere; raises `ValueError`"
@@ -122,7 +123,8 @@ def decode_picture(data:bytes, # JPEG or PNG
     data,most,step,flag = bytes(data),most or pixel_limit(),1,cv2.IMREAD_COLOR
     if data.startswith(b'\xff\xd8\xff') and (head := _jpeg_head(data)):
         w,h,once = head
-        if data.count(b'\xff\xda')>_most_scans: raise ValueError(f'it is no picture: a JPEG of more than {_most_scans} scans')
+        if data.count(b'\xff\xda')>_most_scans:
+            raise ValueError(f'it is no picture: a JPEG of more than {_most_scans} scans')
         steps = [s for s in (8,4,2) if width and min(w, h)//s>=width]
         if steps: step,flag = steps[0],getattr(cv2, f'IMREAD_REDUCED_COLOR_{steps[0]}')
         if not once: step = 1

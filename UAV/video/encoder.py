@@ -292,7 +292,7 @@ class PassThrough(Encoder):
     def __init__(self, codec:str='h264', # One of `codecs`
                  name:str='video'): # For people
         super().__init__(None, codec, name=name)
-        self._sets,self._came,self.complete = [],0.,True        # the parameter sets; when a unit came last that was of use
+        self._sets,self._came,self.complete = [],0.,True        # the parameter sets; when a useful unit came last
         self._decode_times = _DecodeTimes()
 
     def _setting(self, name):

@@ -88,7 +88,7 @@ class RTSPReceiver(Receiver):
         while True:
             for item in self._answers.feed(data):
                 if isinstance(item, _Interleaved): self._packets.append((item.channel,item.data))
-                elif not re.search(r' RTSP/\d\.\d$|^RTSP/\d\.\d 1', item.line): return item     # no request, no 100 Continue
+                elif not re.search(r' RTSP/\d\.\d$|^RTSP/\d\.\d 1', item.line): return item     # no request, no 100
                 if len(self._packets)>self.most: raise ConnectionError('the server sends packets, and no answer')
             data = self._receive(self._sock, end)
             if not data: raise ConnectionError('the server has closed the connection')
@@ -261,7 +261,7 @@ class Decoded:
     "A decoded picture"
     def __init__(self, decoded, # `av.VideoFrame`
                  number:int, # Counts the pictures of a player
-                 time:float, # When the sender's time stamp says it came, or it came, monotonic s; in a file, when it is due
+                 time:float, # When it came, by the sender's time stamp, monotonic s; in a file, when it is due
                  time_utc:float): # When it was taken, if the sender says so (RTCP), else when it came; s since 1970
         store_attr()
         self._turns = _frame_turns(decoded)

@@ -169,8 +169,10 @@ def _place(payload:bytes, codec:str='h264')->tuple:
     if len(payload)<=header: return False,False
     kind,begins,at = _nal_type(payload, codec),True,header
     if kind==several:
-        places = [_place(nal[len(_start):], codec) for nal in _several(payload[header:])] or [(False,False)]
-        return places[0][0],any(slice for _,slice in places)
+        nals = [nal for nal in _several(payload[header:]) if len(nal)>len(_start)]
+        kinds = {nal[len(_start)]:nal for nal in reversed(nals)}.values()
+        slices = (_place(nal[len(_start):], codec)[1] for nal in kinds)
+        return bool(nals) and _place(nals[0][len(_start):], codec)[0],any(slices)
     if kind==piece: kind,begins,at = payload[header]&(31 if codec=='h264' else 63),payload[header]>127,header+1
     if kind in _slices[codec]: return begins and payload[at:at+1]>=b'\x80',True
     return begins and kind in _heads[codec],False
@@ -198,46 +200,52 @@ class RTPReader:
         in_turn = self._reorder(parts[2], parts)
         return [unit for sequence,parts in in_turn for unit in self._add(sequence, *parts[1:2], *parts[3:])]
 
-    def _add(self, sequence, marker, timestamp, payload)->list:
-        "The next packet in turn: what it completes"
-        first,slice = _place(payload, self.codec)
-        missing = 0 if self._last is None else (sequence-self._last-1)&0xffff
-        other = timestamp!=self._timestamp or self._marked and first            # of another picture?
-        units = self._turn(missing, first) if other else []
-        if self._marked and not other: self._distrust(slice)
-        if missing and not other: self._whole = self._whole and False
-        self._last,self._timestamp,self._marked = sequence,timestamp,marker
-        self._sliced = self._sliced or slice
-        try: self._data += _rtp_payload(payload, self.codec) if self._whole else b''
-        except ValueError: self._whole = False
-        if len(self._data)>self._make.most:         # forget it, and all that still comes of it
-            self._data,self._whole = bytearray(),None
-            self._make.lost += 1
-        return units+self._complete() if marker and self.trust else units
+# %% ../../nbs/api/video/03_receivers.ipynb #d5a91b0e
+@patch
+def _add(self:RTPReader, sequence, marker, timestamp, payload)->list:
+    "The next packet in turn: what it completes"
+    if not payload and self._last is not None: timestamp = self._timestamp          # padding, of no picture
+    first,slice = _place(payload, self.codec)
+    missing = 0 if self._last is None else (sequence-self._last-1)&0xffff
+    other = timestamp!=self._timestamp or self._marked and first            # of another picture?
+    units = self._turn(missing, first) if other else []
+    if self._marked and not other: self._distrust(slice)
+    if missing and not other: self._whole = self._whole and False
+    self._last,self._timestamp,self._marked = sequence,timestamp,marker or self._marked and not payload
+    self._sliced = self._sliced or slice
+    try: self._data += _rtp_payload(payload, self.codec) if self._whole and payload else b''
+    except ValueError: self._whole = False
+    if len(self._data)>self._make.most:         # forget it, and all that still comes of it
+        self._data,self._whole = bytearray(),None
+        self._make.lost += 1
+    return units+self._complete() if marker and self.trust else units
 
-    def _turn(self, missing:int, first:bool)->list:
-        "Another picture begins; that `missing` packets are of the one before is ruled out by a single one of this one"
-        if self.trust is None and self._marked and self._sliced and not missing: self.trust = True
-        elif missing>(not first) and self._data: self._whole = self._whole and False
-        units = self._complete()
-        if missing and not first: self._whole = False
-        return units
+@patch
+def _turn(self:RTPReader, missing:int, first:bool)->list:
+    "Another picture begins; that `missing` packets are of the one before is ruled out by a single one of this one"
+    if self.trust is None and self._marked and self._sliced and not missing: self.trust = True
+    elif missing>(not first) and self._data: self._whole = self._whole and False
+    units = self._complete()
+    if missing and not first: self._whole = False
+    return units
 
-    def _distrust(self, slice:bool):
-        "A picture goes on behind the mark: from now on, the next picture ends it"
-        if not slice: return                        # such as filler data
-        if self.trust:                              # this one was given away in part
-            self._whole,self._make.begun = None,False
-            self._make.lost += 1
-        self.trust = False
+@patch
+def _distrust(self:RTPReader, slice:bool):
+    "A picture goes on behind the mark: from now on, the next picture ends it"
+    if not slice: return                        # such as filler data
+    if self.trust:                              # this one was given away in part
+        self._whole,self._make.begun = None,False
+        self._make.lost += 1
+    self.trust = False
 
-    def _complete(self)->list:
-        "The picture is at its end: an access unit, when all of it came"
-        data,whole = bytes(self._data),self._whole
-        self._data,self._whole,self._sliced = bytearray(),True,False
-        if whole: return self._make(data, self.clock.utc(self._timestamp), self._timestamp) if data else []
-        self._make.lost += whole is False
-        return []
+@patch
+def _complete(self:RTPReader)->list:
+    "The picture is at its end: an access unit, when all of it came"
+    data,whole = bytes(self._data),self._whole
+    self._data,self._whole,self._sliced = bytearray(),True,False
+    if whole: return self._make(data, self.clock.utc(self._timestamp), self._timestamp) if data else []
+    self._make.lost += whole is False
+    return []
 
 # %% ../../nbs/api/video/03_receivers.ipynb #2c6ade4e
 ts_size = 188
@@ -376,7 +384,7 @@ class Receiver(Closes):
         if not 0<timeout<float('inf'): raise ValueError(f'timeout is some seconds, not {timeout}')
         store_attr()
         self._reader,self._stopped,self._process = None,False,os.getpid()
-        self.tell,self._vain = (lambda problem: None),None      # called with a fault; since when no picture comes of data
+        self.tell,self._vain = (lambda problem: None),None      # called with a fault; since when data are in vain
         self._inside,self._outside = socket.socketpair()
         self._selector = selectors.DefaultSelector()
         self._selector.register(self._inside, selectors.EVENT_READ)

@@ -286,7 +286,7 @@ class RTSPServer(Closes):
         self.loop.call(lambda: self.loop.watch(self.udp[1], self._hear))
 
     def _make_room(self, connections:list, host:str|None=None):
-        "End the oldest of them, if any, that neither plays nor waits for its turn at `host`; first who agreed on nothing"
+        "End the oldest of them that neither plays nor waits for a turn at `host`; first who agreed on nothing"
         idle = [c for c in connections if c.session.state!='playing' and not (c.held and c.host==host)]
         if idle: min(idle, key=lambda c: c.session.state!='init').close()
 
