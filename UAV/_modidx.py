@@ -4514,6 +4514,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                      'UAV/mavlink/capture.py'),
                                      'UAV.mavlink.capture.RemotePictures.hear': ( 'api/mavlink/capture.html#remotepictures.hear',
                                                                                   'UAV/mavlink/capture.py'),
+                                     'UAV.mavlink.capture.RemotePictures.keep': ( 'api/mavlink/capture.html#remotepictures.keep',
+                                                                                  'UAV/mavlink/capture.py'),
                                      'UAV.mavlink.capture.RemotePictures.look': ( 'api/mavlink/capture.html#remotepictures.look',
                                                                                   'UAV/mavlink/capture.py'),
                                      'UAV.mavlink.capture.RemotePictures.mark': ( 'api/mavlink/capture.html#remotepictures.mark',

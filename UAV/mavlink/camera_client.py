@@ -378,7 +378,7 @@ async def wait_images(self:RemoteCamera, count:int=1, # Number of pictures
     "Return the next `count` CAMERA_IMAGE_CAPTURED, requesting lost ones; fewer if no more come. Raises `Lost`"
     self._check_camera()
     await self._pictures.mark()
-    log = self._pictures.log = self._pictures.log or PictureLog()
+    log = self._pictures.keep()
     log.most = max(log.most, count)
     try: await self._pictures.gather(log, count, timeout)
     except Lost as e: raise Lost(f'{len(log.ready(count))} of {count} pictures came: {e}') from None

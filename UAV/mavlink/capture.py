@@ -37,7 +37,6 @@ class PictureLog:
         self.loose,self.known,self.serial = False,{},0      # see `loosen`: `{notice: key}` of all that came; next key
         self.given,self.before = None,None      # last notice given; newest one before we asked for pictures
         self.refused = set()                    # indexes whose notice the camera does not repeat
-        self.loose,self.known,self.given = False,{},None        # see `loosen`; keys of those that came; the last given
         if count: self.begin(first, count)
 
     def __repr__(self): return f'PictureLog: {self.left:g} wanted, {len(self.ready())} ready'
@@ -272,11 +271,17 @@ class RemotePictures:
         self.taken = deque(maxlen=64)           # those that a capture has returned
         self.turns = WeakKeyDictionary()        # turns at a camera whose acks have no index: `{event loop: Lock}`
 
+    def keep(self, log:PictureLog|None=None # The one to begin with; `None`: an empty one
+            )->PictureLog:
+        "Return the log of all that came; begins it if there is none, as a reader and a caller may both be first"
+        with self._lock:
+            self.log = self.log or log or PictureLog()
+            return self.log
+
     def note(self, msg):
         "Store a CAMERA_IMAGE_CAPTURED"
         self.camera._announces = True
-        self.log = self.log or PictureLog()
-        for log in self._logs_for(msg): log.add(msg)
+        for log in self._logs_for(msg, self.keep()): log.add(msg)
 
     def hear(self, msg):
         "Store a STATUSTEXT with an error"
@@ -305,17 +310,17 @@ def uncount(self:RemotePictures):
         if isinstance(request, Capture): taken |= {*map(_who, log.notices.values())}
 
 @patch
-def _logs_for(self:RemotePictures, msg)->list:
+def _logs_for(self:RemotePictures, msg, kept:PictureLog)->list:
     "Return the logs that get a notice: all, or of several captures from a camera that does not count only the first"
-    last,logs,new = self.log.last,[r.log for r in list(self.requests)],self.see(msg)
+    last,logs,new = kept.last,[r.log for r in list(self.requests)],self.see(msg)
     finite = [log for log in logs if not log.endless]
     if msg.image_index<0 or any(log.loose or log._is_uncounted(msg) for log in finite): self.uncount()
     elif last is None or msg.image_index!=last.image_index: self.uncounted = False
-    if not self.uncounted: return [self.log, *logs]
+    if not self.uncounted: return [kept, *logs]
     shots = [r for r in list(self.requests) if isinstance(r, Capture)]
     waiting = [r.log for r in shots if r.log.left+r.owed>len(r.log.ready())]
     others = [r.log for r in list(self.requests) if r not in shots]
-    return [self.log, *others, *(waiting[:1] if new else [])]
+    return [kept, *others, *(waiting[:1] if new else [])]
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #f33ec68f
 @patch
@@ -394,7 +399,7 @@ async def mark(self:RemotePictures):
     msg_id = CAMERA_CAPTURE_STATUS
     how = mavlink.MAV_CMD_REQUEST_MESSAGE,[msg_id],msg_id,camera.address,.5
     status = await camera.request(msg_id) if heard else (await client._request(*how, tries=1, retries=0))[0]
-    if status: self.log = self.log or PictureLog(status.image_count, since=status.time_boot_ms)
+    if status: self.keep(PictureLog(status.image_count, since=status.time_boot_ms))
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #7b8a71ca
 class Capture:
@@ -534,10 +539,10 @@ async def next(self:Capture):
         elif self.owed and not self.stopped: await self._ask_rest()
         else: return None
     self.asked,self.number,self.given,self.since = 0,None,self.given+1,clock.monotonic()
-    self.pictures.log = self.pictures.log or PictureLog()
+    kept = self.pictures.keep()
     self.pictures.see(found[0])
     self.pictures.taken.append(_who(found[0]))
-    self.pictures.log.drop(found[0])        # `wait_images` need not give it again
+    kept.drop(found[0])                     # `wait_images` need not give it again
     return found[0]
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #5853c8d5
