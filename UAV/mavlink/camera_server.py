@@ -564,7 +564,8 @@ def _set_camera_focus(self:_CameraVerbs, focus_type:int=0, focus_value:float=0.,
 @patch
 def _is_running(self:CameraServer, drive:str)->bool:
     "True while a continuous zoom or focus runs"
-    return getattr(getattr(self.camera, dict(zoom='lens').get(drive, drive), None), 'moving', self._runs.get(drive, False))
+    thing = getattr(self.camera, 'lens' if drive=='zoom' else drive, None)
+    return getattr(thing, 'moving', self._runs.get(drive, False))
 
 @patch
 def _move(self:CameraServer, drive:str, kind:str, value:float, msg):
