@@ -31,8 +31,9 @@ class QgcCamera:
     @property
     def file(self)->str:
         "The name of its definition in the cache"
-        vendor,model = (bytes(name).split(b'\0')[0].decode() for name in (self.information.vendor_name, self.information.model_name))
-        return f'{vendor}_{model}_{self.information.cam_definition_version:03}.xml'
+        info = self.information
+        vendor,model = (bytes(name).split(b'\0')[0].decode() for name in (info.vendor_name, info.model_name))
+        return f'{vendor}_{model}_{info.cam_definition_version:03}.xml'
 
 # %% qgroundcontrol5.ipynb #8a362a34
 class QGroundControl5(Actor):

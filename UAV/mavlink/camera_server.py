@@ -100,22 +100,23 @@ class _Levels:
         self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
 
     def tell(self, **levels):
-        "Note levels that are sent; one that stays the same isn't news"
+        "Note levels that are sent; one that stays the same is news to a station that has just come"
         for drive,level in levels.items():
-            told = self._told[drive]
-            if not told or told[-1][2]!=level: told.append((next(self._turns), clock.monotonic(), level))
+            told,now = self._told[drive],clock.monotonic()
+            if told and told[-1][-1]==level: told[-1] = *told[-1][:2],now,level
+            else: told.append((next(self._turns), now, now, level))
 
     def order(self, drive:str, source:tuple, level:float|None):
         "Note an order of `source`; `level` is its place in the range, if it names one"
         self._orders.note((drive,source), (next(self._turns), level))
 
-    def sent_back(self, drive:str, source:tuple, level:float)->bool:
-        "True if `level` was sent since the last order of `source`; true once for each time it was sent"
-        since,own = self._orders.find((drive,source), (0,None))
-        recent = [(turn,told) for turn,when,told in list(self._told[drive]) if clock.monotonic()-when<self.window]
+    def sent_back(self, drive:str, source:tuple, level:float, echoing:bool=False)->bool:
+        "True if `level` was new since the last order of `source`, once; to an `echoing` one, if it was sent at all"
+        (since,own),after = self._orders.find((drive,source), (0,None)),clock.monotonic()-self.window
+        recent = [(turn,told) for turn,new,last,told in list(self._told[drive]) if (last if echoing else new)>after]
         turn = next((turn for turn,told in recent if turn>since and math.isclose(told, level, rel_tol=1e-6)), 0)
         if not turn or own==level: return False
-        self._orders.note((drive,source), (turn, None))
+        if not echoing: self._orders.note((drive,source), (turn, None))         # its next one is its own
         self._echoes.note(source, self._echoes.find(source, 0)+1)
         return True
 
@@ -563,14 +564,16 @@ def _set_camera_focus(self:_CameraVerbs, focus_type:int=0, focus_value:float=0.,
 @patch
 def _is_running(self:CameraServer, drive:str)->bool:
     "True while a continuous zoom or focus runs"
-    return getattr(getattr(self.camera, dict(zoom='lens').get(drive, drive), None), 'moving', self._runs.get(drive, False))
+    thing = getattr(self.camera, 'lens' if drive=='zoom' else drive, None)
+    return getattr(thing, 'moving', self._runs.get(drive, False))
 
 @patch
 def _move(self:CameraServer, drive:str, kind:str, value:float, msg):
     "Zoom or focus, unless the order only sends back a level of our CAMERA_SETTINGS"
     verb,source = self.need(f'set_camera_{drive}'),address(msg)
-    if kind=='range' and self._levels.sent_back(drive, source, value):
-        if self._is_running(drive) or self._levels.is_echoing(msg): return self._drop_echo(drive, value, source)
+    echoing = self._levels.is_echoing(msg)
+    if kind=='range' and self._levels.sent_back(drive, source, value, echoing):
+        if echoing or self._is_running(drive): return self._drop_echo(drive, value, source)
     self._levels.order(drive, source, value if kind=='range' else None)
     before,self._runs[drive] = self._runs.get(drive, False),kind=='continuous' and value!=0
     try: verb(kind, value)
