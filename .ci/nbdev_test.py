@@ -14,7 +14,7 @@ import ctypes, faulthandler, fcntl, gc, importlib, os, pkgutil, re, resource, si
 from multiprocessing import get_context
 from multiprocessing.connection import wait
 from pathlib import Path
-from time import sleep          # the real one, in simulated time too
+from types import SimpleNamespace
 
 os.environ['OPENBLAS_NUM_THREADS'] = '1'       # its threads would begin with the imports below, before the forks
 os.environ.pop('PYTHONDONTWRITEBYTECODE', None)     # or each program that a test starts would compile the package anew
@@ -29,6 +29,7 @@ try: from selenium.webdriver.chromium.webdriver import ChromiumDriver
 except ImportError: pass                # there is no Chromium either
 else: drivers.append(ChromiumDriver)
 
+REAL = SimpleNamespace(**vars(time))    # the clock; a world swaps the names in each module, and not those in here
 LONGEST = 1200                          # s for one notebook; then it says where it hangs, and ends
 BROWSERS = 2                            # notebooks that have their browser open at a time
 BROWSING = BROWSERS+1                   # notebooks with browsers: one does the rest, or waits, while the others have theirs open
@@ -57,10 +58,10 @@ class Turn:
     def take(self):
         self.browsers += 1
         if self.browsers > 1: return
-        began = time.time()
-        while (file := self.free()) is None: sleep(.1)
+        began = REAL.monotonic()
+        while (file := self.free()) is None: REAL.sleep(.1)
         self.file = file
-        self.waited.value += time.time()-began
+        self.waited.value += REAL.monotonic()-began
         faulthandler.dump_traceback_later(LONGEST, exit=True, file=sys.__stderr__)      # anew
 
     def free(self):
