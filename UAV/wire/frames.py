@@ -291,12 +291,13 @@ class FrameReader:
         store_attr('wanted,datagrams,check,only_signed')
         self.sources = Sources() if sources is None else sources
         self.bad,self._rest = 0,b''         # pieces of garbage; the beginning of a frame
+        self._lost = False                  # True from garbage to the next frame with a good CRC
         self.seen,self._kinds = {},{}       # what came through here: {(system,component): _Source}, {header: _Kind}
         self._cleared = self.sources.cleared
 
     def restart(self):
         "Forget half a frame and the numbers: what comes now is from a new connection"
-        self._rest = b''
+        self._rest,self._lost = b'',False
         for source in list(self.seen.values()): source.restart()
 
     def _resume(self, buf:bytes, pos:int)->int:
@@ -339,14 +340,18 @@ def _meet(self:FrameReader, kind:_Kind, frame:bytes)->_Source:
 def _cut(self:FrameReader, data:bytes):
     "The good frames that are complete with `data`, each with its kind"
     buf,pos,self._rest = self._rest+data,0,b''
+    if self.datagrams: self._lost = False
     while pos<len(buf):
         frame = buf[pos:pos+promised(buf, pos)]
         kind = self._kinds.get(frame[5:10])
         if not (kind and kind.is_whole(frame)): kind = None
         n = len(frame) if kind else good_length(buf, pos, self.datagrams)
         if n==0: break
-        if n>0: yield kind or self._kinds.get(frame[5:10] if frame[0]==0xfd else frame[3:6]) or _Kind(frame),frame
-        pos = pos+n if n>0 else self._resume(buf, pos)
+        if n>0: kind = kind or self._kinds.get(frame[5:10] if frame[0]==0xfd else frame[3:6]) or _Kind(frame)
+        if n<0 or self._lost and kind.extra is None: self._lost,pos = True,self._resume(buf, pos)
+        else:
+            self._lost,pos = False,pos+n
+            yield kind,frame
     self._rest = buf[pos:]
 
 # %% ../../nbs/api/wire/01_frames.ipynb #e743e033
