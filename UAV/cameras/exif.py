@@ -10,7 +10,6 @@ from dataclasses import replace
 from datetime import datetime, timezone
 from fractions import Fraction
 from difflib import get_close_matches
-from io import BytesIO
 from numbers import Integral, Rational, Real
 from types import MappingProxyType
 from xml.parsers.expat import ExpatError, ParserCreate
@@ -20,6 +19,7 @@ from PIL.ExifTags import Base, GPS, IFD
 from .values import CameraInformation, NAN, Pose, known
 from ..utils.general import _Later
 from ..utils.geo import euler, product, quaternion, wrap
+from ..utils.pictures import _jpeg_head
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #eb6a1dc9
 def add_segments(
@@ -361,7 +361,9 @@ def add_metadata(jpeg:bytes, # A JPEG file
                  tags:dict|None=None, # More EXIF tags, by their names
                 )->bytes:
     "`jpeg` with EXIF, and with XMP when `pose` is known; the rest of what it has of both stays, and so do its pixels"
-    size,camera = _image.open(BytesIO(jpeg)).size,information or CameraInformation()
+    head,camera = _jpeg_head(jpeg),information or CameraInformation()       # Pillow refuses more than 179 million pixels
+    if not head: raise ValueError('this is not a JPEG')
+    size = head[:2]
     jpeg,theirs,packets = _taken_out(jpeg)
     try:
         read = _image.Exif()
