@@ -346,8 +346,9 @@ def _take_picture(self:Camera)->Picture|None:
         if not self.captures.running: return
         self.captures.progress = clock.monotonic()       # the device came back, however late
         if self.lens: information = replace(information, focal_length=self.lens.focal_length)
-        tags,beside = {**(frame.tags or {}), **self.exif_tags},getattr(frame, 'beside', ())
-        return self.storages.save(self._encode(frame), frame.time_utc, frame.pose, information, tags, beside)
+        beside,own = getattr(frame, 'beside', ()),{k: v for k,v in (frame.tags or {}).items() if v is not None and v==v}
+        return self.storages.save(self._encode(frame), frame.time_utc, frame.pose, information,
+                                  {**own, **self.exif_tags}, beside)
     except BaseException as e:
         if self.captures.running: return self._failed(started, e)
 
@@ -601,9 +602,9 @@ def camera_stop_tracking(self:Camera):
 def _target_place(self:Camera, frame:Frame, point:tuple)->Pose|None:
     "The place on the ground that is seen in `frame` at a point (x, y, 0…1); `None`: it is not known"
     pose,i = self._posed(frame).pose,self.information
-    fov = 2*math.degrees(math.atan2(i.sensor_size_h/2, _focal((self.lens or i).focal_length))) or NAN
-    if pose is None or not all(map(known, (fov, pose.relative_alt, pose.pitch, pose.yaw))): return None
     height,width = frame.image.shape[:2]
+    fov = 2*math.degrees(math.atan2(i.shown(width, height)[0]/2, _focal((self.lens or i).focal_length))) or NAN
+    if pose is None or not all(map(known, (fov, pose.relative_alt, pose.pitch, pose.yaw))): return None
     attitude = pose.roll if known(pose.roll) else 0.,pose.pitch,pose.yaw
     view = View((width,height), fov, (0,0,-pose.relative_alt), attitude)
     there = view.on_ground(point[0]*width-.5, point[1]*height-.5)

@@ -10,14 +10,16 @@ from dataclasses import replace
 from datetime import datetime, timezone
 from fractions import Fraction
 from difflib import get_close_matches
-from io import BytesIO
+from numbers import Integral, Rational, Real
 from types import MappingProxyType
-import re
+from xml.parsers.expat import ExpatError, ParserCreate
+import math, re
 
 from PIL.ExifTags import Base, GPS, IFD
 from .values import CameraInformation, NAN, Pose, known
 from ..utils.general import _Later
-from ..utils.geo import euler, product, quaternion
+from ..utils.geo import euler, product, quaternion, wrap
+from ..utils.pictures import _jpeg_head
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #eb6a1dc9
 def add_segments(
@@ -41,6 +43,13 @@ def _degrees_minutes_seconds(angle:float)->tuple:
     return tuple(_tiff.IFDRational(*part) for part in parts)
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #5c0a4f09
+def _sound(pose:Pose)->Pose:
+    "`pose` with NaN for what is no number, or no place on earth"
+    found = {name: value if known(value) and abs(value)!=math.inf else NAN for name,value in vars(pose).items()}
+    if not abs(found['lat'])<=90: found['lat'] = NAN
+    if abs(found['lon'])>180: found['lon'] = wrap(found['lon'])
+    return replace(pose, **found)
+
 def _nadir_angles(pose:Pose)->tuple:
     "Yaw, pitch and roll of `pose`, counted from a camera that looks straight down; NaN where one is unknown"
     roll,pitch,yaw = pose.roll,pose.pitch,pose.yaw
@@ -57,6 +66,7 @@ def _direction(pose:Pose)->float:
 
 def _gps_tags(pose:Pose, when:datetime)->dict:
     "The GPS part of EXIF: tag to value, without what is not known"
+    pose = _sound(pose)
     seconds = _tiff.IFDRational(when.second*1000+when.microsecond//1000, 1000)
     tags = {GPS.GPSVersionID: b'\2\3\0\0', GPS.GPSDateStamp: f'{when:%Y:%m:%d}',
             GPS.GPSTimeStamp: (when.hour, when.minute, seconds)}
@@ -75,16 +85,15 @@ _film_width = 36.       # mm
 
 def _lens_tags(size:tuple, camera:CameraInformation)->dict:
     "Focal length and pixel pitch of a picture, as far as `camera` has them: tag to value"
-    sensor = [mm if known(mm) and mm>0 else NAN for mm in (camera.sensor_size_h, camera.sensor_size_v)]
-    if (size[0]<size[1]) != (sensor[0]<sensor[1]): sensor.reverse()         # the picture was turned
+    shown = camera.shown(*size)
     focal = camera.focal_length if known(camera.focal_length) and camera.focal_length>0 else NAN
-    longer,tags = max(filter(known, sensor), default=NAN),{}
+    longer,tags = max(filter(known, shown), default=NAN),{}
     film = focal*_film_width/longer
     if known(film) and .5<film<65535: tags[Base.FocalLengthIn35mmFilm] = round(film)
     if camera.equivalent: return tags                               # millimetres that no part of the camera has
     if known(focal): tags[Base.FocalLength] = _tiff.IFDRational(round(focal*1000), 1000)
-    if all(map(known, sensor)):
-        across,down = (_tiff.IFDRational(round(px/mm*10_000), 1000) for px,mm in zip(size, sensor))
+    if all(map(known, shown)):
+        across,down = (_tiff.IFDRational(round(px/mm*10_000), 1000) for px,mm in zip(size, shown))
         tags |= {Base.FocalPlaneXResolution: across, Base.FocalPlaneYResolution: down,
                  Base.FocalPlaneResolutionUnit: 3}                  # pixels for each cm
     return tags
@@ -109,8 +118,9 @@ def _as_exif(value):
     "A value as EXIF has it: text in UTF-8, and fractions in place of floats, which Pillow would write as DOUBLE"
     if isinstance(value, str): return value if value.isascii() else value.encode()
     if isinstance(value, (tuple,list)): return tuple(map(_as_exif, value))
-    if not isinstance(value, float): return value
-    part = Fraction(value).limit_denominator(1_000_000)
+    if isinstance(value, Integral): return int(value)
+    if not isinstance(value, Real) or isinstance(value, Rational): return value
+    part = Fraction(float(value)).limit_denominator(1_000_000)
     return _tiff.IFDRational(part.numerator, part.denominator)
 
 def _add_tags(block, tags:dict):
@@ -125,6 +135,9 @@ def _add_tags(block, tags:dict):
     except Exception as e: raise ValueError(f'EXIF cannot hold {tags}: {e}') from None
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #bbf140cb
+def _camera_tags(camera:CameraInformation)->dict:
+    return {Base.Make: _as_exif(camera.vendor), Base.Model: _as_exif(camera.model)}
+
 def exif(index:int, # Which picture
          time_utc:float, # When it was taken, s since 1970
          size:tuple, # Width and height, px
@@ -134,10 +147,9 @@ def exif(index:int, # Which picture
         )->bytes:
     "An EXIF block, ready for `add_segments`; raises `ValueError` for a tag that EXIF does not have"
     block,camera,when = _image.Exif(),information or CameraInformation(),datetime.fromtimestamp(time_utc, timezone.utc)
-    block.update({Base.ImageDescription: f'UAV picture {index}', Base.Make: camera.vendor, Base.Model: camera.model,
-                  Base.Software: 'UAV', Base.DateTime: f'{when:%Y:%m:%d %H:%M:%S}',
+    block.update({Base.ImageDescription: f'UAV picture {index}', Base.Software: 'UAV', Base.DateTime: f'{when:%Y:%m:%d %H:%M:%S}',
                   Base.Orientation: 1, Base.YCbCrPositioning: 1,
-                  Base.XResolution: 72., Base.YResolution: 72., Base.ResolutionUnit: 2})
+                  Base.XResolution: 72., Base.YResolution: 72., Base.ResolutionUnit: 2} | _camera_tags(camera))
     block.get_ifd(IFD.Exif).update(_photo_tags(when, size, camera))
     if pose: block.get_ifd(IFD.GPSInfo).update(_gps_tags(pose, when))
     if tags: _add_tags(block, tags)
@@ -156,6 +168,7 @@ def _degrees_minutes(angle:float, letters:str)->str:
 
 def _properties(pose:Pose, make:str)->dict:
     "XMP properties of `pose`, name to value, without what is not known; `make` is that of the EXIF"
+    pose = _sound(pose)
     yaw,pitch,roll = _nadir_angles(pose)
     told = {'Camera:Yaw': yaw, 'Camera:Pitch': pitch, 'Camera:Roll': roll}
     if make.strip().lower() in ('dji','hasselblad'):        # ODM adds 90 to the pitch of these, whatever it has read
@@ -172,7 +185,8 @@ def _properties(pose:Pose, make:str)->dict:
 
 def _attributes(told:dict, without:bytes=b'')->bytes:
     "Properties as the inside of an XML tag, with the namespaces that the tag `without` lacks"
-    spaces = [f'xmlns:{name}="{url}"' for name,url in _namespaces.items() if f'xmlns:{name}='.encode() not in without]
+    spaces = [f'xmlns:{name}="{url}"' for name,url in _namespaces.items()
+              if not re.search(rf'xmlns:{name}\s*='.encode(), without)]
     return ' '.join([*spaces, *(f'{name}="{value}"' for name,value in told.items())]).encode()
 
 def xmp(pose:Pose, # Where the picture was taken
@@ -198,18 +212,27 @@ def _entries(tiff:bytes, at:int, order:str)->tuple:
     return {number(i, 2): tiff[i:i+12] for i in range(at+2, end, 12)}, tiff[end:end+4].ljust(4, b'\0')
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #dce00ed4
-def _missing_lens_tags(theirs, size:tuple, camera:CameraInformation)->dict:
-    "What `camera` adds to the lens of an EXIF block that Pillow has read; what that has counts"
-    has = {tag: value for tag,value in theirs.get_ifd(IFD.Exif).items() if isinstance(value, bytes) or value}
+def _says(value)->bool:
+    "False for a tag without a value: no text, 0, 0/0, or a date such as '0000:00:00 00:00:00' or '    :  :     :  :  '"
+    if isinstance(value, str): return bool(value.strip(' 0:\0'))
+    return isinstance(value, bytes) or bool(value) and value==value
+
+def _missing_tags(theirs, size:tuple, when:datetime, camera:CameraInformation)->tuple:
+    "What an EXIF block that Pillow has read lacks in both its parts: which camera, when, and the lens"
+    has = {tag: value for tag,value in theirs.get_ifd(IFD.Exif).items() if _says(value)}
     if Base.FocalLength in has and not camera.equivalent:
         camera = replace(camera, focal_length=float(has[Base.FocalLength]))
-    return {int(tag): value for tag,value in _lens_tags(size, camera).items() if int(tag) not in has}
+    lacks = {int(tag): value for tag,value in _lens_tags(size, camera).items() if int(tag) not in has}
+    if Base.DateTimeOriginal not in has:
+        dated = Base.DateTimeOriginal,Base.OffsetTimeOriginal,Base.SubsecTimeOriginal
+        lacks |= {int(tag): _photo_tags(when, size, camera)[tag] for tag in dated}
+    return {} if _says(theirs.get(Base.Make)) else _camera_tags(camera),lacks
 
-def _added_tags(order:str, offset:int, index:int, when:datetime, pose:Pose|None, lens:dict, tags:dict|None)->bytes:
+def _added_tags(order:str, offset:int, index:int, when:datetime, pose:Pose|None, lacks:tuple, tags:dict|None)->bytes:
     "The tags that we add to the EXIF block of others, for a place in it"
     block = _image.Exif()
-    block[Base.ImageDescription] = f'UAV picture {index}'
-    if lens: block.get_ifd(IFD.Exif).update(lens)
+    block.update({Base.ImageDescription: f'UAV picture {index}'} | lacks[0])
+    if lacks[1]: block.get_ifd(IFD.Exif).update(lacks[1])
     if pose: block.get_ifd(IFD.GPSInfo).update(_gps_tags(pose, when))
     if tags: _add_tags(block, tags)
     ours = _tiff.ImageFileDirectory_v2(ifh=(b'MM\0*' if order=='big' else b'II*\0')+bytes(4))
@@ -223,18 +246,23 @@ def _as_list(entries:dict, order:str)->bytes:
     "Entries as a list of tags, in the order of their numbers"
     return len(entries).to_bytes(2, order)+b''.join(entries[tag] for tag in sorted(entries))
 
-def _merged(theirs:bytes, index:int, time_utc:float, pose:Pose|None, lens:dict, tags:dict|None)->bytes:
-    "Their EXIF block with our mark, position, lens and tags added; raises `ValueError` when it is damaged"
-    order,when = 'little' if theirs[:2]==b'II' else 'big',datetime.fromtimestamp(time_utc, timezone.utc)
+_of_a_fix = {int(tag) for tag in (GPS.GPSSatellites, GPS.GPSStatus, GPS.GPSMeasureMode, GPS.GPSDOP,
+                                  GPS.GPSProcessingMethod, GPS.GPSDifferential, GPS.GPSHPositioningError)}
+
+def _merged(theirs:bytes, index:int, when:datetime, pose:Pose|None, lacks:tuple, tags:dict|None)->bytes:
+    "Their EXIF block with our mark, position, tags, and what it lacks; raises `ValueError` when it is damaged"
+    order = 'little' if theirs[:2]==b'II' else 'big'
     def place(entry): return int.from_bytes(entry[8:], order)
     if theirs[:2] not in (b'II',b'MM'): raise ValueError('there is no EXIF block')
     base = theirs+bytes(len(theirs)%2)
-    data = base+_added_tags(order, len(base), index, when, pose, lens, tags)
+    data = base+_added_tags(order, len(base), index, when, pose, lacks, tags)
     old,following = _entries(data, int.from_bytes(theirs[4:8], order), order)
     new,_ = _entries(data, len(base), order)
     for part in (IFD.Exif,IFD.GPSInfo):             # lists of their own, which an entry points at
         lists = [_entries(data, place(entries[part]), order)[0] for entries in (old,new) if part in entries]
         if len(lists)==2:
+            if part==IFD.GPSInfo and GPS.GPSLatitude in lists[1]:       # of their position, not of ours
+                lists[0] = {tag: entry for tag,entry in lists[0].items() if tag not in _of_a_fix}
             new[part] = new[part][:8]+len(data).to_bytes(4, order)
             data += _as_list(lists[0]|lists[1], order)+bytes(4)
     return b'Exif\0\0'+data[:4]+len(data).to_bytes(4, order)+data[8:]+_as_list(old|new, order)+following
@@ -252,27 +280,32 @@ def _segments(jpeg:bytes):
         at += 2+length
 
 def _taken_out(jpeg:bytes)->tuple:
-    "A JPEG without its EXIF and XMP, and the first of each, empty when there is none"
-    kept,found,end = [jpeg[:2]],{b'Exif\0\0':b'', _xmp_head:b''},2
+    "A JPEG without its EXIF and XMP, the first EXIF block, empty when there is none, and a list of the XMP blocks"
+    kept,found,end = [jpeg[:2]],{b'Exif\0\0': [], _xmp_head: []},2
     try:
         for marker,begin,end in _segments(jpeg):
             kind = next((k for k in found if marker==0xe1 and jpeg.startswith(k, begin+4)), None)
             if kind is None: kept.append(jpeg[begin:end])
-            elif not found[kind]: found[kind] = jpeg[begin+4:end]
+            else: found[kind].append(jpeg[begin+4:end])
     except ValueError: pass                 # what follows stays as it is
-    return b''.join(kept)+jpeg[end:], *found.values()
+    blocks,packets = found.values()
+    return b''.join(kept)+jpeg[end:], next(iter(blocks), b''), packets
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #3a0e5b13
 _of_attitude = ['Camera:Yaw','Camera:Pitch','Camera:Roll',
                 *(f'drone-dji:{what}{axis}Degree' for what in ('Gimbal','Flight') for axis in ('Yaw','Pitch','Roll'))]
 _of_position = ['exif:GPSLatitude','exif:GPSLongitude','drone-dji:Latitude','drone-dji:Longitude',
-                'drone-dji:GpsLatitude','drone-dji:GpsLongitude','drone-dji:GpsLongtitude']       # DJI's own spelling
+                'drone-dji:GpsLatitude','drone-dji:GpsLongitude','drone-dji:GpsLongtitude',       # DJI's own spelling
+                'drone-dji:RtkFlag','drone-dji:RtkStdLat','drone-dji:RtkStdLon','drone-dji:RtkStdHgt',
+                'Camera:GPSXYAccuracy','Camera:GPSZAccuracy']                                     # of their position
 _of_altitude = ['exif:GPSAltitude','exif:GPSAltitudeRef','drone-dji:AbsoluteAltitude']
 
 def _replaced(pose:Pose)->list:
     "Names of the properties in others' XMP that `pose` makes void"
-    has = (_of_attitude, pose.pitch),(_of_position, pose.lat+pose.lon),(_of_altitude, pose.alt)
-    names = [name for group,value in has if known(value) for name in group]
+    pose = _sound(pose)
+    has = (_of_attitude, known(pose.pitch) or known(pose.yaw)),(_of_position, known(pose.lat+pose.lon)), \
+          (_of_altitude, known(pose.alt))
+    names = [name for group,ours in has if ours for name in group]
     return names+['drone-dji:RelativeAltitude']*known(pose.relative_alt)
 
 def _prefixes(packet:bytes, name:str)->bytes:
@@ -282,7 +315,11 @@ def _prefixes(packet:bytes, name:str)->bytes:
     return b'(?:'+b'|'.join(map(re.escape, {name.encode(), *others}))+b')'
 
 def _stripped(packet:bytes, names:list)->bytes:
-    "An XMP block without some properties, written as attributes or as elements"
+    "An XMP block in UTF-8, without comments and some properties, which are written as attributes or as elements"
+    text = packet[len(_xmp_head):].rstrip(b'\0')
+    if packet[len(_xmp_head):][:2] in (b'\xff\xfe',b'\xfe\xff'):
+        text = packet[len(_xmp_head):].decode('utf-16', 'ignore').rstrip('\0').encode()
+    packet = _xmp_head+re.sub(rb'<!--.*?(?:-->|\Z)', b'', text, flags=re.DOTALL)
     for name in names:
         prefix,_,local = name.partition(':')
         tag = _prefixes(packet, prefix)+b':'+local.encode()
@@ -293,17 +330,27 @@ def _stripped(packet:bytes, names:list)->bytes:
 # %% ../../nbs/api/cameras/01_exif.ipynb #3a0e5b15
 _first_description = re.compile(rb'<rdf:Description\b(?:[^>"\']|"[^"]*"|\'[^\']*\')*?(?=/?>)')
 
-def _with_pose(packet:bytes, pose:Pose, make:str)->bytes:
-    "An XMP block with our properties in place of its own; ours alone when there is none, or no room in it"
-    told,theirs = _properties(pose, make),_stripped(packet, _replaced(pose))
+def _is_sound(packet:bytes)->bool:
+    "True for an XMP block of at most 65533 bytes that is well-formed XML"
+    try: return len(packet)<65534 and bool(ParserCreate().Parse(packet[len(_xmp_head):], True))
+    except ExpatError: return False
+
+def _joined(theirs:bytes, told:dict)->bytes:
+    "An XMP block with properties of ours; empty when there is no place for them in it"
     found = _first_description.search(theirs)
-    if not found or not theirs.rpartition(_rdf_end)[1]: return xmp(pose, make)
+    if not found or not theirs.rpartition(_rdf_end)[1]: return b''
     bound = {(name.decode(), url.decode()) for name,url in re.findall(rb'xmlns:([\w.-]+)\s*=\s*["\']([^"\']*)', theirs)}
     taken = any(name in _namespaces and url!=_namespaces[name] for name,url in bound)   # our prefix means another thing
     if taken: at,ours = found.start(),b'<rdf:Description rdf:about="" '+_attributes(told)+b'/>'
     else: at,ours = found.end(),b' '+_attributes(told, found[0])
     both = theirs[:at]+ours+theirs[at:]
-    return both if len(both)<65534 else xmp(pose, make)
+    return both if _is_sound(both) else b''
+
+def _with_pose(packets:list, pose:Pose, make:str)->list:
+    "XMP blocks with our properties in place of their own: in the first of them if that has a place, else before them"
+    theirs = [p for p in (_stripped(packet, _replaced(pose)) for packet in packets) if b':RDF>' in p]
+    both = _joined(theirs[0], _properties(pose, make)) if theirs else b''
+    return [both, *theirs[1:]] if both else [xmp(pose, make), *theirs]
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #1fc3f1a8
 def add_metadata(jpeg:bytes, # A JPEG file
@@ -314,18 +361,21 @@ def add_metadata(jpeg:bytes, # A JPEG file
                  tags:dict|None=None, # More EXIF tags, by their names
                 )->bytes:
     "`jpeg` with EXIF, and with XMP when `pose` is known; the rest of what it has of both stays, and so do its pixels"
-    size,camera = _image.open(BytesIO(jpeg)).size,information or CameraInformation()
-    jpeg,theirs,packet = _taken_out(jpeg)
+    head,camera = _jpeg_head(jpeg),information or CameraInformation()       # Pillow refuses more than 179 million pixels
+    if not head: raise ValueError('this is not a JPEG')
+    size = head[:2]
+    jpeg,theirs,packets = _taken_out(jpeg)
     try:
         read = _image.Exif()
         if theirs: read.load(theirs)
-        own = _merged(theirs[6:], index, time_utc, pose, _missing_lens_tags(read, size, camera), tags)
-        make = str(read.get(Base.Make, camera.vendor))
+        when = datetime.fromtimestamp(time_utc, timezone.utc)
+        own = _merged(theirs[6:], index, when, pose, _missing_tags(read, size, when, camera), tags)
+        make = str(read[Base.Make]) if _says(read.get(Base.Make)) else camera.vendor
     except Exception:                       # there is no block, or a damaged one, of which Pillow may raise anything
         own,make = exif(index, time_utc, size, pose, camera, tags),camera.vendor
-    if pose: packet = _with_pose(packet, pose, make)
+    if pose: packets = _with_pose(packets, pose, make)
     if theirs and len(own)>65533: own = theirs          # there is no room
-    return add_segments(jpeg, own, *filter(None, [packet]))
+    return add_segments(jpeg, own, *packets)
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #d4791528
 class _OwnTags:

@@ -253,7 +253,7 @@ def _fetch(self:GPhotoCamera, camera)->dict:
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #f1f83a79
 def _decoded(jpeg:bytes):
     "Decode a JPEG of the body; raises `CameraError`"
-    try: return decode_picture(jpeg)
+    try: return decode_picture(jpeg, fit=True)
     except ValueError as e: raise CameraError(f'the camera body gave a JPEG that cannot be read: {e}') from None
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #a50f6265

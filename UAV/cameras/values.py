@@ -33,6 +33,21 @@ class CameraInformation(Value):
     lens_id:int=0 # Which lens, for cameras with several
     equivalent:bool=False # Focal length and sensor are those of 35 mm film, not the camera's
 
+# %% ../../nbs/api/cameras/00_values.ipynb #5d1c0a02
+@patch
+def shown(self:CameraInformation, width:int, # Of a picture, px
+          height:int, # The same
+         )->tuple:
+    "Width and height (mm) of what the picture shows of the sensor, NaN if unknown"
+    sensor = [mm if known(mm) and mm>0 else NAN for mm in (self.sensor_size_h, self.sensor_size_v)]
+    if not (width>0 and height>0): return tuple(sensor)
+    if (width<height) != (sensor[0]<sensor[1]): sensor.reverse()
+    if self.equivalent or not all(map(known, sensor)): return tuple(sensor)
+    across,down = width/sensor[0],height/sensor[1]
+    finest = max(across, down)
+    if finest<1.03*min(across, down): return tuple(sensor)     # makers round
+    return width/finest,height/finest
+
 # %% ../../nbs/api/cameras/00_values.ipynb #28407a0b
 class CameraError(Exception): "The camera cannot do that"
 class CameraBusy(CameraError): "Not now; it passes by itself"

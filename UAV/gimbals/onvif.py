@@ -452,7 +452,7 @@ def read_still(self:OnvifCamera)->Frame:
     taken,jpeg = clock.time(),b''
     try: jpeg = self.line.load(self.line.still) if self.line.still else b''
     except GimbalError as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
-    try: return Still(decode_picture(jpeg), next(self._numbers), taken, jpeg=jpeg)
+    try: return Still(decode_picture(jpeg, fit=True), next(self._numbers), taken, jpeg=jpeg)
     except ValueError as e:
         if jpeg: self.log.warning('the snapshot is refused, so a frame of the video is taken: %s', e)
     return URLCamera.read_still(self)

@@ -333,7 +333,7 @@ def read_still(self:SiyiCamera)->Frame:
     self._shoot()
     jpeg,why = self._fetch(before),'the card has no new file'
     try:
-        if jpeg: return Still(decode_picture(jpeg), 0, taken, jpeg=jpeg)
+        if jpeg: return Still(decode_picture(jpeg, fit=True), 0, taken, jpeg=jpeg)
     except ValueError as e: why = f'the new file on the card is refused: {e}'
     if before is not None: self._log_once(f'{why}, a frame of the stream is kept instead')
     return self.read()

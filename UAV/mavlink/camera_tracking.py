@@ -31,7 +31,8 @@ def field_of_view(camera, # A Camera, or an object with `information`
     "Return the current horizontal and vertical field of view in degrees, NaN if unknown"
     i,lens = camera.information,getattr(camera, 'lens', None)
     focal_length = (lens or i).focal_length
-    return tuple(math.degrees(2*math.atan2(size/2, focal_length)) for size in (i.sensor_size_h, i.sensor_size_v))
+    shown = i.shown(i.resolution_h, i.resolution_v)
+    return tuple(math.degrees(2*math.atan2(size/2, focal_length)) for size in shown)
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #2aa0add3
 earth_radius = 6371e3       # m

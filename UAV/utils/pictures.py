@@ -118,6 +118,7 @@ def _plain_png(data:bytes)->bytes|None:
 def decode_picture(data:bytes, # JPEG or PNG
                    width:int|None=None, # At least so many pixels wide, if it has them; `None`: its full size
                    most:int|None=None, # Pixels that may be decoded; `None`: `pixel_limit()`
+                   fit:bool=False, # Decode a JPEG that has more in a half to an eighth of its width
                   ): # Array H×W×3, BGR
     "Decode a picture from elsewhere; raises `ValueError` if it is too large, damaged, or of another kind"
     data,most,step,flag = bytes(data),most or pixel_limit(),1,cv2.IMREAD_COLOR
@@ -126,7 +127,8 @@ def decode_picture(data:bytes, # JPEG or PNG
         if data.count(b'\xff\xda')>_most_scans:
             raise ValueError(f'it is no picture: a JPEG of more than {_most_scans} scans')
         steps = [s for s in (8,4,2) if width and min(w, h)//s>=width]
-        if steps: step,flag = steps[0],getattr(cv2, f'IMREAD_REDUCED_COLOR_{steps[0]}')
+        if fit: steps += [s for s in (1,2,4,8) if -(-w//s)*-(-h//s)<=most]
+        if steps and steps[0]>1: step,flag = steps[0],getattr(cv2, f'IMREAD_REDUCED_COLOR_{steps[0]}')
         if not once: step = 1
     elif data.startswith(_png_sign) and (plain := _plain_png(data)):
         data,w,h = plain,*(int.from_bytes(plain[i:i+4], 'big') for i in (16,20))
