@@ -128,12 +128,12 @@ class _Moved(ConnectionError):
 def _moved(self:RTSPReceiver, why:str, to:str)->ConnectionError:
     "What a redirection to `to` raises: `_Moved` at the host where we are"
     try:
-        place = urlsplit(url := urljoin(self._at, to))
+        place = urlsplit(urljoin(self._at, to))
         host,_ = host_in(place),place.port
     except ValueError: return ConnectionError(f'{why}, to no address')
     ours = self._place[0],plain_host(self._sock.getpeername()[0])
-    if place.scheme.lower()=='rtsp' and host in ours: return _Moved(url)
-    return ConnectionError(f'{why}, to {place.scheme}://{place.netloc.rpartition("@")[2]}: it is not followed there')
+    if place.scheme=='rtsp' and host in ours: return _Moved(place._replace(netloc=place.netloc.rpartition('@')[2]).geturl())
+    return ConnectionError(f'{why}, to {place.scheme}://{host}: not followed')
 
 # %% ../../nbs/api/video/08_player.ipynb #e69b0eb8
 @patch
@@ -262,7 +262,7 @@ def units(self:RTSPReceiver):
     self._at = self.url
     for _ in range(6):
         try: return (yield from self._watch())
-        except _Moved as e: self._at = urlsplit(e.url)._replace(netloc=urlsplit(e.url).netloc.rpartition('@')[2]).geturl()
+        except _Moved as e: self._at = e.url
     raise ConnectionError('too many redirections')
 
 @patch
