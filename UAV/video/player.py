@@ -132,7 +132,8 @@ def _moved(self:RTSPReceiver, why:str, to:str)->ConnectionError:
         host,_ = host_in(place),place.port
     except ValueError: return ConnectionError(f'{why}, to no address')
     ours = self._place[0],plain_host(self._sock.getpeername()[0])
-    if place.scheme=='rtsp' and host in ours: return _Moved(place._replace(netloc=place.netloc.rpartition('@')[2]).geturl())
+    plain = place._replace(netloc=place.netloc.rpartition('@')[2])
+    if place.scheme=='rtsp' and host in ours: return _Moved(plain.geturl())
     return ConnectionError(f'{why}, to {place.scheme}://{host}: not followed')
 
 # %% ../../nbs/api/video/08_player.ipynb #e69b0eb8
