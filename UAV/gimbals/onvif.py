@@ -75,7 +75,8 @@ def _tidied(data:bytes)->str:
     found = re.search(rb'<((?:[\w.-]{1,50}:)?Envelope)\b', data)
     end = data.rfind(b'</'+found[1]) if found else -1
     if end<0 or len(data)>1<<20: raise ValueError('no envelope, or a large one')
-    named,inner = re.match(rb'\s*<\?xml[^>]{,50}encoding=["\']([\w.-]+)', data),data[found.start():end]+b'</'+found[1]+b'>'
+    inner = data[found.start():end]+b'</'+found[1]+b'>'
+    named = re.match(rb'\s*<\?xml[^>]{,50}encoding=["\']([\w.-]+)', data)
     try: text = inner.decode(named[1].decode() if named else 'utf-8')
     except (ValueError, LookupError): text = inner.decode(errors='replace')
     text = re.sub(r'[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]', '?', text)
@@ -203,7 +204,8 @@ def load(self:_OnvifLine, url:str, data:bytes|None=None, # What to POST; `None`:
             at = f' at {_shown(url)}' if url.startswith('https') else ''
             if not deadline.late.is_set(): raise GimbalError(f'{self!r}: no answer{at} ({why})') from None
         if deadline.late.is_set(): raise GimbalError(f'{self!r}: no whole answer in {seconds:g} s')
-    if status==200 or data and status not in (401, *range(300, 400)) and b'Envelope' in answer: return answer   # or a Fault
+    says = data and status not in (401, *range(300, 400)) and b'Envelope' in answer         # a Fault, for example
+    if status==200 or says: return answer
     if status in (401,403): raise _Unauthorized(reason)
     if data and status>=400: raise _Unreadable(f'{status} {reason}'+', perhaps for a wrong password'*(status==400))
     to = headers.get('location')
