@@ -8,7 +8,7 @@ from collections import deque
 from contextlib import closing, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote, urljoin, urlsplit
 import asyncio, atexit, os, re, selectors, socket
 
 from fastcore.basics import GetAttr, patch, store_attr
@@ -16,9 +16,9 @@ from ..logging import get_logger
 from ..utils import clock
 from ..utils.general import _begin_thread, av, Closes, np
 from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned
-from ..utils.sockets import host_in
+from ..utils.sockets import host_in, plain_host
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
-from .rtsp import _authorization, _challenges, _Interleaved, _RequestReader, RTSPError
+from .rtsp import _authorization, _challenges, _Interleaved, _RequestReader, _Response, RTSPError
 
 # %% auto #0
 __all__ = ['transports', 'receivers', 'RTSPReceiver', 'PlayerError', 'Decoded', 'Player', 'strip']
@@ -37,11 +37,22 @@ class _AnswerReader(_RequestReader):
     @staticmethod
     def parse(head:bytes)->_Answer:
         first,*lines = re.split(r'\r?\n', re.sub(r'\r?\n[ \t]+', ' ', head.decode('utf-8', 'replace')))
-        answer,asks = _Answer(first, {}),'www-authenticate'
+        answer,lists = _Answer(first, {}),('www-authenticate','public')
         for name,_,value in (line.partition(':') for line in lines):
-            name,value,before = name.strip().lower(),value.strip(),answer.headers.get(asks)
-            answer.headers[name] = f'{before}, {value}' if name==asks and before else value
+            name,value = name.strip().lower(),value.strip()
+            before = answer.headers.get(name)
+            answer.headers[name] = f'{before}, {value}' if name in lists and before else value
         return answer
+
+    def _next(self)->_Answer|_Interleaved|None:
+        "What is complete; behind the first answer, bytes that begin nothing are skipped"
+        if self._met and not (begins := self._begins.match(self._data)):
+            begins = self._begins.search(self._data)
+            del self._data[:begins.start() if begins else len(self._data)]
+        item = super()._next()
+        self._met = self._met or isinstance(item, _Answer)
+        return item
+    _begins,_met = re.compile(rb'\$(?:[\0-\x1f]|\Z)|[A-Z_]{3,20}[ /]|[A-Z_]{1,20}\Z'),False
 
     def feed(self, data:bytes):
         "All that is complete with `data`, one after the other; raises `ConnectionError`"
@@ -59,7 +70,7 @@ class RTSPReceiver(Receiver):
                  transport:str|None=None): # 'tcp' or 'udp'; `None` is TCP, and UDP when the server refuses it
         if transport not in (None,*transports): raise ValueError(f'transport is one of {transports}, not {transport!r}')
         place = urlsplit(url)
-        self._place = host_in(place),place.port or 554
+        self._at,self._place = '',(host_in(place),place.port or 554)
         self._user = unquote(place.username or ''),unquote(place.password or '')
         super().__init__(place._replace(netloc=place.netloc.rpartition('@')[2]).geturl(), timeout)
         self.transport,self._challenge,self._count = transport,'',0         # how often it was answered
@@ -88,7 +99,7 @@ class RTSPReceiver(Receiver):
         while True:
             for item in self._answers.feed(data):
                 if isinstance(item, _Interleaved): self._packets.append((item.channel,item.data))
-                elif not re.search(r' RTSP/\d\.\d$|^RTSP/\d\.\d 1', item.line): return item     # no request, no 100
+                elif not (self._obliged(item) or _status(item.line)//100==1): return item       # no request, no 100
                 if len(self._packets)>self.most: raise ConnectionError('the server sends packets, and no answer')
             data = self._receive(self._sock, end)
             if not data: raise ConnectionError('the server has closed the connection')
@@ -97,6 +108,33 @@ class RTSPReceiver(Receiver):
 def _status(line:str)->int:
     "The number in the first line of an answer; 0 when it is no RTSP"
     return int(found[1]) if (found := re.match(r'RTSP/\d\.\d (\d+)', line)) else 0
+
+# %% ../../nbs/api/video/08_player.ipynb #ac8eefa9
+@patch
+def _obliged(self:RTSPReceiver, item:_Answer)->bool:
+    "True if that is a request of the server's; it's answered"
+    found = re.match(r'(\w+) \S+ RTSP/\d\.\d$', item.line)
+    if not found: return False
+    does = found[1] in ('OPTIONS','GET_PARAMETER','SET_PARAMETER','ANNOUNCE')
+    self._sock.sendall(bytes(_Response(200 if does else 501, {'CSeq': item.headers.get('cseq', '0')})))
+    return True
+
+# %% ../../nbs/api/video/08_player.ipynb #c636acec
+class _Moved(ConnectionError):
+    "The video is at `url`"
+    def __init__(self, url:str): self.url = url
+
+@patch
+def _moved(self:RTSPReceiver, why:str, to:str)->ConnectionError:
+    "What a redirection to `to` raises: `_Moved` at the host where we are"
+    try:
+        place = urlsplit(urljoin(self._at, to))
+        host,_ = host_in(place),place.port
+    except ValueError: return ConnectionError(f'{why}, to no address')
+    ours = self._place[0],plain_host(self._sock.getpeername()[0])
+    plain = place._replace(netloc=place.netloc.rpartition('@')[2])
+    if place.scheme=='rtsp' and host in ours: return _Moved(plain.geturl())
+    return ConnectionError(f'{why}, to {place.scheme}://{host}: not followed')
 
 # %% ../../nbs/api/video/08_player.ipynb #e69b0eb8
 @patch
@@ -108,7 +146,9 @@ def _ask(self:RTSPReceiver, method, url, also=(), **headers)->tuple:
         code,said = _status(answer.line),answer.headers
         if code!=401 or not self._take_challenge(said) and attempt: break
         if not self._challenge: break
-    if code not in (200,*also): raise ConnectionError(f'{method}: {answer.line.partition(" ")[2] or answer.line}')
+    why = f'{method}: {answer.line.partition(" ")[2] or answer.line}'
+    if 300<=code<400 and (to := said.get('location')): raise self._moved(why, to)
+    if code not in (200,*also): raise ConnectionError(why)
     return code,said,answer.body.decode('utf-8', 'replace')
 
 @patch
@@ -121,21 +161,24 @@ def _take_challenge(self:RTSPReceiver, said:dict)->bool:
 
 # %% ../../nbs/api/video/08_player.ipynb #0876b11a
 def _resolve(base:str, control:str)->str:
-    "The URL of a stream, RFC 2326 section C.1.1"
+    "The URL of a stream, RFC 2326 section C.1.1; a path is appended, too, unless it has that of the base in it"
     if control in ('','*'): return base
-    return control if '://' in control else base.rstrip('/')+'/'+control
+    if control[0]=='?': return base+control
+    whole = '://' in control or control.startswith(urlsplit(base).path.rstrip('/')+'/')
+    return urljoin(base, control) if whole else base.rstrip('/')+'/'+control.lstrip('/')
 
 # %% ../../nbs/api/video/08_player.ipynb #da5dc1a9
 @patch
 def _describe(self:RTSPReceiver):
     "Describe the server's video: `(Media, its URL, URL of the presentation)`"
-    _,said,_ = self._ask('OPTIONS', self.url)
+    _,said,_ = self._ask('OPTIONS', self._at, also=(400,403,404,405,454,455,501,551))
     self._methods = said.get('public', '')
-    _,said,body = self._ask('DESCRIBE', self.url, Accept='application/sdp')
+    _,said,body = self._ask('DESCRIBE', self._at, Accept='application/sdp')
     try: media = _read_sdp(body)
     except ValueError as e: raise ConnectionError(str(e)) from None
-    base = said.get('content-base') or said.get('content-location') or self.url
-    return media,_resolve(base, media.control),_resolve(base, media.session_control)
+    base = urljoin(self._at, said.get('content-base') or said.get('content-location') or self._at)
+    session_url = _resolve(base, media.session_control)
+    return media,_resolve(session_url, media.control),session_url
 
 # %% ../../nbs/api/video/08_player.ipynb #b391365c
 @patch
@@ -153,8 +196,8 @@ def _setup(self:RTSPReceiver, url):
 @patch
 def _agreed(self:RTSPReceiver, said):
     "Remember what the server said to SETUP"
-    self._session,_,after = said.get('session', '').partition(';')
-    self._alive,way = max(1, int(_find(r'timeout=(\d{1,6})', after, 60))/2),said.get('transport', '')
+    self._session,after = (part.strip() for part in said.get('session', '').partition(';')[::2])
+    self._alive,way = max(1, int(_find(r'timeout *= *(\d{1,6})', after, 60))/2),said.get('transport', '')
     self._channel,port = int(_find(r'interleaved=(\d{1,3})', way, 0)),int(_find(r'server_port=(\d{1,5})', way, 0))
     if not (self._udp and port): return
     host,port = self._sock.getpeername()[0],min(port, 65534)
@@ -183,6 +226,7 @@ def _take(self:RTSPReceiver, data:bytes):
     "Keep the packets of what has come on the connection, and what a sign of life was answered"
     for item in self._answers.feed(data):
         if isinstance(item, _Interleaved): self._packets.append((item.channel,item.data))
+        elif self._obliged(item): pass
         elif _status(item.line)==401 and self._denied<2:        # the nonce is too old: at once with another one
             self._take_challenge(item.headers)
             self._denied,self._ping_at = self._denied+1,0.
@@ -216,8 +260,17 @@ def _play(self:RTSPReceiver, url):
 @patch
 def units(self:RTSPReceiver):
     "Access units, until the stream ends; raises `OSError`"
+    self._at = self.url
+    for _ in range(6):
+        try: return (yield from self._watch())
+        except _Moved as e: self._at = e.url
+    raise ConnectionError('too many redirections')
+
+@patch
+def _watch(self:RTSPReceiver):
+    "The access units of one connection"
     self._forget()
-    with closing(self._connect(*self._place)) as self._sock:
+    with closing(self._connect(self._place[0], urlsplit(self._at).port or 554)) as self._sock:
         try:
             media,url,session_url = self._describe()
             self._setup(url)

@@ -180,6 +180,7 @@ def _place(payload:bytes, codec:str='h264')->tuple:
 # %% ../../nbs/api/video/03_receivers.ipynb #ace8cb40
 class RTPReader:
     "RTP packets in, access units out"
+    patience = 1.           # s that a sender is silent before one that it replaced is read again
     lost = property(lambda self: self._make.lost, doc="How many pictures came in part only")
     begun = property(lambda self: self._make.begun, doc="True if there was a key picture")
     def __init__(self, codec:str='h264', # One of `UAV.video.units.codecs`
@@ -192,13 +193,30 @@ class RTPReader:
         self._whole = True                                      # `None`: it was too large, and is counted already
         self._marked,self._sliced = False,False     # had the last packet the mark; has the picture a slice?
         self.trust = None                           # does the mark end a picture? `None`: nobody knows yet
+        self._source,self._heard,self._left = None,0.,set()     # SSRC, last heard when (monotonic s), and those before
 
     def __call__(self, packet:bytes)->list:
         "The access units that this packet completes"
         parts = _rtp_parts(packet)
-        if parts is None or self.payload_type not in (None,parts[0]): return []
+        if parts is None or self.payload_type not in (None,parts[0]) or not self._is_ours(packet[8:12]): return []
         in_turn = self._reorder(parts[2], parts)
         return [unit for sequence,parts in in_turn for unit in self._add(sequence, *parts[1:2], *parts[3:])]
+
+# %% ../../nbs/api/video/03_receivers.ipynb #0665a324
+@patch
+def _is_ours(self:RTPReader, source:bytes)->bool:
+    "Whether we read this sender (SSRC): the newest, unless it had its turn and another one sends now"
+    now = clock.monotonic()
+    if source!=self._source:
+        if source in self._left and now-self._heard<self.patience: return False
+        if len(self._left)>16: self._left.clear()
+        if self._source:
+            self._left.add(self._source)
+            self._reorder,self._last = _Reorder(),None
+        self._left.discard(source)
+        self._source = source
+    self._heard = now
+    return True
 
 # %% ../../nbs/api/video/03_receivers.ipynb #d5a91b0e
 @patch
@@ -556,9 +574,14 @@ class _Media:
 # %% ../../nbs/api/video/03_receivers.ipynb #b72d834a
 def _parameter_sets(fmtp)->bytes:
     "The `sprop-…` of RFC 6184 and RFC 7798, as a byte stream"
-    said = dict(re.findall(r'sprop-(parameter-sets|vps|sps|pps)=([^;\s]+)', fmtp))
+    said = dict(re.findall(r'sprop-(parameter-sets|vps|sps|pps) *= *"?([^;\s"]+)', fmtp))
     texts = ','.join(said[name] for name in ('parameter-sets','vps','sps','pps') if name in said)
-    try: return byte_stream(b64decode(text, validate=True) for text in texts.split(',') if text)
+    return byte_stream(filter(None, map(_decoded, texts.split(','))))
+
+def _decoded(text:str)->bytes:
+    "The bytes of a base64, with its padding or without; none when it's invalid"
+    text = text.rstrip('=')
+    try: return b64decode(text+'='*(-len(text)%4), validate=True)
     except ValueError: return b''
 
 # %% ../../nbs/api/video/03_receivers.ipynb #378912fa
@@ -570,11 +593,11 @@ def _find(pattern:str, text:str, default='')->str:
 # %% ../../nbs/api/video/03_receivers.ipynb #f89b283e
 def _read_sdp(text:str)->_Media:
     "The first H.264 or H.265 video of an SDP; raises `ValueError` when it has none"
-    session,*sections = re.split(r'^(?=m=)', text.replace('\r', ''), flags=re.M)
+    session,*sections = re.split(r'^(?=m=)', re.sub(r'\r\n?', '\n', text), flags=re.M)
     for section in sections:
-        found = re.search(r'^a=rtpmap:(\d+) +(H264|H265)/90000', section, re.M|re.I)
+        found = re.search(r'^a=rtpmap: *(\d+) +(H264|H265)(?:/90000|\s*$)', section, re.M|re.I)
         if not section.startswith('m=video') or not found: continue
-        fmtp = _find(rf'^a=fmtp:{found[1]} +(.*)', section)
+        fmtp = _find(rf'^a=fmtp: *{found[1]} +(.*)', section)
         host = _find(r'^c=IN IP[46] ([^/\s]+)', section) or _find(r'^c=IN IP[46] ([^/\s]+)', session)
         return _Media(found[2].lower(), int(found[1]), host, int(_find(r'^m=video (\d+)', section, 0)),
             _parameter_sets(fmtp), _find(r'^a=control:(.*)', section), _find(r'^a=control:(.*)', session))
