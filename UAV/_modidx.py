@@ -6176,6 +6176,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                    'UAV.utils.general._public': ('api/utils/general.html#_public', 'UAV/utils/general.py'),
                                    'UAV.utils.general._serves': ('api/utils/general.html#_serves', 'UAV/utils/general.py'),
                                    'UAV.utils.general._signature': ('api/utils/general.html#_signature', 'UAV/utils/general.py'),
+                                   'UAV.utils.general._takes': ('api/utils/general.html#_takes', 'UAV/utils/general.py'),
                                    'UAV.utils.general._threads_since': ('api/utils/general.html#_threads_since', 'UAV/utils/general.py'),
                                    'UAV.utils.general._values_of': ('api/utils/general.html#_values_of', 'UAV/utils/general.py'),
                                    'UAV.utils.general.date_time_str': ('api/utils/general.html#date_time_str', 'UAV/utils/general.py'),
