@@ -12,6 +12,7 @@ from .parameters import check_parameters, ParametersChanged
 from .values import *
 from ..utils import clock
 from ..utils.general import _has_ended, cv2, no_class, Report, kept
+from ..utils.pictures import as_bgr
 
 # %% ../../nbs/api/cameras/10_contract.ipynb #781f4f27
 def _check_information(camera, seen):
@@ -26,9 +27,8 @@ def _check_information(camera, seen):
 def _check_frame(camera, frame, smaller=False):
     "Raise `AssertionError` unless `frame` is a good one; a frame for video may be smaller than a picture"
     assert isinstance(frame, Frame), f'read() must return a Frame, not {type(frame).__name__}'
-    shape,kind = getattr(frame.image, 'shape', ()),getattr(frame.image, 'dtype', None)
-    good = len(shape) == 3 and shape[2] == 3 and kind == 'uint8'
-    assert good, f'a frame must be height x width x 3 of uint8, not {shape} of {kind}'
+    try: shape = as_bgr(frame.image).shape
+    except ValueError as e: raise AssertionError(f"a frame's image is {e}") from None
     width,height = camera.information.resolution_h,camera.information.resolution_v
     fits = not (width and height) or (width,height) == (shape[1],shape[0]) or smaller and shape[1] < width
     assert fits, f'information says {width}x{height}, but frames are {shape[1]}x{shape[0]}'

@@ -20,6 +20,22 @@ from ..utils.geo import metres
 # %% auto #0
 __all__ = ['Gimbal', 'Location', 'direction', 'RegionOfInterest']
 
+# %% ../../nbs/api/gimbals/01_gimbal.ipynb #e51c7a20
+def _seconds(what, value):
+    fits = isinstance(value, Real) and value>=0
+    if not fits: raise ValueError(f'{what} must be a number of seconds from 0 on, not {value!r}')
+
+def _axes(what, value):
+    fits = isinstance(value, (tuple,list,set,frozenset)) and all(axis in axes for axis in value)
+    if not fits: raise ValueError(f"{what} must be axes in brackets, such as ('yaw',), not {value!r}")
+
+def _described(what, value):
+    if isinstance(value, GimbalInformation): return
+    raise ValueError(f"{what} must be a GimbalInformation, such as GimbalInformation(model='Mine'), not {value!r}")
+
+_checks = dict.fromkeys(('rate_lasts','vehicle_lasts','carries','patience'), _seconds) | dict(
+    locks=_axes, follows=_axes, information=_described)
+
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #27464999
 class Gimbal(KeepsNames):
     "A gimbal; subclasses provide `information`, `drive`, `attitude` and optionally `retract`"
@@ -37,14 +53,14 @@ class Gimbal(KeepsNames):
     def __init__(self,
                  clock=clock.now): # Gives seconds, and never goes back; with another one, call `tick` yourself
         self._check_names()
+        for name in _checks: _checks[name](name, getattr(self, name))
         self.clock,self.log = clock,get_logger(f'gimbal.{self.information.model}')
         self.setpoint,self.closed,self._lock = Setpoint(),False,_clock.RLock()
         self._told = VehicleState(),-math.inf           # what we heard last of the vehicle, and when
         self._timers,self._alarm = Timers(f'timer of {self.information.model}'),None   # its own: it may hang
 
     def __setattr__(self, name, value):
-        if name in ('rate_lasts','vehicle_lasts','carries','patience') and not (isinstance(value, Real) and value>=0):
-            raise ValueError(f'{name} must be a number of seconds from 0 on, not {value!r}')
+        if check := _checks.get(name): check(name, value)
         super().__setattr__(name, value)
 
     def drive(self, setpoint:Setpoint):

@@ -8,7 +8,7 @@ from collections import Counter
 from functools import wraps
 from itertools import chain, islice
 from types import SimpleNamespace as ns
-import inspect, sys
+import inspect, math, sys
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -457,7 +457,7 @@ def say(self:Component, severity:int, # MAV_SEVERITY
 # %% ../../nbs/api/mavlink/04_component.ipynb #d9da7216
 class StatusText:
     "A text of a component, in one STATUSTEXT or in pieces; `…` stands for what is missing"
-    most = 5            # pieces that are kept
+    most = 16           # pieces that are kept; ArduPilot sends up to six
     def __init__(self, severity:int, # MAV_SEVERITY
                  number:int): # The `id` of its pieces; 0: it has one
         store_attr()
@@ -467,7 +467,7 @@ class StatusText:
     def ended(self)->bool:
         "True if its last piece is there"
         last = max(self.pieces)
-        return not self.number or len(self.pieces[last])<50 or last>=self.most-1
+        return not self.number or len(self.pieces[last])<50
 
     @property
     def complete(self)->bool:
@@ -494,7 +494,8 @@ class Texts:
     def take(self, msg, # A STATUSTEXT
             )->tuple:
         "Add a piece; return its `StatusText`, and True if that is new"
-        number,n,now = getattr(msg, 'id', 0),getattr(msg, 'chunk_seq', 0),clock.monotonic()
+        number,now = getattr(msg, 'id', 0),clock.monotonic()
+        n = msg.chunk_seq if number else 0
         raw = getattr(msg, '_text_raw', None) or msg.text.encode()
         piece,text = raw[:50].split(b'\0')[0],self.open.get(number)
         is_other = text is not None and (text.severity!=msg.severity or text.pieces.get(n, piece)!=piece)
@@ -519,6 +520,7 @@ class Health:
     def __init__(self, component:Component, device): # A device with `information.model` and an optional `fault`
         store_attr()
         self.fault,self.said,self._lock = None,'',clock.Lock()      # `said`: the last text sent
+        self.sent = -math.inf               # when that was, monotonic s
         self._beating = clock.Lock()        # no heartbeat with an older state comes after one with a newer
 
     @property
@@ -556,7 +558,9 @@ def beat(self:Health):
 def tell(self:Health, severity:int, text:str, now:bool=False):
     "Send a text, unless it repeats the last one"
     before,self.said = self.said,text
-    if text!=before: self.component.say(severity, text, now)
+    if text==before: return
+    self.sent = clock.monotonic()
+    self.component.say(severity, text, now)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #c01eadfb
 class DeviceServer(Component):

@@ -10,7 +10,8 @@ from dataclasses import fields, is_dataclass
 from datetime import datetime
 from functools import cached_property, wraps
 from importlib import import_module
-from inspect import CORO_CREATED, getattr_static, getcoroutinestate, isdatadescriptor, isfunction, ismemberdescriptor
+from inspect import (CORO_CREATED, getattr_static, getcoroutinestate, isdatadescriptor, isfunction, ismemberdescriptor,
+                     signature)
 from numbers import Real
 from types import CoroutineType
 import heapq, inspect, math, os, re, sys, weakref
@@ -338,12 +339,20 @@ class CompleteLater(ABCMeta):
 # %% ../../nbs/api/utils/00_general.ipynb #2f337d14
 _unset = object()
 
+def _takes(value, ours, of_class:bool)->bool:
+    "True if `value` can be called with all that `ours` takes"
+    try: signature(value).bind(*list(signature(ours).parameters)[not of_class:])
+    except TypeError: return False
+    except ValueError: pass         # a function of C may have no signature
+    return True
+
 def _serves(base:type, name:str, value, of_class:bool)->bool:
     "True if `value`, as an attribute of a class or of an object, does what `base` has under this name"
     if name in (parts := vars(base)['_parts']):
         return isinstance(value, parts[name]) if isinstance(parts[name], type) else parts[name](value)
     ours = vars(base).get(name)
     calls = callable(value) and not isinstance(value, type)
+    if calls and isfunction(ours) and name[0]=='_' and name[:2]!='__': calls = _takes(value, ours, of_class)
     if not isinstance(ours, property) and (not isfunction(ours) or value is None or calls): return True
     if not of_class or callable(value) or not hasattr(value, '__get__') or ismemberdescriptor(value): return False
     return isinstance(ours, property) or not (isdatadescriptor(value) or isinstance(value, cached_property))
