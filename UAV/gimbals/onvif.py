@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from urllib.parse import quote, urlsplit, urlunsplit
 from xml.etree import ElementTree
 from xml.sax.saxutils import escape
-import hashlib, itertools, math, os, re
+import hashlib, itertools, math, os, re, socket
 
 from fastcore.basics import patch, store_attr
 from ..cameras.url_camera import URLCamera
@@ -60,18 +60,44 @@ class _Refused(GimbalError): "The camera answered with a Fault"
 class _Unauthorized(GimbalError): "The camera refused user or password"
 class _BadAddress(GimbalError): "The camera named an address that is none, or not for us"
 class _GivenUp(GimbalError): "A stop order was more urgent than the answer"
+class _Unreadable(GimbalError): "The camera answered, and not with XML"
 
 def _text(element, path:str)->str:
     "Return the text of the first element at a path, such as 'PTZ/XAddr'; empty: there is none"
     found = None if element is None else element.find('.//'+'/'.join(f'{{*}}{name}' for name in path.split('/')))
     return '' if found is None else (found.text or '').strip()
 
+def _has(element, name:str)->bool: return element.find(f'.//{{*}}{name}') is not None
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #ff84cbf2
+def _tidied(data:bytes)->str:
+    "An envelope without what cameras do wrong; raises `ValueError` and `LookupError`"
+    found = re.search(rb'<((?:[\w.-]{1,50}:)?Envelope)\b', data)
+    end = data.rfind(b'</'+found[1]) if found else -1
+    if end<0 or len(data)>1<<20: raise ValueError('no envelope, or a large one')
+    inner = data[found.start():end]+b'</'+found[1]+b'>'
+    named = re.match(rb'\s*<\?xml[^>]{,50}encoding=["\']([\w.-]+)', data)
+    try: text = inner.decode(named[1].decode() if named else 'utf-8')
+    except (ValueError, LookupError): text = inner.decode(errors='replace')
+    text = re.sub(r'[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]', '?', text)
+    text = re.sub(r'&(?!(?:#\d+|#x[\da-fA-F]+|lt|gt|amp|quot|apos);)', '&amp;', text)
+    used = set(re.findall(r'[<\s/]([A-Za-z_][\w.-]*):[A-Za-z_]', text))
+    unknown = sorted(used-set(re.findall(r'\sxmlns:([\w.-]+)\s*=', text))-{'xml','xmlns'})
+    if len(unknown)>100: raise ValueError('too many prefixes')
+    return re.sub(r'(?=[\s>])', ''.join(f' xmlns:{prefix}="{prefix}"' for prefix in unknown), text, count=1)
+
+def _body(data:bytes|str)->ElementTree.Element|None:
+    "The body of an envelope; `None` when it isn't one"
+    try: return ElementTree.fromstring(data).find('{*}Body')
+    except (ElementTree.ParseError, ValueError, LookupError): return None
+
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #e3985745
 def _answer(data:bytes)->ElementTree.Element:
     "Return the answer in an envelope; raises `GimbalError` for a Fault, or anything else"
-    try: body = ElementTree.fromstring(data).find('{*}Body')
-    except (ElementTree.ParseError, ValueError, LookupError): body = None
-    if body is None or not len(body): raise GimbalError('no answer in XML that we can read')
+    body = _body(data)
+    if body is None:
+        with suppress(ValueError, LookupError): body = _body(_tidied(data))
+    if body is None or not len(body): raise _Unreadable('no answer in XML that we can read')
     if not body[0].tag.endswith('}Fault'): return body[0]
     said = ' '.join(body[0].itertext())
     if re.search('not ?authorized|FailedAuthentication', said, re.I): raise _Unauthorized(said)
@@ -95,7 +121,7 @@ def _ends(element, name:str)->tuple:
     "Return the least and the greatest value of a range"
     try: low,high = (float(_text(element, f'{name}/{end}')) for end in ('Min','Max'))
     except ValueError: return -1.,1.
-    return (low,high) if low<high else (-1.,1.)
+    return (low,high) if -math.inf<low<high<math.inf else (-1.,1.)
 
 def _spaces(answer, kind:str)->list:
     "Return all spaces of a kind, those in degrees first"
@@ -178,8 +204,10 @@ def load(self:_OnvifLine, url:str, data:bytes|None=None, # What to POST; `None`:
             at = f' at {_shown(url)}' if url.startswith('https') else ''
             if not deadline.late.is_set(): raise GimbalError(f'{self!r}: no answer{at} ({why})') from None
         if deadline.late.is_set(): raise GimbalError(f'{self!r}: no whole answer in {seconds:g} s')
-    if status==200 or data and status not in (401, *range(300, 400)): return answer         # or a Fault
-    if status==401: raise _Unauthorized(reason)
+    says = data and status not in (401, *range(300, 400)) and b'Envelope' in answer         # a Fault, for example
+    if status==200 or says: return answer
+    if status in (401,403): raise _Unauthorized(reason)
+    if data and status>=400: raise _Unreadable(f'{status} {reason}'+', perhaps for a wrong password'*(status==400))
     to = headers.get('location')
     raise GimbalError(f'{self!r}: {status} {reason}{f", to {to}: it is not followed" if to else ""}')
 
@@ -202,17 +230,24 @@ def ask(self:_OnvifLine, request:str, # Such as '<tds:GetServices/>'
         self.skew = None                # its clock may have been set
         text = f'{self!r} refuses user or password: write onvif://USER:PASSWORD@{self.place}'
         raise _Unauthorized(text) from None
-    except GimbalError as e: raise GimbalError(str(e) if repr(self) in str(e) else f'{self!r}: {e}') from None
+    except GimbalError as e: raise type(e)(str(e) if repr(self) in str(e) else f'{self!r}: {e}') from None
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #d28f7357
 @patch
 def _find_skew(self:_OnvifLine)->float:
     "Return how many s its clock is ahead of ours; 0 when it refuses"
     try: told = self.ask('<tds:GetSystemDateAndTime/>').find('.//{*}UTCDateTime')
-    except (_Refused, _Unauthorized): return 0.
+    except (_Refused, _Unauthorized, _Unreadable): return 0.
     names = 'Date/Year','Date/Month','Date/Day','Time/Hour','Time/Minute','Time/Second'
     try: return timegm(tuple(int(_text(told, name)) for name in names))-clock.time()
-    except ValueError: return 0.
+    except (ValueError, OverflowError): return 0.
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #e8044b5d
+@patch(as_prop=True)
+def addresses(self:_OnvifLine)->set:
+    "What its name stands for; empty when that isn't known"
+    try: return {place[4][0] for place in socket.getaddrinfo(self.host, None, type=socket.SOCK_STREAM)}
+    except (OSError, UnicodeError): return set()
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #f75723ae
 @patch
@@ -226,7 +261,7 @@ def here(self:_OnvifLine, url:str, *schemes:str)->str: # `schemes` in place of h
     scheme = parts.scheme or (schemes[0] if url.startswith('/') else '')
     ways = ' or '.join(schemes)
     if scheme not in schemes: raise _BadAddress(f'{self!r} names {_shown(url)!r}, and not an address of {ways}')
-    if host==self.host.lower(): return urlunsplit(parts._replace(scheme=scheme))
+    if host==self.host.lower() or host in self.addresses: return urlunsplit(parts._replace(scheme=scheme))
     place = self.place if scheme=='http' else url_host(self.host)+port
     return urlunsplit(parts._replace(scheme=scheme, netloc=place))
 
@@ -234,7 +269,8 @@ def here(self:_OnvifLine, url:str, *schemes:str)->str: # `schemes` in place of h
 @patch
 def _read_names(self:_OnvifLine):
     "Read maker, model and firmware"
-    about = self.ask('<tds:GetDeviceInformation/>')
+    about = None
+    with suppress(_Refused, _Unreadable): about = self.ask('<tds:GetDeviceInformation/>')
     names = _text(about, 'Manufacturer') or 'ONVIF',_text(about, 'Model') or 'camera'
     self.maker,self.model = (name.encode()[:31].decode(errors='ignore') for name in names)
     self.firmware = tuple(([min(int(n), 255) for n in re.findall(r'\d+', _text(about, 'FirmwareVersion'))]+[0]*4)[:4])
@@ -242,13 +278,20 @@ def _read_names(self:_OnvifLine):
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #31380fb3
 @patch
 def _find_services(self:_OnvifLine)->dict:
-    "Return the addresses of its services; newer cameras may only have the second request"
+    "Return the addresses of its services; some cameras tell all of them only by the second request"
+    found,names = {},dict(trt='Media', tptz='PTZ')
     try: told = self.ask('<tds:GetCapabilities><tds:Category>All</tds:Category></tds:GetCapabilities>')
-    except _Refused:
-        told = self.ask('<tds:GetServices><tds:IncludeCapability>false</tds:IncludeCapability></tds:GetServices>')
-        found = {_text(s, 'Namespace'): _text(s, 'XAddr') for s in told.findall('{*}Service')}
-        return {prefix: found.get(_schemas[prefix]) for prefix in ('trt','tptz')}
-    return dict(trt=_text(told, 'Media/XAddr'), tptz=_text(told, 'PTZ/XAddr'))
+    except (_Refused, _Unreadable) as e: told,why = None,e
+    if told is not None: found = {p: _text(told, f'{name}/XAddr') for p,name in names.items() if _has(told, name)}
+    if all(found.get(prefix) for prefix in names): return found
+    try: more = self.ask('<tds:GetServices><tds:IncludeCapability>false</tds:IncludeCapability></tds:GetServices>')
+    except (_Refused, _Unreadable):
+        if told is None: raise why from None
+        more = ()
+    for service in more:
+        prefix = next((p for p in names if _schemas[p]==_text(service, 'Namespace')), None)
+        if prefix and not found.get(prefix): found[prefix] = _text(service, 'XAddr')
+    return {prefix: url or self.services['tds'] for prefix,url in found.items()}        # an empty one: all are at one
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #2c4b026a
 @patch
@@ -271,7 +314,7 @@ def _find_spaces(self:_OnvifLine, configuration):
     token = escape(configuration.get('token', ''))
     try: told = self.ask(f'<tptz:GetConfigurationOptions><tptz:ConfigurationToken>{token}</tptz:ConfigurationToken>'
                          '</tptz:GetConfigurationOptions>')
-    except _Refused: told = self.ask('<tptz:GetNodes/>')
+    except (_Refused, _Unreadable): told = self.ask('<tptz:GetNodes/>')
     self.spaces = {kind: _spaces(told, f'{name}Space') for kind,name in kinds.items()}
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #139c2725
@@ -279,7 +322,7 @@ def _find_spaces(self:_OnvifLine, configuration):
 def _find_uri(self:_OnvifLine, request:str, *schemes:str)->str:
     "Return the address of a picture or a video; empty: it has none that we can use"
     try: uri = _text(self.ask(request), 'MediaUri/Uri')
-    except _Refused: return ''
+    except (_Refused, _Unreadable): return ''
     try: return self.here(uri, *schemes) if uri else ''
     except _BadAddress as e: self.log.warning('%s', e)
     return ''

@@ -186,11 +186,22 @@ _triggers = (mavlink.MAV_CMD_IMAGE_START_CAPTURE,mavlink.MAV_CMD_DO_DIGICAM_CONT
 _captures = {enum_name('MAV_CMD', cmd, 'MAV_CMD_') for cmd in _triggers}
 
 @patch
+def _flies(self:_CameraVerbs, msg)->bool:
+    "True if an autopilot sent `msg`"
+    remote = self.mav_com and self.mav_com.remotes.get(address(msg))
+    return bool(remote and remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID and remote.type!=mavlink.MAV_TYPE_GCS)
+
+@patch
+def _is_news(self:CameraServer, msg)->bool:
+    "True if a failure of this trigger is told, though it repeats the last one"
+    return not self._flies(msg) or clock.monotonic()-self.health.sent>=self.dropped.again
+
+@patch
 def _run_command(self:CameraServer, handler, msg)->Outcome:
     "Run a command under the guard; send a status after a refused capture; answer a reset with ACCEPTED or FAILED"
     try:
         if handler.options.get('destroys'): self.check_guard(msg)
-        if msg.command in _triggers: self.health.said = ''      # a failure of this one is news
+        if msg.command in _triggers and self._is_news(msg): self.health.said = ''
         outcome = Component._run_command(self, handler, msg)
     except Exception as e: outcome = Outcome(self._result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
     if outcome.result==mavlink.MAV_RESULT_ACCEPTED: return outcome
@@ -478,9 +489,7 @@ def _tell_again(self:_CameraVerbs, number:int, msg, before:Outcome):
 @patch
 def _note_number(self:_CameraVerbs, number:int, msg, outcome:Outcome):
     "Remember a shot's number; an autopilot's only as long as a frame can be delayed on another link"
-    remote = self.mav_com and self.mav_com.remotes.get(address(msg))
-    flies = remote and remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID and remote.type!=mavlink.MAV_TYPE_GCS
-    self.served.note_number(msg, number, outcome, *[Served.overtaken]*bool(flies))
+    self.served.note_number(msg, number, outcome, *[Served.overtaken]*self._flies(msg))
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ca8b44d
 @patch
