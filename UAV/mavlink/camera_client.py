@@ -4,11 +4,12 @@
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #de6bb8ci
 from __future__ import annotations
+from contextlib import suppress
 from datetime import datetime, timezone
 from functools import cached_property
 from pathlib import Path
 from types import SimpleNamespace as ns
-import asyncio, math, os, secrets
+import asyncio, math, os, re, secrets
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -414,9 +415,12 @@ class Picture:
                  file:bytes|Path|None=None): # Its bytes, or its local path; `None`: not fetched
         self.notice,self.index = notice,notice.image_index
         self.path,self.data = (None,file) if isinstance(file, bytes) else (file,None)
-        self.time = datetime.fromtimestamp(notice.time_utc/1e6, timezone.utc) if notice.time_utc else None
+        self.time = None
+        with suppress(ValueError, OverflowError, OSError):          # no year has so many microseconds
+            if notice.time_utc: self.time = datetime.fromtimestamp(notice.time_utc/1e6, timezone.utc)
         place = notice.lat/1e7,notice.lon/1e7,notice.alt/1e3,notice.relative_alt/1e3       # degrees and m
-        self.lat,self.lon,self.alt,self.relative_alt = place if notice.lat or notice.lon else [None]*4
+        there = any(place[:2]) and abs(place[0])<=90 and abs(place[1])<=180
+        self.lat,self.lon,self.alt,self.relative_alt = place if there else [None]*4
 
     def __fspath__(self): return os.fspath(self.path)
     def _repr_jpeg_(self): return self.path.read_bytes() if self.path else self.data
@@ -655,7 +659,7 @@ async def capture_together(
     async def fetch(camera, taken):
         if to is None or not isinstance(taken, Picture): return taken
         name = local_name(taken.notice.file_url, f'{taken.index}.jpg')
-        if not name.partition('.')[2]: name += '.jpg'
+        if not re.search('[A-Za-z]', Path(name).suffix): name += '.jpg'           # or it would be a folder
         try: return await camera._fetched(taken.notice, Path(to)/f'{camera.system}_{camera.component}_{name}')
         except Exception as e: return e
 

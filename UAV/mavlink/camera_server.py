@@ -193,7 +193,7 @@ def _flies(self:_CameraVerbs, msg)->bool:
 
 @patch
 def _is_news(self:CameraServer, msg)->bool:
-    "True if a failure of this trigger is told, though it repeats the last one"
+    "True if a failure of this trigger is sent as a text, though it repeats the last one"
     return not self._flies(msg) or clock.monotonic()-self.health.sent>=self.dropped.again
 
 @patch

@@ -99,7 +99,8 @@ def _same_as(self:PictureLog, msg)->list:
 def _is_uncounted(self:PictureLog, msg)->bool:
     "True for an index that is none, or that of an older picture among those that were asked for"
     if msg.image_index<=0 and self.endless: return msg.image_index<0        # 0: the storage was formatted
-    return msg.image_index<0 or any(_time(msg)>_time(m) for m in self._same_as(msg))
+    def newer(m): return _time(msg)>_time(m) or not _time(msg) and msg.file_url!=m.file_url        # without a clock
+    return msg.image_index<0 or any(map(newer, self._same_as(msg)))
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #d65b0faa
 @patch
