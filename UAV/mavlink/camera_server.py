@@ -97,6 +97,8 @@ class _Levels:
     def __init__(self):
         self._told,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),itertools.count(1)
         self._orders = Seen(self.window, most=256)      # by drive and sender: its last order's turn and level
+        self._own = Seen(self.window, most=256)         # by drive and sender: turn and level of its latest orders
+        self._done = Seen(self.window, most=256)        # by drive and sender: what it has sent back
         self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
 
     def tell(self, **levels):
@@ -108,15 +110,23 @@ class _Levels:
 
     def order(self, drive:str, source:tuple, level:float|None):
         "Note an order of `source`; `level` is its place in the range, if it names one"
-        self._orders.note((drive,source), (next(self._turns), level))
+        key,last = (drive,source),(next(self._turns), level)
+        self._orders.note(key, last)
+        if level is not None: self._own.note(key, (*self._own.find(key, ())[-15:], last))
 
     def sent_back(self, drive:str, source:tuple, level:float, echoing:bool=False)->bool:
-        "True if `level` was new since the last order of `source`, once; to an `echoing` one, if it was sent at all"
-        (since,own),after = self._orders.find((drive,source), (0,None)),clock.monotonic()-self.window
-        recent = [(turn,told) for turn,new,last,told in list(self._told[drive]) if (last if echoing else new)>after]
-        turn = next((turn for turn,told in recent if turn>since and math.isclose(told, level, rel_tol=1e-6)), 0)
-        if not turn or own==level: return False
-        if not echoing: self._orders.note((drive,source), (turn, None))         # its next one is its own
+        "True if `level` was new since the last order of `source`, once; an `echoing` one sends back all but its own"
+        key,after = (drive,source),clock.monotonic()-self.window
+        (since,own),done = self._orders.find(key, (0,None)),self._done.find(key, ())
+        same = [told for told in list(self._told[drive]) if math.isclose(told[-1], level, rel_tol=1e-6)]
+        ordered = [turn for turn,own in self._own.find(key, ()) if math.isclose(own, level, rel_tol=1e-6)]
+        if echoing:
+            theirs = (t for t in same if t[2]>after and t not in done and not any(n<t[0] for n in ordered))
+            found = next(theirs, None)
+        else: found = next((t for t in same if t[1]>after and t[0]>since and own!=level), None)
+        if found is None: return False
+        if echoing: self._done.note(key, (*done[-63:], found))
+        else: self._orders.note(key, (found[0], None))          # its next one is its own
         self._echoes.note(source, self._echoes.find(source, 0)+1)
         return True
 
