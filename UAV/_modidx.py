@@ -4440,6 +4440,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                'UAV/mavlink/capture.py'),
                                      'UAV.mavlink.capture.Capture._look': ( 'api/mavlink/capture.html#capture._look',
                                                                             'UAV/mavlink/capture.py'),
+                                     'UAV.mavlink.capture.Capture._order': ( 'api/mavlink/capture.html#capture._order',
+                                                                             'UAV/mavlink/capture.py'),
                                      'UAV.mavlink.capture.Capture._own_series': ( 'api/mavlink/capture.html#capture._own_series',
                                                                                   'UAV/mavlink/capture.py'),
                                      'UAV.mavlink.capture.Capture._send': ( 'api/mavlink/capture.html#capture._send',
