@@ -328,6 +328,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                   'UAV.cameras.exif._prefixes': ('api/cameras/exif.html#_prefixes', 'UAV/cameras/exif.py'),
                                   'UAV.cameras.exif._properties': ('api/cameras/exif.html#_properties', 'UAV/cameras/exif.py'),
                                   'UAV.cameras.exif._replaced': ('api/cameras/exif.html#_replaced', 'UAV/cameras/exif.py'),
+                                  'UAV.cameras.exif._retyped': ('api/cameras/exif.html#_retyped', 'UAV/cameras/exif.py'),
                                   'UAV.cameras.exif._says': ('api/cameras/exif.html#_says', 'UAV/cameras/exif.py'),
                                   'UAV.cameras.exif._segments': ('api/cameras/exif.html#_segments', 'UAV/cameras/exif.py'),
                                   'UAV.cameras.exif._sound': ('api/cameras/exif.html#_sound', 'UAV/cameras/exif.py'),
