@@ -152,7 +152,8 @@ def exif(index:int, # Which picture
         )->bytes:
     "An EXIF block, ready for `add_segments`; raises `ValueError` for a tag that EXIF does not have"
     block,camera,when = _image.Exif(),information or CameraInformation(),datetime.fromtimestamp(time_utc, timezone.utc)
-    block.update({Base.ImageDescription: f'UAV picture {index}', Base.Software: 'UAV', Base.DateTime: f'{when:%Y:%m:%d %H:%M:%S}',
+    block.update({Base.ImageDescription: f'UAV picture {index}', Base.Software: 'UAV',
+                  Base.DateTime: f'{when:%Y:%m:%d %H:%M:%S}',
                   Base.Orientation: 1, Base.YCbCrPositioning: 1,
                   Base.XResolution: 72., Base.YResolution: 72., Base.ResolutionUnit: 2} | _camera_tags(camera))
     block.get_ifd(IFD.Exif).update(_photo_tags(when, size, camera))
