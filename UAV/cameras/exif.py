@@ -228,7 +228,8 @@ def _missing_tags(theirs, size:tuple, when:datetime, camera:CameraInformation)->
     if Base.FocalLength in has and not camera.equivalent:
         camera = replace(camera, focal_length=float(has[Base.FocalLength]))
     dated = {tag for tag in _photo_tags(when, size, camera) if 'Time' in Base(tag).name}
-    if Base.DateTimeOriginal not in has: dated -= {Base.DateTimeOriginal,Base.OffsetTimeOriginal,Base.SubsecTimeOriginal}
+    original = {Base.DateTimeOriginal, Base.OffsetTimeOriginal, Base.SubsecTimeOriginal}
+    if Base.DateTimeOriginal not in has: dated -= original
     lacks = {tag: value for tag,value in _photo_tags(when, size, camera).items() if tag not in has and tag not in dated}
     return {} if _says(theirs.get(Base.Make)) else _camera_tags(camera),lacks
 
@@ -365,7 +366,7 @@ def add_metadata(jpeg:bytes, # A JPEG file
                  tags:dict|None=None, # More EXIF tags, by their names
                 )->bytes:
     "`jpeg` with EXIF, and with XMP when `pose` is known; the rest of what it has of both stays, and so do its pixels"
-    head,camera = _jpeg_head(jpeg),information or CameraInformation()       # Pillow refuses more than 179 million pixels
+    head,camera = _jpeg_head(jpeg),information or CameraInformation()       # Pillow refuses over 179 million pixels
     if not head: raise ValueError('this is not a JPEG')
     size = head[:2]
     jpeg,theirs,packets = _taken_out(jpeg)
