@@ -135,6 +135,11 @@ def _add_tags(block, tags:dict):
     except Exception as e: raise ValueError(f'EXIF cannot hold {tags}: {e}') from None
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #bbf140cb
+def _retyped(tiff:bytes, order:str)->bytes:
+    "ComponentsConfiguration (0x9101) as UNDEFINED (7), which EXIF wants, in place of Pillow's BYTE (1)"
+    def entry(kind): return b''.join(n.to_bytes(size, order) for n,size in ((0x9101,2),(kind,2),(4,4)))+b'\1\2\3\0'
+    return tiff.replace(entry(1), entry(7))
+
 def _camera_tags(camera:CameraInformation)->dict:
     return {Base.Make: _as_exif(camera.vendor), Base.Model: _as_exif(camera.model)}
 
@@ -147,14 +152,14 @@ def exif(index:int, # Which picture
         )->bytes:
     "An EXIF block, ready for `add_segments`; raises `ValueError` for a tag that EXIF does not have"
     block,camera,when = _image.Exif(),information or CameraInformation(),datetime.fromtimestamp(time_utc, timezone.utc)
-    block.update({Base.ImageDescription: f'UAV picture {index}', Base.Software: 'UAV', Base.DateTime: f'{when:%Y:%m:%d %H:%M:%S}',
+    block.update({Base.ImageDescription: f'UAV picture {index}', Base.Software: 'UAV',
+                  Base.DateTime: f'{when:%Y:%m:%d %H:%M:%S}',
                   Base.Orientation: 1, Base.YCbCrPositioning: 1,
                   Base.XResolution: 72., Base.YResolution: 72., Base.ResolutionUnit: 2} | _camera_tags(camera))
     block.get_ifd(IFD.Exif).update(_photo_tags(when, size, camera))
     if pose: block.get_ifd(IFD.GPSInfo).update(_gps_tags(pose, when))
     if tags: _add_tags(block, tags)
-    # ComponentsConfiguration (0x9101): Pillow writes type BYTE (1), the standard asks for UNDEFINED (7)
-    return block.tobytes().replace(b'\x91\1\0\1\0\0\0\4\1\2\3\0', b'\x91\1\0\7\0\0\0\4\1\2\3\0')
+    return _retyped(block.tobytes(), 'big')
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #7356b0aa
 _xmp_head,_rdf_end = b'http://ns.adobe.com/xap/1.0/\0',b'</rdf:RDF>'
@@ -222,10 +227,10 @@ def _missing_tags(theirs, size:tuple, when:datetime, camera:CameraInformation)->
     has = {tag: value for tag,value in theirs.get_ifd(IFD.Exif).items() if _says(value)}
     if Base.FocalLength in has and not camera.equivalent:
         camera = replace(camera, focal_length=float(has[Base.FocalLength]))
-    lacks = {int(tag): value for tag,value in _lens_tags(size, camera).items() if int(tag) not in has}
-    if Base.DateTimeOriginal not in has:
-        dated = Base.DateTimeOriginal,Base.OffsetTimeOriginal,Base.SubsecTimeOriginal
-        lacks |= {int(tag): _photo_tags(when, size, camera)[tag] for tag in dated}
+    dated = {tag for tag in _photo_tags(when, size, camera) if 'Time' in Base(tag).name}
+    original = {Base.DateTimeOriginal, Base.OffsetTimeOriginal, Base.SubsecTimeOriginal}
+    if Base.DateTimeOriginal not in has: dated -= original
+    lacks = {tag: value for tag,value in _photo_tags(when, size, camera).items() if tag not in has and tag not in dated}
     return {} if _says(theirs.get(Base.Make)) else _camera_tags(camera),lacks
 
 def _added_tags(order:str, offset:int, index:int, when:datetime, pose:Pose|None, lacks:tuple, tags:dict|None)->bytes:
@@ -239,7 +244,7 @@ def _added_tags(order:str, offset:int, index:int, when:datetime, pose:Pose|None,
     for tag,value in block.items(): ours[tag] = value
     for part in (IFD.Exif,IFD.GPSInfo):
         if found := block.get_ifd(part): ours[part] = dict(found)
-    return ours.tobytes(offset)
+    return _retyped(ours.tobytes(offset), order)
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #1d073c77
 def _as_list(entries:dict, order:str)->bytes:
@@ -292,7 +297,7 @@ def _taken_out(jpeg:bytes)->tuple:
     return b''.join(kept)+jpeg[end:], next(iter(blocks), b''), packets
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #3a0e5b13
-_of_attitude = ['Camera:Yaw','Camera:Pitch','Camera:Roll',
+_of_attitude = ['Camera:Yaw','Camera:Pitch','Camera:Roll','exif:GPSImgDirection','exif:GPSImgDirectionRef',
                 *(f'drone-dji:{what}{axis}Degree' for what in ('Gimbal','Flight') for axis in ('Yaw','Pitch','Roll'))]
 _of_position = ['exif:GPSLatitude','exif:GPSLongitude','drone-dji:Latitude','drone-dji:Longitude',
                 'drone-dji:GpsLatitude','drone-dji:GpsLongitude','drone-dji:GpsLongtitude',       # DJI's own spelling
@@ -361,7 +366,7 @@ def add_metadata(jpeg:bytes, # A JPEG file
                  tags:dict|None=None, # More EXIF tags, by their names
                 )->bytes:
     "`jpeg` with EXIF, and with XMP when `pose` is known; the rest of what it has of both stays, and so do its pixels"
-    head,camera = _jpeg_head(jpeg),information or CameraInformation()       # Pillow refuses more than 179 million pixels
+    head,camera = _jpeg_head(jpeg),information or CameraInformation()       # Pillow refuses over 179 million pixels
     if not head: raise ValueError('this is not a JPEG')
     size = head[:2]
     jpeg,theirs,packets = _taken_out(jpeg)

@@ -300,11 +300,11 @@ def _folder_here(folder)->Path:
 
 # %% ../../nbs/api/cli/03_camera.ipynb #f3837673
 @patch
-async def fetch(self:CameraVisit, path:str, # Path on the camera, or its URL
+async def fetch(self:CameraVisit, path, # Path on the camera, its URL, or notice of a picture
                 folder, # Local folder, as for `_folder_here`
                )->Path:
     "Fetch a file and return its local path; raises `ValueError`, `OSError` or `MAVError`"
-    progress = None if self.options.json else Progress(local_name(path))
+    progress = None if self.options.json else Progress(local_name(getattr(path, 'file_url', path)))
     return await self.camera.files.fetch(path, _folder_here(folder), progress)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #d38e2876
@@ -323,7 +323,7 @@ async def _snap(visit, count:_pictures=1, # Number of pictures; 0: until Ctrl-C
         async for msg in notices:
             came,taken,ok = came+1,_picture(msg),msg.capture_result==1
             failed += not ok
-            here = await visit.fetch(taken.fields['file'], to) if to and ok else None
+            here = await visit.fetch(msg, to) if to and ok else None
             visit.tell(taken, f' → {here}' if here else '', **(dict(saved=str(here)) if here else {}))
     if came<count: raise NotTaken(f'{count-came} of {count} pictures were not announced')
     if failed: raise NotTaken(f'{failed} of {count} pictures failed')

@@ -148,8 +148,9 @@ def _send(self:RemoteFiles, request:FtpFrame):
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #1b225d3c
 def _path_of(file)->str:
-    "Return the path or URL of a path, a listed file or a picture's notice; raises `TypeError`"
+    "Return the path or URL of a path, a listed file or a picture's notice; raises `TypeError`, `ValueError`"
     path = getattr(file, 'path', None) or getattr(file, 'file_url', file)
+    if path is not file and not path.strip(): raise ValueError('the camera does not say where its picture is')
     if isinstance(path, str) and not isinstance(path, PurePath): return path.strip()
     raise TypeError(f'a path on a vehicle is text: write {str(path)!r}')
 

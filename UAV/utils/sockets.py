@@ -245,7 +245,7 @@ def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes
         answer = connection.getresponse()
         data = _body(answer, most, take) if answer.status==200 else answer.read(most)
         return answer.status,answer.reason,answer.headers,data
-    except HTTPException as e: raise OSError(f'{url}: {e!r}') from None
+    except HTTPException as e: raise OSError(f'{url}: {e!r:.99}') from None
     finally: connection.close()
 
 def _get(deadline:_Deadline, url:str, hosts, most:int, take)->bytes:
