@@ -65,16 +65,19 @@ class _UnitMaker:
         self._keep_sets(nals, kinds)
         self.begun = self.begun or key
         if not self.begun: return []
-        if key and self.headers and not kinds & _sps[self.codec]: data = self.headers+data
+        if key and self.headers and not kinds>=set(_set_kinds[self.codec]): data = self.headers+data
         self.number += 1
         time = now if stamp is None else self._times(stamp, now)
         form = VideoFormat(self.codec, 0, 0, 0, 0)              # what the decoder will find out
         return [AccessUnit(data, key, time, taken or clock.time(), self.number-1, form, self._decode_times(time))]
 
     def _keep_sets(self, nals:list, kinds:set):
-        "Remember the parameter sets that came, for key pictures without them"
+        "Remember the parameter sets that came, for key pictures without them; of a kind that didn't come, those before"
         if not kinds & _sps[self.codec]: return
-        self.headers = byte_stream(nal for nal in nals if _nal_type(nal, self.codec) in _set_kinds[self.codec])
+        def kind(nal): return _nal_type(nal, self.codec)
+        before = [nal for nal in nal_units(self.headers) if kind(nal) not in kinds]
+        came = [nal for nal in nals if kind(nal) in _set_kinds[self.codec]]
+        self.headers = byte_stream(sorted([*before, *came], key=kind))          # in the order in which they refer
 
 _sps = dict(h264={7}, h265={33})
 
