@@ -6697,6 +6697,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                      'UAV.video.receivers._find': ('api/video/receivers.html#_find', 'UAV/video/receivers.py'),
                                      'UAV.video.receivers._first_piece': ( 'api/video/receivers.html#_first_piece',
                                                                            'UAV/video/receivers.py'),
+                                     'UAV.video.receivers._has_packets': ( 'api/video/receivers.html#_has_packets',
+                                                                           'UAV/video/receivers.py'),
                                      'UAV.video.receivers._is_packet': ('api/video/receivers.html#_is_packet', 'UAV/video/receivers.py'),
                                      'UAV.video.receivers._listen': ('api/video/receivers.html#_listen', 'UAV/video/receivers.py'),
                                      'UAV.video.receivers._listen_pair': ( 'api/video/receivers.html#_listen_pair',

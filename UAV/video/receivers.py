@@ -524,6 +524,11 @@ def own_host(place, # From `urlsplit`
     "The address of a split URL; `@` and nothing are all of ours, as VLC writes them"
     return place.netloc.rpartition('@')[2] and host_in(place)
 
+# %% ../../nbs/api/video/03_receivers.ipynb #4116b092
+def _has_packets(data:bytes)->bool:
+    "Whether TS packets are in a datagram"
+    return data[:1]==b'G' or any(data[n]==data[n+ts_size]==0x47 for n in range(min(ts_size, len(data)-ts_size)))
+
 # %% ../../nbs/api/video/03_receivers.ipynb #9e2d2dad
 class TSReceiver(Receiver):
     "MPEG-TS, from `udp://HOST:PORT` (ours) or `tcp://HOST:PORT` (the server's)"
@@ -538,7 +543,7 @@ class TSReceiver(Receiver):
 
     def units(self):
         "Access units, until the stream ends; raises `OSError`"
-        self._reader,sender = _TSReader(),_OneSender(lambda data: data[:1]==b'G')           # of every TS packet
+        self._reader,sender = _TSReader(),_OneSender(_has_packets)
         while not self.connects:
             self._wait(dict.fromkeys(self._socks, selectors.EVENT_READ))
             yield from self._read(sender.receive(*self._socks))
@@ -548,7 +553,7 @@ class TSReceiver(Receiver):
 
 # %% ../../nbs/api/video/03_receivers.ipynb #0a1c1e4b
 class _OneSender:
-    "Of all who send to a UDP port, the first, until it is silent"
+    "Of all who send to a UDP port, the first with data that `fits`, until it is silent"
     patience = 1.           # s
     def __init__(self, fits):
         self.fits,self.address,self._heard = fits,None,-self.patience
@@ -557,8 +562,7 @@ class _OneSender:
         "Read a packet; empty when it's from another sender. Raises `OSError`"
         data,address = sock.recvfrom(1<<16)
         now = clock.monotonic()
-        is_late = address!=self.address and now-self._heard<self.patience
-        if is_late or not self.fits(data): return b''
+        if address!=self.address and (now-self._heard<self.patience or not self.fits(data)): return b''
         self.address,self._heard = address,now
         return data
 
