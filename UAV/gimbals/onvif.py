@@ -297,13 +297,16 @@ def _find_services(self:_OnvifLine)->dict:
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #2c4b026a
 @patch
 def _choose_profile(self:_OnvifLine):
-    "Choose a media profile, and return its configuration for turning, or `None`; raises `GimbalError`"
+    "Choose profiles to turn and to see by, and return the configuration for turning, or `None`; raises `GimbalError`"
     profiles = self.ask('<trt:GetProfiles/>').findall('{*}Profiles') if 'trt' in self.services else []
     if not profiles: raise GimbalError(f'{self!r} has no media profile')
     def turns(profile): return profile.find('{*}PTZConfiguration') is not None
-    profile = next(filter(turns, profiles), profiles[0])
-    self.profile,self.moves = profile.get('token', ''),turns(profile) and 'tptz' in self.services
-    return profile.find('{*}PTZConfiguration')
+    turning = next(filter(turns, profiles), profiles[0])
+    def is_seen(profile):
+        return _text(profile, 'VideoEncoderConfiguration/Encoding') in ('H264','H265'),profile is turning
+    self.profile,self.moves = turning.get('token', ''),turns(turning) and 'tptz' in self.services
+    self.view = max(profiles, key=is_seen).get('token', '')
+    return turning.find('{*}PTZConfiguration')
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #9d7ef505
 @patch
@@ -337,7 +340,7 @@ def connect(self:_OnvifLine):
         if url: self.services[prefix] = self.here(url)
     self._find_spaces(self._choose_profile())
     self.turns = bool(self.spaces['position'] or self.spaces['velocity'])
-    token = f'<trt:ProfileToken>{escape(self.profile)}</trt:ProfileToken>'
+    token = f'<trt:ProfileToken>{escape(self.view)}</trt:ProfileToken>'
     self.still = self._find_uri(f'<trt:GetSnapshotUri>{token}</trt:GetSnapshotUri>')
     self.stream = self._find_uri('<trt:GetStreamUri><trt:StreamSetup><tt:Stream>RTP-Unicast</tt:Stream><tt:Transport>'
         f'<tt:Protocol>RTSP</tt:Protocol></tt:Transport></trt:StreamSetup>{token}</trt:GetStreamUri>', 'rtsp')
