@@ -6534,6 +6534,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                             'UAV/video/player.py'),
                                   'UAV.video.player.RTSPReceiver._obliged': ( 'api/video/player.html#rtspreceiver._obliged',
                                                                               'UAV/video/player.py'),
+                                  'UAV.video.player.RTSPReceiver._on_ping': ( 'api/video/player.html#rtspreceiver._on_ping',
+                                                                              'UAV/video/player.py'),
                                   'UAV.video.player.RTSPReceiver._play': ( 'api/video/player.html#rtspreceiver._play',
                                                                            'UAV/video/player.py'),
                                   'UAV.video.player.RTSPReceiver._send': ( 'api/video/player.html#rtspreceiver._send',
