@@ -5526,6 +5526,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                             'UAV/mavlink/settings.py'),
                                       'UAV.mavlink.settings._clean': ('api/mavlink/settings.html#_clean', 'UAV/mavlink/settings.py'),
                                       'UAV.mavlink.settings._decimals': ('api/mavlink/settings.html#_decimals', 'UAV/mavlink/settings.py'),
+                                      'UAV.mavlink.settings._decoded': ('api/mavlink/settings.html#_decoded', 'UAV/mavlink/settings.py'),
                                       'UAV.mavlink.settings._limit': ('api/mavlink/settings.html#_limit', 'UAV/mavlink/settings.py'),
                                       'UAV.mavlink.settings._read_option': ( 'api/mavlink/settings.html#_read_option',
                                                                              'UAV/mavlink/settings.py'),
