@@ -10,7 +10,7 @@ from hashlib import sha256
 from html import escape
 from types import SimpleNamespace as ns
 from xml.etree import ElementTree as ET
-import lzma, math, struct
+import lzma, math, re, struct
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_PARAM_EXT_ACK as PARAM_EXT_ACK,
@@ -165,11 +165,20 @@ def _unpacked(data:bytes)->bytes:
     try: return unpacked(data, most_bytes)
     except ValueError as e: raise ValueError(f'the definition cannot be read: {e}') from None
 
+# %% ../../nbs/api/mavlink/07_settings.ipynb #8f1cf1bb
+def _decoded(data:bytes)->str:
+    "The text of XML: UTF-8, or the encoding that it names; raises `ValueError`"
+    if data[:2] in (b'\xff\xfe',b'\xfe\xff'): codecs = ['utf-16']
+    else: codecs = ['utf-8-sig', *(c.decode() for c in re.findall(rb'^\s*<\?xml[^>]{,80}encoding=["\']([\w.-]+)', data))]
+    for codec in codecs:
+        try: return data.decode(codec)
+        except (ValueError, LookupError) as e: why = why if codec!=codecs[0] else e
+    raise ValueError(f'the definition is no text: {why}')
+
 # %% ../../nbs/api/mavlink/07_settings.ipynb #649c22ef
 def _root(data:bytes):
     "Return the root element; raises `ValueError`"
-    try: text = _unpacked(data).decode('utf-16' if data[:2] in (b'\xff\xfe',b'\xfe\xff') else 'utf-8-sig')
-    except UnicodeDecodeError as e: raise ValueError(f'the definition is no text: {e}') from None
+    text = _decoded(_unpacked(data)).lstrip()
     if '\0' in text: raise ValueError('the definition is no text: it has a zero')        # UTF-16, to the parser
     if '<!DOCTYPE' in text or '<!ENTITY' in text: raise ValueError('the definition has a DOCTYPE or an ENTITY')
     try: return ET.fromstring(text)

@@ -81,6 +81,7 @@ class RTSPReceiver(Receiver):
         self._sock,self._udp,self._answers,self._packets = None,None,_AnswerReader(),[]
         self._cseq,self._session,self._methods,self._alive = 0,None,'',30.
         self._ping_at,self._denied = 0.,0       # when to give a sign of life, monotonic s; how many were refused
+        self._ping,self._waits = 'OPTIONS',False        # by what request; is there no answer to the last one yet?
 
     def _send(self, method, url, headers):
         "Send a request, with its number, the session and the password"
@@ -230,7 +231,14 @@ def _take(self:RTSPReceiver, data:bytes):
         elif _status(item.line)==401 and self._denied<2:        # the nonce is too old: at once with another one
             self._take_challenge(item.headers)
             self._denied,self._ping_at = self._denied+1,0.
-        elif _status(item.line)==200: self._denied = 0
+        elif status := _status(item.line): self._on_ping(status)
+
+@patch
+def _on_ping(self:RTSPReceiver, status:int):
+    "A sign of life was answered: a refused GET_PARAMETER is said again as OPTIONS"
+    if self._waits: self._ping_at,self._waits = self._ping_at+self._alive-min(self._alive, self.timeout),False
+    if status==200: self._denied = 0
+    elif self._ping!='OPTIONS': self._ping,self._ping_at = 'OPTIONS',0.
 
 @patch
 def _arrived(self:RTSPReceiver):
@@ -245,15 +253,17 @@ def _arrived(self:RTSPReceiver):
 @patch
 def _play(self:RTSPReceiver, url):
     "The RTP packets"
-    method = 'GET_PARAMETER' if 'GET_PARAMETER' in self._methods else 'OPTIONS'
+    self._ping = 'GET_PARAMETER' if 'GET_PARAMETER' in self._methods else 'OPTIONS'
     silent_at,self._ping_at = clock.monotonic()+self.timeout,clock.monotonic()+self._alive
     while True:
         for packet in self._arrived():
             silent_at = clock.monotonic()+self.timeout
             yield packet
         if clock.monotonic()>=self._ping_at:
-            self._send(method, url, {})
-            self._ping_at = clock.monotonic()+self._alive
+            if self._waits: self._ping = 'OPTIONS'
+            self._send(self._ping, url, {})
+            self._waits,after = self._ping!='OPTIONS',self._alive
+            self._ping_at = clock.monotonic()+(min(after, self.timeout) if self._waits else after)
         self._listen_until(min(silent_at, self._ping_at), silent_at)
 
 # %% ../../nbs/api/video/08_player.ipynb #cb011e52

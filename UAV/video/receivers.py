@@ -65,16 +65,19 @@ class _UnitMaker:
         self._keep_sets(nals, kinds)
         self.begun = self.begun or key
         if not self.begun: return []
-        if key and self.headers and not kinds & _sps[self.codec]: data = self.headers+data
+        if key and self.headers and not kinds>=set(_set_kinds[self.codec]): data = self.headers+data
         self.number += 1
         time = now if stamp is None else self._times(stamp, now)
         form = VideoFormat(self.codec, 0, 0, 0, 0)              # what the decoder will find out
         return [AccessUnit(data, key, time, taken or clock.time(), self.number-1, form, self._decode_times(time))]
 
     def _keep_sets(self, nals:list, kinds:set):
-        "Remember the parameter sets that came, for key pictures without them"
+        "Remember the parameter sets that came, for key pictures without them; of a kind that didn't come, those before"
         if not kinds & _sps[self.codec]: return
-        self.headers = byte_stream(nal for nal in nals if _nal_type(nal, self.codec) in _set_kinds[self.codec])
+        def kind(nal): return _nal_type(nal, self.codec)
+        before = [nal for nal in nal_units(self.headers) if kind(nal) not in kinds]
+        came = [nal for nal in nals if kind(nal) in _set_kinds[self.codec]]
+        self.headers = byte_stream(sorted([*before, *came], key=kind))          # in the order in which they refer
 
 _sps = dict(h264={7}, h265={33})
 
@@ -521,6 +524,11 @@ def own_host(place, # From `urlsplit`
     "The address of a split URL; `@` and nothing are all of ours, as VLC writes them"
     return place.netloc.rpartition('@')[2] and host_in(place)
 
+# %% ../../nbs/api/video/03_receivers.ipynb #4116b092
+def _has_packets(data:bytes)->bool:
+    "Whether TS packets are in a datagram"
+    return data[:1]==b'G' or any(data[n]==data[n+ts_size]==0x47 for n in range(min(ts_size, len(data)-ts_size)))
+
 # %% ../../nbs/api/video/03_receivers.ipynb #9e2d2dad
 class TSReceiver(Receiver):
     "MPEG-TS, from `udp://HOST:PORT` (ours) or `tcp://HOST:PORT` (the server's)"
@@ -535,7 +543,7 @@ class TSReceiver(Receiver):
 
     def units(self):
         "Access units, until the stream ends; raises `OSError`"
-        self._reader,sender = _TSReader(),_OneSender(lambda data: data[:1]==b'G')           # of every TS packet
+        self._reader,sender = _TSReader(),_OneSender(_has_packets)
         while not self.connects:
             self._wait(dict.fromkeys(self._socks, selectors.EVENT_READ))
             yield from self._read(sender.receive(*self._socks))
@@ -545,7 +553,7 @@ class TSReceiver(Receiver):
 
 # %% ../../nbs/api/video/03_receivers.ipynb #0a1c1e4b
 class _OneSender:
-    "Of all who send to a UDP port, the first, until it is silent"
+    "Of all who send to a UDP port, the first with data that `fits`, until it is silent"
     patience = 1.           # s
     def __init__(self, fits):
         self.fits,self.address,self._heard = fits,None,-self.patience
@@ -554,8 +562,7 @@ class _OneSender:
         "Read a packet; empty when it's from another sender. Raises `OSError`"
         data,address = sock.recvfrom(1<<16)
         now = clock.monotonic()
-        is_late = address!=self.address and now-self._heard<self.patience
-        if is_late or not self.fits(data): return b''
+        if address!=self.address and (now-self._heard<self.patience or not self.fits(data)): return b''
         self.address,self._heard = address,now
         return data
 

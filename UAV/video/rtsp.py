@@ -50,7 +50,7 @@ def _challenges(header:str)->list:
 def _strength(challenge:tuple)->int:
     "0 for `basic`, more for a digest with a better hash, -1 for what we don't know"
     scheme,fields = challenge
-    kind = fields.get('algorithm', 'md5').lower().removesuffix('-sess')
+    kind = (fields.get('algorithm') or 'md5').lower().removesuffix('-sess')
     known = scheme=='digest' and _kinds.get(kind) in hashlib.algorithms_available
     return 1+list(_kinds).index(kind) if known else 0 if scheme=='basic' else -1
 
@@ -62,6 +62,7 @@ def _authorization(challenge:str, method:str, url:str, user:str, password:str, c
     scheme,fields = max(_challenges(challenge), key=_strength, default=('',{}))
     if _strength((scheme, fields))<0: return ''
     if scheme=='basic': return 'Basic '+b64encode(f'{user}:{password}'.encode()).decode()
+    if not fields.get('algorithm'): fields.pop('algorithm', None)           # an empty one is none
     algorithm,cnonce,qops = fields.get('algorithm', 'MD5').lower(),secrets.token_hex(8),fields.get('qop', '').lower()
     kind,realm,nonce = _kinds[algorithm.removesuffix('-sess')],fields.get('realm', ''),fields.get('nonce', '')
     said = dict(username=_quoted(user), realm=realm, nonce=nonce, uri=url)
