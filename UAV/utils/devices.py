@@ -81,5 +81,8 @@ def open_device(text:str, # A URL
     if opener is None:
         found = list(entry_points(group='uav.devices', name=url.scheme))
         if not found: raise ValueError(f'no driver for {url.scheme}://; there are {", ".join(device_schemes())}')
-        opener = found[0].load()
-    return opener(url, **storage)
+        try: opener = found[0].load()
+        except AttributeError as e: raise ValueError(f'the driver of {url.scheme}:// is {found[0].value}: {e}') from e
+    opened = opener(url, **storage)
+    if opened is not None and not isinstance(opened, type): return opened
+    raise ValueError(f'the driver of {url.scheme}:// returned {opened!r} in place of a device')

@@ -339,12 +339,18 @@ class CompleteLater(ABCMeta):
 # %% ../../nbs/api/utils/00_general.ipynb #2f337d14
 _unset = object()
 
-def _takes(value, ours, of_class:bool)->bool:
-    "True if `value` can be called with all that `ours` takes"
-    try: signature(value).bind(*list(signature(ours).parameters)[not of_class:])
-    except TypeError: return False
-    except ValueError: pass         # a function of C may have no signature
-    return True
+def _takes(value, ours, of_class:bool, leaves_out:bool)->bool:
+    "True if `value` can be called with all that `ours` takes; or, if it may leave out optional arguments, with fewer"
+    gets_self = of_class and hasattr(value, '__get__') and not isinstance(value, staticmethod)
+    given = [p for p in signature(ours).parameters.values() if p.kind==p.POSITIONAL_OR_KEYWORD][not gets_self:]
+    needed = sum(p.default is p.empty for p in given) if leaves_out else len(given)
+    try: theirs = signature(value)
+    except ValueError: return True          # a function of C may have none
+    for n in range(len(given), needed-1, -1):
+        try: theirs.bind(*given[:n])
+        except TypeError: continue
+        return True
+    return False
 
 def _serves(base:type, name:str, value, of_class:bool)->bool:
     "True if `value`, as an attribute of a class or of an object, does what `base` has under this name"
@@ -352,7 +358,7 @@ def _serves(base:type, name:str, value, of_class:bool)->bool:
         return isinstance(value, parts[name]) if isinstance(parts[name], type) else parts[name](value)
     ours = vars(base).get(name)
     calls = callable(value) and not isinstance(value, type)
-    if calls and isfunction(ours) and name[0]=='_' and name[:2]!='__': calls = _takes(value, ours, of_class)
+    if calls and isfunction(ours) and name[:2]!='__': calls = _takes(value, ours, of_class, name[0]!='_')
     if not isinstance(ours, property) and (not isfunction(ours) or value is None or calls): return True
     if not of_class or callable(value) or not hasattr(value, '__get__') or ismemberdescriptor(value): return False
     return isinstance(ours, property) or not (isdatadescriptor(value) or isinstance(value, cached_property))
