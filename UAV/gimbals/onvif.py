@@ -151,6 +151,7 @@ class _OnvifLine:
         self.status,self.error,self.heard = (NAN, NAN, NAN, ''),None,clock()    # pan, tilt, zoom, space; since when
         self._orders,self._wake,self._closing,self._thread = {},_clock.Condition(),False,None
         self._due = self._busy = -math.inf                  # when to ask next; until when it may move
+        self.endless = False                        # does it refuse a time-out?
         self._hurry,self._waits = False,None        # is a stop order posted? the `_Deadline` the thread waits for
 
     def __repr__(self): return f'ONVIF camera at {self.place}'
@@ -296,13 +297,16 @@ def _find_services(self:_OnvifLine)->dict:
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #2c4b026a
 @patch
 def _choose_profile(self:_OnvifLine):
-    "Choose a media profile, and return its configuration for turning, or `None`; raises `GimbalError`"
+    "Choose profiles to turn and to see by, and return the configuration for turning, or `None`; raises `GimbalError`"
     profiles = self.ask('<trt:GetProfiles/>').findall('{*}Profiles') if 'trt' in self.services else []
     if not profiles: raise GimbalError(f'{self!r} has no media profile')
     def turns(profile): return profile.find('{*}PTZConfiguration') is not None
-    profile = next(filter(turns, profiles), profiles[0])
-    self.profile,self.moves = profile.get('token', ''),turns(profile) and 'tptz' in self.services
-    return profile.find('{*}PTZConfiguration')
+    turning = next(filter(turns, profiles), profiles[0])
+    def is_seen(profile):
+        return _text(profile, 'VideoEncoderConfiguration/Encoding') in ('H264','H265'),profile is turning
+    self.profile,self.moves = turning.get('token', ''),turns(turning) and 'tptz' in self.services
+    self.view = max(profiles, key=is_seen).get('token', '')
+    return turning.find('{*}PTZConfiguration')
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #9d7ef505
 @patch
@@ -336,7 +340,7 @@ def connect(self:_OnvifLine):
         if url: self.services[prefix] = self.here(url)
     self._find_spaces(self._choose_profile())
     self.turns = bool(self.spaces['position'] or self.spaces['velocity'])
-    token = f'<trt:ProfileToken>{escape(self.profile)}</trt:ProfileToken>'
+    token = f'<trt:ProfileToken>{escape(self.view)}</trt:ProfileToken>'
     self.still = self._find_uri(f'<trt:GetSnapshotUri>{token}</trt:GetSnapshotUri>')
     self.stream = self._find_uri('<trt:GetStreamUri><trt:StreamSetup><tt:Stream>RTP-Unicast</tt:Stream><tt:Transport>'
         f'<tt:Protocol>RTSP</tt:Protocol></tt:Transport></trt:StreamSetup>{token}</trt:GetStreamUri>', 'rtsp')
@@ -362,14 +366,37 @@ def post(self:_OnvifLine, kind:str, request:str, at_once:bool=False): # `at_once
         if at_once and self._waits: self._waits.give_up()
         self._wake.notify_all()
 
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #12c27fe9
+def _other_words(request:str)->str:
+    "Another request for the same; empty: there is none"
+    if '<tptz:Timeout>' in request: return re.sub('<tptz:Timeout>.*?</tptz:Timeout>', '', request)
+    if not request.startswith('<tptz:Stop>'): return ''
+    rest = ''.join(zero for name,zero in (('PanTilt','<tt:PanTilt x="0" y="0"/>'), ('Zoom','<tt:Zoom x="0"/>'))
+                   if f'<tptz:{name}>false<' not in request)
+    token = re.search('<tptz:ProfileToken>.*?</tptz:ProfileToken>', request)[0]
+    return f'<tptz:ContinuousMove>{token}<tptz:Velocity>{rest}</tptz:Velocity></tptz:ContinuousMove>'
+
+@patch
+def _order(self:_OnvifLine, request:str)->ElementTree.Element|None:
+    "Return the answer to a request, or to the same in other words; `None` when the camera refuses both"
+    try: return self.ask(request)
+    except _Refused as e: why = e
+    if other := _other_words(request):
+        with suppress(_Refused):
+            answer = self.ask(other)
+            if '<tptz:Timeout>' in request and not self.endless:
+                self.endless = True
+                self.log.warning('%r takes no time-out: it turns on when the connection is lost', self)
+            return answer
+    (self.log.debug if 'GetStatus' in request else self.log.warning)('%s', why)
+
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #8a183dc9
 @patch
 def _try(self:_OnvifLine, request:str):
     "Return the answer, or `None`; notes whether there is one at all. Raises `_GivenUp`"
     answer,error,was = None,None,self.error
-    try: answer = self.ask(request)
+    try: answer = self._order(request)
     except _GivenUp: raise
-    except _Refused as e: (self.log.debug if 'GetStatus' in request else self.log.warning)('%s', e)
     except GimbalError as e: error = str(e)
     self.error = error
     if not error: self.heard = self.clock()

@@ -17,7 +17,7 @@ from .component import Texts
 from .camera_asking import CAMERA_CAPTURE_STATUS, CameraAsking
 from .protocol import Busy, Failed, Lost, NoAnswer, shot_tries
 from ..utils import clock
-from ..wire.dialect import MAVError
+from ..wire.dialect import Ack, MAVError
 
 # %% auto #0
 __all__ = ['PictureLog', 'RemotePictures', 'Capture']
@@ -409,6 +409,7 @@ class Capture:
     tries,stopped = shot_tries,False
     ready = None # awaited once, just before the request: others may have to be ready, too
     patience = 4 # times the timeout while a picture is being taken, or its notice does not get through
+    late_ack,counted = 1.,0 # s that an ack may take, for some come when the picture is taken; the camera's count
 
     def __init__(self, pictures:RemotePictures, interval:float, count:int, timeout:float):
         if not (count>=0 and interval>=0): raise ValueError(f'count is {count}, interval {interval}: must be 0 or more')
@@ -454,6 +455,7 @@ async def _count_before(self:Capture, single:bool)->int|None:
         status = await self.camera.request(CAMERA_CAPTURE_STATUS)
         if status is None: return None
         self.log.since,self.log.before = status.time_boot_ms,getattr(self.pictures.log, 'last', None)
+        self.counted = status.image_count
         if single or not status.image_status&2: break
     else: raise Busy(self._own_series() or f'{self.camera._label} is taking a series')
     others = [r.log for r in list(self.pictures.requests) if isinstance(r, Capture) and r is not self]
@@ -475,12 +477,27 @@ async def _in_series(self:Capture, unknown:bool)->bool:
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #7f07bda1
 @patch
+async def _order(self:Capture, params:list, before:int|None)->Ack:
+    "Send the command; a camera that acks late takes a copy for another one, so its status is looked at before that"
+    command = *self.camera.address,mavlink.MAV_CMD_IMAGE_START_CAPTURE,params
+    if self.pictures.tells: return await self.client.send_command(*command)
+    wait = max(self.late_ack, 4*self.client._rto(self.camera.address))
+    if before is None: return await self.client.send_command(*command, wait, 2)
+    end = clock.monotonic()+self.client.patience
+    while True:
+        ack = await self.client.send_command(*command, wait, 0)
+        if ack.result is not None or ack.lost or clock.monotonic()>end: return ack
+        status = await self.camera.request(CAMERA_CAPTURE_STATUS)
+        begun = status is None or status.image_status or status.image_count!=self.counted
+        if begun or self.log.came: return ack
+
+@patch
 async def _send(self:Capture, params:list, before:int|None)->int|None:
     "Send the command until the first index is known, by the ack or by the count `before`"
     known,said = self._highest() if before is None else before-1,None
     while self.asked<self.tries:
         self.asked += 1
-        ack = await self.camera._send(mavlink.MAV_CMD_IMAGE_START_CAPTURE, *params)
+        ack = await self._order(params, before)
         told = (ack.param or 0)-1
         if ack.lost: raise Lost(ack.lost)
         if ack.result is None and before is not None: return before     # the count will tell
