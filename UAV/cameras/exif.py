@@ -321,10 +321,10 @@ def _prefixes(packet:bytes, name:str)->bytes:
 
 def _stripped(packet:bytes, names:list)->bytes:
     "An XMP block in UTF-8, without comments and some properties, which are written as attributes or as elements"
-    text = packet[len(_xmp_head):].rstrip(b'\0')
-    if packet[len(_xmp_head):][:2] in (b'\xff\xfe',b'\xfe\xff'):
-        text = packet[len(_xmp_head):].decode('utf-16', 'ignore').rstrip('\0').encode()
-    packet = _xmp_head+re.sub(rb'<!--.*?(?:-->|\Z)', b'', text, flags=re.DOTALL)
+    head = _xmp_head*packet.startswith(_xmp_head)
+    text = packet[len(head):]
+    if text[:2] in (b'\xff\xfe',b'\xfe\xff'): text = text.decode('utf-16', 'ignore').encode()
+    packet = head+re.sub(rb'<!--.*?(?:-->|\Z)', b'', text.rstrip(b'\0'), flags=re.DOTALL)
     for name in names:
         prefix,_,local = name.partition(':')
         tag = _prefixes(packet, prefix)+b':'+local.encode()
