@@ -164,6 +164,7 @@ class CameraServer(_CameraVerbs):
         self._doing = 0.,False          # interval and recording, as last announced
         self._begun = math.inf          # start of a picture not yet announced
         self._levels,self._runs = _Levels(),{}          # levels that were sent; drives that a command has started
+        self._answered = Seen(1., self.most_peers)      # echoes that were answered
         self._said,self._runs_on = {},False             # settings as last announced; is the end of a motion to come?
         self.ftp = self.add_part(FtpServer(self, guard=self.check_guard))
         self.video = self.add_part(VideoPart(self, video_host))
@@ -605,7 +606,9 @@ def _drop_echo(self:CameraServer, drive:str, level:float, source:tuple):
     "Answer an echo with CAMERA_SETTINGS if the camera stands there; else that would be echoed, too"
     self.log.debug('%s/%s sends %s %g back, which moves nothing', *source, drive, level)
     there = math.isclose(getattr(self.camera.settings(), drive), level, rel_tol=1e-6)
-    if there and not self._is_running(drive): self.send_message(self._camera_settings())
+    if not there or self._is_running(drive) or self._answered.find(key := (drive,source,level)): return
+    self._answered.note(key)            # who sends each one back, changed or not, gets one a second
+    self.send_message(self._camera_settings())
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d5a4f274
 @patch
