@@ -193,7 +193,10 @@ def annotated(name, kind, default=None): return ast.AnnAssign(ast.Name(name, ast
 
 def plain(node):
     "An assignment in a module or class: its names, and no values but those of types and `__all__`"
-    if isinstance(node, ast.AnnAssign): return [annotated(node.target.id, node.annotation, node.value and ast.Constant(...))]
+    if isinstance(node, ast.AnnAssign):
+        by_name = isinstance(node.value, ast.Call) and any(k.arg=='kw_only' for k in node.value.keywords)
+        default = node.value if by_name else node.value and ast.Constant(...)
+        return [annotated(node.target.id, node.annotation, default)]
     if is_type(node.value) or '__all__' in names_in(node): return [node]
     if isinstance(node.value, ast.Name) and node.value.id in CLASSES and isinstance(node.targets[0], ast.Name): return [node]  # a class, too
     if isinstance(node.value, ast.Call) and name_of(node.value) == 'property': return [getter(name) for name in names_in(node)]
