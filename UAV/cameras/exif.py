@@ -227,10 +227,10 @@ def _missing_tags(theirs, size:tuple, when:datetime, camera:CameraInformation)->
     has = {tag: value for tag,value in theirs.get_ifd(IFD.Exif).items() if _says(value)}
     if Base.FocalLength in has and not camera.equivalent:
         camera = replace(camera, focal_length=float(has[Base.FocalLength]))
-    dated = {tag for tag in _photo_tags(when, size, camera) if 'Time' in Base(tag).name}
-    original = {Base.DateTimeOriginal, Base.OffsetTimeOriginal, Base.SubsecTimeOriginal}
-    if Base.DateTimeOriginal not in has: dated -= original
-    lacks = {tag: value for tag,value in _photo_tags(when, size, camera).items() if tag not in has and tag not in dated}
+    ours = _photo_tags(when, size, camera)
+    dated = {tag for tag in ours if 'Time' in Base(tag).name}
+    if Base.DateTimeOriginal not in has: dated = {tag for tag in dated if 'Original' not in Base(tag).name}
+    lacks = {tag: value for tag,value in ours.items() if tag not in has and tag not in dated}
     return {} if _says(theirs.get(Base.Make)) else _camera_tags(camera),lacks
 
 def _added_tags(order:str, offset:int, index:int, when:datetime, pose:Pose|None, lacks:tuple, tags:dict|None)->bytes:

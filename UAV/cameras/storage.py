@@ -481,15 +481,20 @@ def save(self:Storage, jpeg:bytes, # A JPEG file
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #7021aaf5
 @patch
+def _without_file(self:Storage, time_utc:float, **about)->Picture:
+    "Keep the record of a shot that has no file here"
+    with self._lock:
+        picture = Picture(self.next_index, time_utc, storage_id=self.storage_id, **about)
+        try: self._append(_as_line(picture))
+        except StorageError as e: self._warn(f'picture {picture.index} is not in the log', e)   # the count must go on
+        return self._note(picture)
+
+@patch
 def fail(self:Storage, time_utc:float, # When it was tried, s since 1970
          error:str='', # Why it failed
         )->Picture:
     "Keep the record of a shot that failed"
-    with self._lock:
-        picture = Picture(self.next_index, time_utc, ok=False, error=error, storage_id=self.storage_id)
-        try: self._append(_as_line(picture))
-        except StorageError as e: self._warn(f'picture {picture.index} is not in the log', e)   # the count must go on
-        return self._note(picture)
+    return self._without_file(time_utc, ok=False, error=error)
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #b1d8f183
 @patch
@@ -497,11 +502,7 @@ def elsewhere(self:Storage, time_utc:float, # When it was taken, s since 1970
               pose:Pose|None=None, # Where it was taken
              )->Picture:
     "Keep the record of a shot whose file isn't here, such as one on the card of a device"
-    with self._lock:
-        picture = Picture(self.next_index, time_utc, pose=pose, storage_id=self.storage_id)
-        try: self._append(_as_line(picture))
-        except StorageError as e: self._warn(f'picture {picture.index} is not in the log', e)
-        return self._note(picture)
+    return self._without_file(time_utc, pose=pose)
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #5c0a5018
 @in_child

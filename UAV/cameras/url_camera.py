@@ -49,7 +49,8 @@ class _FrameSink(Sink):
 def _measure(unit)->tuple:
     "Return width and height (px) of a key frame, and pictures per second, 0 if unknown; `None` if it can't be decoded"
     decoder = _decoder(unit.format.codec)
-    picture = next(iter(_decode(decoder, unit.data) or _decode(decoder, b'')), decoder)    # or what its parameter sets say
+    pictures = _decode(decoder, unit.data) or _decode(decoder, b'')
+    picture = pictures[0] if pictures else decoder          # the decoder has the size of its parameter sets
     rate,turns = float(decoder.framerate or 0),picture is not decoder and _frame_turns(picture)
     size = (picture.width,picture.height)[::-1 if turns and turns[0] else 1]
     return (*size, rate if 1<=rate<=240 else 0.) if all(size) else None

@@ -126,11 +126,6 @@ def fault(self:CardCamera)->str|None:
     return self._fault_now or self.gimbal.fault
 
 @patch
-def read_still(self:CardCamera)->Frame:
-    "Have the device take a photo on its card; raises `CameraError`, since there is no frame"
-    _Verbs.read_still(self)
-
-@patch
 def video_start_capture(self:CardCamera, stream_id:int=0):
     "Record on the device's card; raises `CameraError`, `WrongMode`, or `ValueError` for a stream"
     if stream_id: raise ValueError(f'there is no stream {stream_id}')

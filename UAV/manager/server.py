@@ -73,24 +73,6 @@ class Door:
         if not hmac.compare_digest((given or '').encode('utf-8', 'replace'), self.token.encode()):
             raise Refused(403, 'this link has no token, or an old one')
 
-    async def admit(self, given:str|None, # Token sent by the browser
-                    address:str): # Of the browser
-        "As `check_token`; a chosen token waits for its turn when many from that address were wrong. Raises `Refused`"
-        if self.guesses is None: return self.check_token(given)
-        queue = self.queues.setdefault(address, [asyncio.Lock(), 0])
-        if queue[1]>=8: raise Refused(429, 'too many wrong tokens come from your address')
-        queue[1] += 1
-        try:
-            async with queue[0]:
-                while wait := self.guesses.wait(address): await asyncio.sleep(wait)
-                try: self.check_token(given)
-                except Refused:
-                    self.guesses.wrong(address)
-                    raise
-        finally:
-            queue[1] -= 1
-            if not queue[1]: self.queues.pop(address, None)
-
     def knows(self, name:str, # Host name or address
              )->bool:
         "True if it is one of our names"
@@ -101,6 +83,26 @@ class Door:
         if len(hosts)!=1: raise Refused(400, 'one Host is needed')
         if self.knows(_name_of(hosts[0])): return
         raise Refused(403, 'the panel does not know the name in this address: serve(names=…)')
+
+# %% ../../nbs/api/manager/09_server.ipynb #3a0e5f50
+@patch
+async def admit(self:Door, given:str|None, # Token sent by the browser
+                address:str): # Of the browser
+    "As `check_token`; a chosen token waits for its turn when many from that address were wrong. Raises `Refused`"
+    if self.guesses is None: return self.check_token(given)
+    queue = self.queues.setdefault(address, [asyncio.Lock(), 0])
+    if queue[1]>=8: raise Refused(429, 'too many wrong tokens come from your address')
+    queue[1] += 1
+    try:
+        async with queue[0]:
+            while wait := self.guesses.wait(address): await asyncio.sleep(wait)
+            try: self.check_token(given)
+            except Refused:
+                self.guesses.wrong(address)
+                raise
+    finally:
+        queue[1] -= 1
+        if not queue[1]: self.queues.pop(address, None)
 
 # %% ../../nbs/api/manager/09_server.ipynb #7ba89998
 @patch

@@ -273,7 +273,8 @@ def send_message(self:BaseComponent, msg, # A message of our encoder `mav`
 @patch
 def _encode_heartbeat(self:BaseComponent):
     "Encode our HEARTBEAT"
-    return self.mav.heartbeat_encode(self.mav_type, self.autopilot, self.base_mode, self.custom_mode, self.system_status)
+    modes = self.base_mode,self.custom_mode
+    return self.mav.heartbeat_encode(self.mav_type, self.autopilot, *modes, self.system_status)
 
 @patch
 def beat(self:BaseComponent):

@@ -433,7 +433,7 @@ async def fetch(self:RemoteFiles, file, # Path on the vehicle, URL, listed file,
                 most:int=FtpFile.most, # Maximum size in memory, bytes; raises `ValueError` above
                 any_host:bool|None=None, # True: allow http:// at other addresses than its own; `None`: the client's
                )->bytes|Path:
-    """Fetch a file; return its bytes, or its path, `a_2.jpg` if `a.jpg` is another. Raises `FtpError`, `Lost`, `OSError`
+    """Fetch a file; return its bytes or path, `a_2.jpg` if `a.jpg` is another. Raises `FtpError`, `Lost`, `OSError`
 
     It comes over MAVLink FTP, lost pieces are asked for again, and its checksum is compared.
     With `to` a transfer that broke off goes on where it was, from `NAME.part`.

@@ -100,6 +100,7 @@ class _Levels:
         self._own = Seen(self.window, most=256)         # by drive and sender: turn and level of its latest orders
         self._done = Seen(self.window, most=256)        # by drive and sender: what it has sent back
         self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
+        self._answered = Seen(1., most=256)             # by drive, sender and level
 
     def tell(self, **levels):
         "Note levels that are sent; one that stays the same is news to a station that has just come"
@@ -114,25 +115,33 @@ class _Levels:
         self._orders.note(key, last)
         if level is not None: self._own.note(key, (*self._own.find(key, ())[-15:], last))
 
-    def sent_back(self, drive:str, source:tuple, level:float, echoing:bool=False)->bool:
-        "True if `level` was new since the last order of `source`, once; an `echoing` one sends back all but its own"
-        key,after = (drive,source),clock.monotonic()-self.window
-        (since,own),done = self._orders.find(key, (0,None)),self._done.find(key, ())
-        same = [told for told in list(self._told[drive]) if math.isclose(told[-1], level, rel_tol=1e-6)]
-        ordered = [turn for turn,own in self._own.find(key, ()) if math.isclose(own, level, rel_tol=1e-6)]
-        if echoing:
-            theirs = (t for t in same if t[2]>after and t not in done and not any(n<t[0] for n in ordered))
-            found = next(theirs, None)
-        else: found = next((t for t in same if t[1]>after and t[0]>since and own!=level), None)
-        if found is None: return False
-        if echoing: self._done.note(key, (*done[-63:], found))
-        else: self._orders.note(key, (found[0], None))          # its next one is its own
-        self._echoes.note(source, self._echoes.find(source, 0)+1)
+    def answers(self, *echo)->bool: # Drive, sender and level
+        "True if an echo gets an answer: once a second, as some send each CAMERA_SETTINGS back, changed or not"
+        if self._answered.find(echo): return False
+        self._answered.note(echo)
         return True
 
     def is_echoing(self, msg)->bool:
         "True if the sender of the order `msg` is known to send levels back"
         return getattr(msg, 'confirmation', 0)==255 or self._echoes.find(address(msg), 0)>1
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #3a0e5f54
+@patch
+def sent_back(self:_Levels, drive:str, source:tuple, level:float, echoing:bool=False)->bool:
+    "True if `level` was new since the last order of `source`, once; an `echoing` one sends back all but its own"
+    key,after = (drive,source),clock.monotonic()-self.window
+    (since,own),done = self._orders.find(key, (0,None)),self._done.find(key, ())
+    same = [told for told in list(self._told[drive]) if math.isclose(told[-1], level, rel_tol=1e-6)]
+    ordered = [turn for turn,own in self._own.find(key, ()) if math.isclose(own, level, rel_tol=1e-6)]
+    if echoing:
+        theirs = (t for t in same if t[2]>after and t not in done and not any(n<t[0] for n in ordered))
+        found = next(theirs, None)
+    else: found = next((t for t in same if t[1]>after and t[0]>since and own!=level), None)
+    if found is None: return False
+    if echoing: self._done.note(key, (*done[-63:], found))
+    else: self._orders.note(key, (found[0], None))          # its next one is its own
+    self._echoes.note(source, self._echoes.find(source, 0)+1)
+    return True
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d31f0627
 class CameraServer(_CameraVerbs):
@@ -164,7 +173,6 @@ class CameraServer(_CameraVerbs):
         self._doing = 0.,False          # interval and recording, as last announced
         self._begun = math.inf          # start of a picture not yet announced
         self._levels,self._runs = _Levels(),{}          # levels that were sent; drives that a command has started
-        self._answered = Seen(1., self.most_peers)      # echoes that were answered
         self._said,self._runs_on = {},False             # settings as last announced; is the end of a motion to come?
         self.ftp = self.add_part(FtpServer(self, guard=self.check_guard))
         self.video = self.add_part(VideoPart(self, video_host))
@@ -606,9 +614,8 @@ def _drop_echo(self:CameraServer, drive:str, level:float, source:tuple):
     "Answer an echo with CAMERA_SETTINGS if the camera stands there; else that would be echoed, too"
     self.log.debug('%s/%s sends %s %g back, which moves nothing', *source, drive, level)
     there = math.isclose(getattr(self.camera.settings(), drive), level, rel_tol=1e-6)
-    if not there or self._is_running(drive) or self._answered.find(key := (drive,source,level)): return
-    self._answered.note(key)            # who sends each one back, changed or not, gets one a second
-    self.send_message(self._camera_settings())
+    rests = there and not self._is_running(drive)
+    if rests and self._levels.answers(drive, source, level): self.send_message(self._camera_settings())
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d5a4f274
 @patch

@@ -168,8 +168,8 @@ def _unpacked(data:bytes)->bytes:
 # %% ../../nbs/api/mavlink/07_settings.ipynb #8f1cf1bb
 def _decoded(data:bytes)->str:
     "The text of XML: UTF-8, or the encoding that it names; raises `ValueError`"
-    if data[:2] in (b'\xff\xfe',b'\xfe\xff'): codecs = ['utf-16']
-    else: codecs = ['utf-8-sig', *(c.decode() for c in re.findall(rb'^\s*<\?xml[^>]{,80}encoding=["\']([\w.-]+)', data))]
+    named = re.findall(rb'^\s*<\?xml[^>]{,80}encoding=["\']([\w.-]+)', data)
+    codecs = ['utf-16'] if data[:2] in (b'\xff\xfe',b'\xfe\xff') else ['utf-8-sig', *map(bytes.decode, named)]
     for codec in codecs:
         try: return data.decode(codec)
         except (ValueError, LookupError) as e: why = why if codec!=codecs[0] else e

@@ -259,6 +259,7 @@ def _distrust(self:RTPReader, slice:bool):
         self._make.lost += 1
     self.trust = False
 
+# %% ../../nbs/api/video/03_receivers.ipynb #3a0e5f53
 @patch
 def _complete(self:RTPReader)->list:
     "The picture is at its end: an access unit, when all of it came"
@@ -439,15 +440,17 @@ class Receiver(Closes):
         self._wait({sock:selectors.EVENT_READ}, until)
         return sock.recv(1<<16)
 
-    def _read(self, data:bytes)->list:
-        "The access units that the reader makes of `data`; tells when there are none for too long, once"
-        units,now = self._reader(data),clock.monotonic()
-        if units: self._vain = None
-        elif self._vain is None: self._vain = now
-        elif now-self._vain>self.patience:
-            self._vain = float('inf')
-            self.tell(f'no {"picture" if self._reader.begun else "key frame"} for {self.patience:g} s')
-        return units
+# %% ../../nbs/api/video/03_receivers.ipynb #3a0e5f51
+@patch
+def _read(self:Receiver, data:bytes)->list:
+    "The access units that the reader makes of `data`; tells when there are none for too long, once"
+    units,now = self._reader(data),clock.monotonic()
+    if units: self._vain = None
+    elif self._vain is None: self._vain = now
+    elif now-self._vain>self.patience:
+        self._vain = float('inf')
+        self.tell(f'no {"picture" if self._reader.begun else "key frame"} for {self.patience:g} s')
+    return units
 
 # %% ../../nbs/api/video/03_receivers.ipynb #91458a68
 @patch
