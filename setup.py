@@ -41,5 +41,11 @@ setup(
     entry_points={'console_scripts': cfg['console_scripts'].split(), 'nbdev': [f"{cfg['lib_path']}={cfg['lib_path']}._modidx:d"],
                   'uav.devices': cfg['devices'].split(),
                   'pytest11': [f"uav={cfg['lib_path']}.testing.plugin"]},
-    classifiers=['Programming Language :: Python :: 3', 'Intended Audience :: Developers'],
+    project_urls={'Documentation': cfg['doc_host']+cfg['doc_baseurl'], 'Changelog': f"{cfg['git_url']}/blob/{cfg['branch']}/CHANGELOG.md",
+                  'Issues': f"{cfg['git_url']}/issues"},
+    classifiers=['Development Status :: 3 - Alpha', f"Intended Audience :: {cfg['audience']}", 'License :: OSI Approved :: Apache Software License',
+                 'Operating System :: POSIX :: Linux',      # macOS and Windows are untested
+                 *(f'Programming Language :: Python :: {version}' for version in ('3', '3.10', '3.11', '3.12', '3.13')),
+                 'Framework :: AsyncIO', 'Framework :: Jupyter', 'Framework :: Pytest', 'Topic :: Multimedia :: Video :: Capture',
+                 'Topic :: System :: Hardware', 'Typing :: Typed'],
 )

@@ -20,7 +20,7 @@ os.environ['OPENBLAS_NUM_THREADS'] = '1'       # its threads would begin with th
 os.environ.pop('PYTHONDONTWRITEBYTECODE', None)     # or each program that a test starts would compile the package anew
 import nbdev.test
 from installed import NEEDS,in_browser,installed
-import av, cv2, hypothesis, matplotlib.pyplot, numpy, PIL.Image, pymavlink.dialects.v20.all, UAV # noqa: once here, and not in each process
+import av, cv2, hypothesis, matplotlib.pyplot, numpy, PIL.Image, pymavlink.dialects.v20.all, UAV  # noqa: F401  once here, and not in each process
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from tests import browser
 from UAV.testing import simulated
