@@ -1,7 +1,7 @@
-"""How the package is laid out, before and after: `python benchmarks/house.py [REVISION REVISION]` (default: f759dc7 HEAD).
+"""How the package is laid out, before and after: `python benchmarks/house.py [REVISION …]` (default: fee2eaf HEAD).
 
 Each revision is taken out of git into a folder of its own; nothing is installed. What imports cost is measured in fresh
-processes of this Python, the two revisions in turns, with the fastest run. `benchmarks/ways.py` counts what a picture, a
+processes of this Python, the revisions in turns, with the fastest run. `benchmarks/ways.py` counts what a picture, a
 frame to a viewer and a press in the panel pass through. What cannot be measured is left out, with its reason. It takes a minute or two.
 The results go to benchmarks/house.json, which `explanations/architecture` shows. `--minutes 8.1 14.5` are those of the README's
 test command and of `.ci/run`, which you have measured; without it, those of the last time stay."""
@@ -16,7 +16,10 @@ LONGEST = 60        # s for one process
 FAILURES = RuntimeError,ValueError,KeyError,subprocess.TimeoutExpired      # of one measurement, which is then left out
 FUNCTIONS = ast.FunctionDef,ast.AsyncFunctionDef
 MINUTES = "minutes of the README's test command, on two cores",'minutes of `.ci/run`'
-BEFORE = {'f759dc7': (16.5, 25.)}       # measured on 23 November 2026
+BEFORE = {'fee2eaf': (2.4, 9.6)}        # measured on 29 November 2026
+KEPT = 'f759dc7'    # the first revision: today's git doesn't have it, so its numbers stay as they were measured
+BLOCKS = ast.If,ast.For,ast.While,ast.With,ast.Try,ast.ExceptHandler,*FUNCTIONS
+PARAGRAPH = 40      # words of a cell that can give a reason
 
 
 def lines(source): return sum(1 for line in source.split('\n') if line.strip() and not line.strip().startswith('#'))
@@ -63,6 +66,40 @@ class Classes:
         return {n for n in self.named[of] if n[0]!='_'} | {n for b in self.bases.get(of, []) for n in self.names(b, (*seen, of))}
 
 
+def is_private(node):
+    "Whether this takes `_name` of another object than `self`"
+    if not isinstance(node, ast.Attribute) or node.attr[0]!='_' or node.attr[:2]=='__': return False
+    owner = getattr(node.value, 'id', getattr(getattr(node.value, 'func', None), 'id', ''))
+    return owner not in ('self','cls','super')
+
+
+def is_packed(node):
+    "A block on one line, or several names assigned at once"
+    if isinstance(node, BLOCKS): return node.body[0].lineno==node.lineno
+    return isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Tuple) and isinstance(node.value, ast.Tuple)
+
+
+def density(trees):
+    "What makes a module hard to read and to change, in numbers"
+    nodes = [node for tree in trees.values() for node in ast.walk(tree)]
+    called = [n for n in nodes if isinstance(n, ast.Call) and getattr(n.func, 'id', '') in ('hasattr','getattr') and len(n.args)>1]
+    caught = [getattr(n.type, 'id', None) for n in nodes if isinstance(n, ast.ExceptHandler) and not isinstance(n.type, (ast.Tuple,ast.Attribute))]
+    return {'functions': sum(isinstance(n, FUNCTIONS) for n in nodes), 'blocks and assignments packed into one line': sum(map(is_packed, nodes)),
+            "uses of another object's `_name`": sum(map(is_private, nodes)),
+            '`except` of all exceptions': sum(name in (None,'Exception','BaseException') for name in caught),
+            '`hasattr` and `getattr` with a literal name': sum(isinstance(n.args[1], ast.Constant) for n in called)}
+
+
+def reasons(folder):
+    "How much the notebooks that export say in words"
+    rooms = [json.loads(path.read_text()) for path in sorted((folder/'nbs').rglob('*.ipynb'))]
+    rooms = [room['cells'] for room in rooms if any('#| default_exp' in ''.join(cell['source']) for cell in room['cells'])]
+    words = [[len(''.join(cell['source']).split()) for cell in cells if cell['cell_type']=='markdown'] for cells in rooms]
+    every = sorted(n for room in words for n in room)
+    return {'words in the markdown cell in the middle': every[len(every)//2], f'% of markdown cells of {PARAGRAPH} words or more':
+            round(100*sum(n>=PARAGRAPH for n in every)/len(every)), f'notebooks without a paragraph of {PARAGRAPH} words': sum(max(room)<PARAGRAPH for room in words)}
+
+
 def parsed(folder):
     "`{path: syntax tree}` of the modules of a revision"
     paths = [p for p in sorted((folder/'UAV').rglob('*.py')) if p.name not in ('__init__.py','_modidx.py')]
@@ -79,7 +116,7 @@ def layout(folder, trees):
             'exported lines': sum(sizes), 'classes in more than one module': len(classes.continued),
             'public functions and classes': classes.public, 'public names of `CameraClient`, with what it inherits': len(classes.names('CameraClient')),
             'public names of the class that has most': f'{len(classes.names(widest))} ({widest})',
-            'lines of stubs in git': sum(len((folder/p).read_text().split('\n')) for p in stubs)}
+            'lines of stubs in git': sum(len((folder/p).read_text().split('\n')) for p in stubs), **density(trees), **reasons(folder)}
 
 
 CHANGES = {     # what a stranger changes, and the names that this is written in; a class counts with all modules that continue it
@@ -174,16 +211,20 @@ def minutes(revision, told, last):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
-    parser.add_argument('revisions', nargs='*', default=['f759dc7','HEAD'])
+    parser.add_argument('revisions', nargs='*', default=['fee2eaf','HEAD'])
     parser.add_argument('--minutes', nargs=2, type=float, metavar=('TESTS','CI'))
     args = parser.parse_args()
-    last = [*json.loads(results.read_text()).values()][1] if results.exists() else {}
+    last = json.loads(results.read_text())
+    old,known = last[KEPT],last['changes']
+    newest = [numbers for name,numbers in last.items() if name!='changes'][-1]
     with tempfile.TemporaryDirectory() as temporary:
         folders = dict(taken_out(revision, temporary) for revision in args.revisions)
         trees = {name: parsed(folder) for name,folder in folders.items()}
         found,costs = {name: layout(folder, trees[name]) for name,folder in folders.items()},imports(folders)
-        for name,folder in folders.items(): found[name].update({**costs[name], **dict(ways(folder)), **minutes(name, args.minutes, last)})
-        changes = {what: dict(names=names, **{name: files_of(folder, trees[name], names) for name,folder in folders.items()}) for what,names in CHANGES.items()}
+        for name,folder in folders.items(): found[name].update({**costs[name], **dict(ways(folder)), **minutes(name, args.minutes, newest)})
+        changes = {what: {'names': names, KEPT: known[what][KEPT], **{name: files_of(folder, trees[name], names) for name,folder in folders.items()}}
+                   for what,names in CHANGES.items()}
+    found = {KEPT: old, **found}
     for what in dict.fromkeys(what for numbers in found.values() for what in numbers): print(f'{what:95}', *(f'{f.get(what, "")!s:>18}' for f in found.values()))
     for what,files in changes.items(): print(f'files for {what:85}', *(f'{len(files[name]):>18}' for name in found))
     results.write_text(json.dumps(dict(found, changes=changes), indent=1)+'\n')
