@@ -15,7 +15,6 @@ from PIL import Image, ImageDraw, ImageFont
 from matplotlib import get_data_path
 
 from UAV.cameras import SimCamera
-from UAV.cameras.lens import View
 from UAV.cameras.sim import find_tags
 from UAV.cli.gui import sim_vehicle
 from UAV.gimbals import SimGimbal, SimVehicle, circle, strips

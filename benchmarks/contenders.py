@@ -212,7 +212,6 @@ def mavsdk_asyncio(port):
     obey(loop, run=awaited(loop, ask))
 
 def mavsdk_blocking(port):
-    import mavsdk
     from mavsdk.plugins.action import Action, ActionResult, RelayCommand
     sdk = ground_station(f'udpout://127.0.0.1:{port}')
     action = Action(sdk.first_autopilot(20))

@@ -83,7 +83,7 @@ def bare(frames=8000):
             if count[0]%64==0: there.set()
         with hearer.expecting(mavlink.MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL, fits):
             payload,start = bytes(range(251)),time.monotonic()
-            for n in range(0, frames, 64):
+            for _ in range(0, frames, 64):
                 there.clear()
                 for _ in range(64): sender.send_message(sender.mav.file_transfer_protocol_encode(0, ground.source_system, 190, payload), None)
                 there.wait(5)

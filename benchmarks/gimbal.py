@@ -1,7 +1,7 @@
 """Ten minutes on an aircraft: what a gimbal costs that an autopilot steers 50 times a second. See README.md."""
 import os
 os.environ['MAVLINK20'] = '1'
-import argparse, json, math, subprocess, sys, threading, time
+import argparse, json, math, subprocess, sys, time
 
 from trees import HERE, environment
 from contenders import VEHICLE, GROUND, Wire, in_background, obey

@@ -1,6 +1,6 @@
 """What one `image_start_capture` takes, from the call to the return of its `await`, in this checkout and in an older one. See README.md."""
 from collections import Counter
-import argparse, asyncio, json, statistics, subprocess, sys, threading, time
+import argparse, asyncio, json, subprocess, sys, threading
 from pathlib import Path
 
 from trees import HERE, TREE, environment

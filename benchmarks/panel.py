@@ -1,7 +1,6 @@
 """From a painted picture to the pixels of a browser: our panel's page beside an MJPEG page and the bare stream; how late, and what it costs. See README.md."""
 import argparse, json, os, select, statistics, subprocess, sys, threading, time
 from contextlib import contextmanager
-from pathlib import Path
 from types import SimpleNamespace
 
 import psutil
@@ -40,7 +39,6 @@ def tell(**facts): print(json.dumps(facts), flush=True)
 
 def camera(port):
     "A camera server: MAVLink, and one RTSP stream"
-    import UAV.cameras.camera
     from UAV.mavlink import CameraServer, MAVCom
     with painted_camera() as painted, MAVCom(f'udpout:127.0.0.1:{port}', source_system=1) as com:
         stream = painted.add_stream(port=0, host='127.0.0.1', rate=RATE)

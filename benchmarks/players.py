@@ -1,6 +1,6 @@
 """Every way out of our encoder, watched by players that are not ours: what arrives, and how late; and our RTSP, RTP and MPEG-TS beside gst-rtsp-server and ffmpeg. See README.md."""
 import argparse, json, math, os, select, shutil, statistics, subprocess, sys, tempfile, threading, time
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -140,7 +140,6 @@ def pyav_player(sink, url, sdp, count):
 
 def our_player(sink, url, sdp, count):
     "`Player`, told to hand out each picture, so that we see what the way loses"
-    import av
     from UAV.video.player import Player
     opened = now_us()
     with Player(sdp or url, newest=False, transport=sink.split()[1] if sink.startswith('rtsp') else None) as player: watch((frame.image for frame in player), count, opened)

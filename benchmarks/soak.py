@@ -1,7 +1,6 @@
 """Ten minutes of everything at once: does anything grow, get stuck, or get lost? See README.md."""
 from array import array
 import argparse, asyncio, gc, json, statistics, sys, tempfile, threading, time
-from pathlib import Path
 
 from trees import HERE
 from run import Worker, free_ports, machine, write

@@ -5,7 +5,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from trees import HERE, environment
-from run import CORES, compare, in_turn, machine, middle, short, table, write
+from run import compare, in_turn, machine, middle, short, table, write
 
 RATE,KEPT,WARM = 30,20,15          # frames a second, different frames, pictures that do not count
 SIZES = {'480p': (640,480), '720p': (1280,720), '1080p': (1920,1080)}

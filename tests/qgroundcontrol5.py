@@ -9,7 +9,7 @@ import lzma, math, re, struct
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from .actors import Actor, play
+from .actors import Actor
 
 # %% auto #0
 __all__ = ['QgcCamera', 'QGroundControl5']
