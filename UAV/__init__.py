@@ -13,7 +13,7 @@ __all__ = ['Busy', 'CV2Camera', 'Camera', 'CameraClient', 'CameraError', 'Camera
            'capture_together']
 
 def __getattr__(name):
-    from UAV.utils.general import from_rooms
+    from UAV.utils.lazy import from_rooms
     return from_rooms(globals(), _rooms, name)
 
 def __dir__(): return sorted({*globals(), *__all__})

@@ -13,7 +13,7 @@ import UAV
 from .cameras.values import CameraError
 from .gimbals.values import GimbalError
 from .logging import get_logger
-from .utils.general import Opened
+from .utils.threads import Opened
 from .utils.sockets import LoopClosed, LoopThread
 from .wire.dialect import LinkError, MAVError
 

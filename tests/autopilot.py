@@ -12,7 +12,8 @@ from UAV.mavlink.gimbal_server import _location_in
 from UAV.mavlink.protocol import command, CommandError, Denied, Failed, message, receives
 from UAV.mavlink.sim_autopilot import SimAutopilot
 from .actors import Actor, angles_of, flags_of, nothing, play, q_of, wrapped
-from UAV.utils.general import known, NAN, time_since_boot_ms
+from UAV.utils.clock import time_since_boot_ms
+from UAV.utils.values import known, NAN
 from UAV.wire.dialect import address
 
 # %% auto #0

@@ -18,7 +18,7 @@ from UAV.gimbals.onvif import _envelope, _OnvifLine
 from UAV.gimbals.sim import SimGimbal
 from UAV.gimbals.values import GimbalError
 from UAV.utils import clock
-from UAV.utils.general import cv2
+from UAV.utils.lazy import cv2
 from UAV.video.rtsp_server import RTSPServer
 
 # %% auto #0

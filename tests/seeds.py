@@ -25,7 +25,7 @@ from UAV.mavlink.gimbal_server import GimbalServer
 from UAV.mavlink.mavcom import MAVCom
 from UAV.testing import simulated
 from UAV.testing.simulation import epoch
-from UAV.utils import general
+from UAV.utils import threads
 from UAV.wire.dialect import MAVError
 from UAV.wire.lossy import LossyLink
 from UAV.wire.message_log import MessageLog
@@ -383,7 +383,7 @@ async def fly(self:Flight, minutes:float): # Simulated
 @patch
 def check_timers(self:Flight):
     "The thread of all timers lives while it has jobs"
-    timers = general.timers
+    timers = threads.timers
     if timers._jobs and not (timers._thread and timers._thread.is_alive()): self.fail('the timer thread has ended')
 
 @patch

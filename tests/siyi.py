@@ -14,7 +14,8 @@ from UAV.gimbals.sim import Motor
 from UAV.gimbals.siyi_link import Cmd, MODELS, siyi_frame, SiyiFrame, SiyiReader
 from UAV.gimbals.values import Axis, known
 from UAV.utils import clock
-from UAV.utils.general import cv2, np, Timers
+from UAV.utils.lazy import cv2, np
+from UAV.utils.threads import Timers
 from UAV.utils.geo import moved, wrap
 from UAV.utils.sockets import listen_tcp, Loop
 

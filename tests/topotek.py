@@ -13,7 +13,7 @@ from UAV.gimbals.sim import Motor
 from UAV.gimbals.topotek import TopotekReader, topotek_frame
 from UAV.gimbals.values import Axis
 from UAV.utils import clock
-from UAV.utils.general import Closes, timers
+from UAV.utils.threads import Closes, timers
 from UAV.utils.geo import wrap
 from UAV.utils.sockets import Loop
 

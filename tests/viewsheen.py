@@ -14,7 +14,7 @@ from UAV.gimbals.sim import Motor
 from UAV.gimbals.values import Axis
 from UAV.gimbals.viewsheen import _sealed, AIRFRAME, IDENTITY, MAIN, Report, ViewsheenReader
 from UAV.utils import clock
-from UAV.utils.general import timers
+from UAV.utils.threads import timers
 from UAV.utils.geo import wrap
 from UAV.utils.sockets import listen_tcp, Loop
 

@@ -23,7 +23,9 @@ from .trigger import CaptureQueue, _check_sequence
 from .values import *
 from ..logging import get_logger, LogLevels
 from ..utils import clock
-from ..utils.general import Closes, CompleteLater, cv2, inside, KeepsNames, no_class, Opened, timers
+from ..utils.lazy import cv2
+from ..utils.threads import Closes, Opened, timers
+from ..utils.values import CompleteLater, inside, KeepsNames, no_class
 from ..utils.pictures import as_bgr
 
 # %% auto #0

@@ -11,7 +11,9 @@ import math
 from .parameters import check_parameters, ParametersChanged
 from .values import *
 from ..utils import clock
-from ..utils.general import _has_ended, cv2, no_class, Report, kept
+from ..utils.lazy import cv2
+from ..utils.threads import _has_ended
+from ..utils.values import no_class, Report, kept
 from ..utils.pictures import as_bgr
 
 # %% ../../nbs/api/cameras/10_contract.ipynb #781f4f27

@@ -15,7 +15,8 @@ from .camera import Camera
 from .parameters import Option, Parameter
 from .values import *
 from ..utils import clock
-from ..utils.general import _begin_thread, cv2, _has_ended, timers
+from ..utils.lazy import cv2
+from ..utils.threads import _begin_thread, _has_ended, timers
 from ..utils.pictures import _open_film
 
 # %% auto #0

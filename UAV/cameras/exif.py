@@ -17,7 +17,7 @@ import math, re
 
 from PIL.ExifTags import Base, GPS, IFD
 from .values import CameraInformation, NAN, Pose, known
-from ..utils.general import _Later
+from ..utils.lazy import _Later
 from ..utils.geo import euler, product, quaternion, wrap
 from ..utils.pictures import _jpeg_head
 

@@ -11,7 +11,7 @@ from numbers import Integral
 from fastcore.basics import patch
 from .values import CameraBusy, CameraError, Frame, RecordingEnded, VideoStatus
 from ..utils import clock
-from ..utils.general import _begin_thread, _has_ended, timers
+from ..utils.threads import _begin_thread, _has_ended, timers
 
 # %% auto #0
 __all__ = ['Frames', 'Filming']

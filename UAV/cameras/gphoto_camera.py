@@ -15,7 +15,7 @@ from .parameters import check_parameters, Parameter
 from .values import *
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread, _has_ended
+from ..utils.threads import _begin_thread, _has_ended
 from ..utils.pictures import decode_picture
 
 # %% auto #0

@@ -17,7 +17,7 @@ from .parameters import Parameter
 from .values import *
 from ..logging import LogLevels
 from ..utils import clock
-from ..utils.general import _begin_thread, _has_ended
+from ..utils.threads import _begin_thread, _has_ended
 from ..video.encoder import PassThrough
 from ..video.units import VideoFormat
 

@@ -15,7 +15,8 @@ from fastcore.basics import patch
 from .values import CameraError, CameraInformation
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread, _has_ended, np
+from ..utils.lazy import np
+from ..utils.threads import _begin_thread, _has_ended
 
 # %% auto #0
 __all__ = ['system_folders', 'apt_line', 'packages', 'GStreamerMissing', 'load_gst', 'config_file', 'gst', 'GSTPipeline']

@@ -11,7 +11,7 @@ import copy, math
 from fastcore.basics import patch, store_attr
 from .values import NAN, inside, one_of
 from ..utils import clock
-from ..utils.general import np
+from ..utils.lazy import np
 
 # %% ../../nbs/api/cameras/04_lens.ipynb #2a4f8768
 class Travel:

@@ -22,7 +22,7 @@ from .storage import write_file
 from .values import CameraBusy, CameraError
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import inside, Value
+from ..utils.values import inside, Value
 
 # %% ../../nbs/api/cameras/05_parameters.ipynb #bc0c4a50
 def as_float32(value:float)->float:

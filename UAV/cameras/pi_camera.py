@@ -16,7 +16,8 @@ from .parameters import Option, Parameter
 from .values import *
 from ..utils import clock
 from ..utils.devices import DeviceURL
-from ..utils.general import cv2, np, timers
+from ..utils.lazy import cv2, np
+from ..utils.threads import timers
 from ..video.encoder import PassThrough
 from ..video.units import sensible_bitrate, VideoFormat
 

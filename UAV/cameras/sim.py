@@ -20,7 +20,7 @@ from .parameters import Option, Parameter
 from .sim_world import _draw_road, sim_world, SimWorld, _wrapping_noise
 from .values import *
 from ..utils import clock, clock as _clock
-from ..utils.general import cv2, np
+from ..utils.lazy import cv2, np
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #8e02a583
 usual_shutter,usual_iso = .016667,100

@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 from fastcore.basics import patch
 from .lens import View, rotation
 from ..utils import clock
-from ..utils.general import cv2, np
+from ..utils.lazy import cv2, np
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5506
 def _wrapping_noise(seed:int, size:int):

@@ -19,7 +19,7 @@ from .values import *
 from .values import _as_line, _from_line, _suffix
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import Closes, in_child, Opened
+from ..utils.threads import Closes, in_child, Opened
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #f73c4201
 def _file_size(path:Path)->int:

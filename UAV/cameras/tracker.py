@@ -14,7 +14,8 @@ import math
 from fastcore.basics import patch
 from .values import CameraError, Frame, inside, known, NAN, Pose, Value
 from ..utils import clock, clock as _clock
-from ..utils.general import _begin_thread, cv2, _has_ended, np
+from ..utils.lazy import cv2, np
+from ..utils.threads import _begin_thread, _has_ended
 from ..utils.pictures import as_bgr
 
 # %% auto #0

@@ -12,7 +12,7 @@ import math
 from fastcore.basics import patch, store_attr
 from .values import CameraBusy, CameraError, inside, known, NAN, Value
 from ..utils import clock
-from ..utils.general import _begin_thread, timers
+from ..utils.threads import _begin_thread, timers
 from ..utils.geo import great_circle, metres, moved, velocity_here
 
 # %% auto #0

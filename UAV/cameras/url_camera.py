@@ -15,7 +15,7 @@ from .cv2_camera import _LiveCamera, _source_name
 from .gst_cam import _AskedFrame
 from .values import *
 from ..utils import clock
-from ..utils.general import _begin_thread, _has_ended
+from ..utils.threads import _begin_thread, _has_ended
 from ..utils.pictures import _frame_turns, _turned
 from ..video.encoder import PassThrough
 from ..video.player import _decode, _decoder, _in_our_schemes, receivers, _scheme, _Decoding

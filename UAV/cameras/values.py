@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass, field, replace
 from fastcore.basics import patch
 from ..utils import geo as earth
 from ..utils.geo import quaternion
-from ..utils.general import NAN, Value, inside, known, one_of
+from ..utils.values import NAN, Value, inside, known, one_of
 
 _all_ = ['NAN', 'Value', 'inside', 'known', 'one_of']
 

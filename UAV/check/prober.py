@@ -14,7 +14,7 @@ from .requirement import all_requirements, given, must, NotForThis, requirement,
 from .requirement import roles, Untested, verdicts
 from ..ftp.frames import ACK, FtpCode, FtpFrame, FtpOp, NAK, read_ftp
 from ..utils import clock
-from ..utils.general import _begin_thread, Closes
+from ..utils.threads import _begin_thread, Closes
 from ..wire.dialect import address, enum_name, LinkError, mavlink
 from ..wire.frames import FrameReader, pack, Wanted
 from ..wire.links import Link, open_link

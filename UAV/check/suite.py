@@ -16,7 +16,7 @@ from . import basics, files, pictures, settings, video      # their requirements
 from .prober import _chosen, _marks, Prober, Row
 from .requirement import verdicts
 from ..utils import clock
-from ..utils.general import plain
+from ..utils.values import plain
 
 # %% auto #0
 __all__ = ['subjects', 'suite', 'Findings', 'describe', 'run_suite', 'cost']

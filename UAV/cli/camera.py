@@ -32,7 +32,7 @@ from ..mavlink.protocol import Busy, comes_from, CommandError, Denied, NoAnswer
 from ..mavlink.settings import PARAM_EXT_VALUE, param_name, param_value
 from ..utils import clock
 from ..utils.files import local_name
-from ..utils.general import known
+from ..utils.values import known
 from ..utils.output import amount, Progress
 from ..wire.dialect import enum_name, MAVError
 

@@ -24,7 +24,7 @@ from ..logging import LogLevels
 from ..mavlink import MAVCom, mavlink
 from ..mavlink.protocol import CommandError, NoAnswer
 from ..utils import clock
-from ..utils.general import plain
+from ..utils.values import plain
 from ..utils.output import output_error
 from ..utils.sockets import url_host
 from ..wire.dialect import enum_name, LinkError, MAVError

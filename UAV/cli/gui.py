@@ -16,7 +16,7 @@ from .serve import Aboard, add_streams, log_to, serving, Teller
 from ..manager import Gui
 from ..manager.server import Door
 from ..mavlink import CameraClient, GimbalClient, mavlink
-from ..utils.general import inside
+from ..utils.values import inside
 from ..wire.signing import secret_key, state_file
 
 # %% auto #0

@@ -21,7 +21,8 @@ from ..mavlink.viewsheen_server import _Tracking
 from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device
 from ..utils.files import read_secret
-from ..utils.general import Closes, inside, known, one_of
+from ..utils.threads import Closes
+from ..utils.values import inside, known, one_of
 from ..video.units import codecs
 from ..video.rtsp_server import RTSPServer
 from ..video.stream import senders

@@ -13,7 +13,7 @@ from .frames import ACK, ftp_crc, FtpCode, FtpError, FtpFrame, FtpOp, listing, m
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.files import FileTree
-from ..utils.general import Seen
+from ..utils.clock import Seen
 from ..wire.dialect import MAVError
 
 # %% auto #0

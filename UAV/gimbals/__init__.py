@@ -11,7 +11,7 @@ _rooms = {'UAV.gimbals.values': 'Axis GimbalAttitude GimbalError GimbalInformati
 __all__ = sorted(' '.join(_rooms.values()).split())
 
 def __getattr__(name):
-    from UAV.utils.general import from_rooms
+    from UAV.utils.lazy import from_rooms
     return from_rooms(globals(), _rooms, name)
 
 def __dir__(): return sorted({*globals(), *__all__})

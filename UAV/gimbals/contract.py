@@ -10,7 +10,8 @@ import math
 
 from .values import *
 from ..utils import clock
-from ..utils.general import _has_ended, no_class, Report, kept
+from ..utils.threads import _has_ended
+from ..utils.values import no_class, Report, kept
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #72dcf213
 def _ticking(gimbal, wait):

@@ -14,7 +14,8 @@ from .values import *
 from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.clock import goes_by_itself
-from ..utils.general import inside, KeepsNames, Timers, Value
+from ..utils.threads import Timers
+from ..utils.values import inside, KeepsNames, Value
 from ..utils.geo import metres
 
 # %% auto #0

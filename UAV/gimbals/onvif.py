@@ -21,7 +21,7 @@ from .values import *
 from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.devices import DeviceURL
-from ..utils.general import inside
+from ..utils.values import inside
 from ..utils.geo import quaternion
 from ..utils.sockets import _ask_web, _Deadline, url_host, _web_path
 from ..video.rtsp import _authorization

@@ -14,7 +14,7 @@ from fastcore.basics import patch, store_attr
 from .gimbal import Gimbal
 from .values import *
 from ..utils import clock
-from ..utils.general import inside, no_class
+from ..utils.values import inside, no_class
 from ..utils.geo import euler, metres, product, quaternion
 
 # %% ../../nbs/api/gimbals/03_sim.ipynb #92d2eb50

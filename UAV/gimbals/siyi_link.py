@@ -16,7 +16,8 @@ from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.clock import goes_by_itself
 from ..utils.devices import DeviceURL
-from ..utils.general import _begin_thread, Closes, inside, timers, Value
+from ..utils.threads import _begin_thread, Closes, timers
+from ..utils.values import inside, Value
 from ..utils.sockets import TCPClient
 
 # %% auto #0

@@ -15,7 +15,7 @@ from .values import *
 from ..utils import clock
 from ..utils.clock import goes_by_itself
 from ..utils.devices import DeviceURL
-from ..utils.general import inside
+from ..utils.values import inside
 from ..utils.geo import quaternion
 from ..utils.sockets import Loop
 

@@ -12,7 +12,7 @@ import math
 
 from fastcore.basics import patch
 from ..utils.geo import gimbal_angles, moved, product, quaternion, wrap
-from ..utils.general import NAN, Value, known, one_of
+from ..utils.values import NAN, Value, known, one_of
 
 _all_ = ['NAN', 'known', 'one_of', 'wrap']
 

@@ -12,7 +12,8 @@ from .gimbal import Gimbal
 from .gimbal_camera import CardCamera, GimbalCamera
 from .values import *
 from ..utils import clock
-from ..utils.general import inside, NAN, one_of, takes_options, Value
+from ..utils.docs import takes_options
+from ..utils.values import inside, NAN, one_of, Value
 from ..utils.devices import DeviceURL
 from ..utils.geo import quaternion, wrap
 from ..utils.sockets import TCPClient

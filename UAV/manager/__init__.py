@@ -3,7 +3,7 @@ _rooms = {'UAV.manager.gui': 'Gui', 'UAV.manager.panel': 'Btn_State'}
 __all__ = ['Btn_State', 'Gui']
 
 def __getattr__(name):
-    from UAV.utils.general import from_rooms
+    from UAV.utils.lazy import from_rooms
     return from_rooms(globals(), _rooms, name)
 
 def __dir__(): return sorted({*globals(), *__all__})

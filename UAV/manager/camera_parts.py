@@ -21,7 +21,7 @@ from ..mavlink.camera_asking import CAMERA_TRACKING_IMAGE_STATUS, tracking_of
 from ..mavlink.protocol import NoAnswer
 from ..mavlink.settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
 from ..utils import clock
-from ..utils.general import inside, known
+from ..utils.values import inside, known
 from ..utils.pictures import decode_picture
 from ..utils.sockets import set_within
 from ..video.recorder import Recorder
@@ -400,7 +400,7 @@ import math
 
 from ..gimbals.values import GimbalError
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS
-from ..utils.general import NAN
+from ..utils.values import NAN
 from ..utils.geo import gimbal_angles, turned
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #5723a0f9

@@ -19,7 +19,7 @@ from ..mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURE
 from ..mavlink.camera_asking import stream_of, VIDEO_STREAM_INFORMATION
 from ..mavlink.protocol import Failed
 from ..utils import clock
-from ..utils.general import inside, one_of
+from ..utils.values import inside, one_of
 from ..utils.sockets import set_within
 from ..wire.dialect import Ack, address, MAVError
 

@@ -16,7 +16,7 @@ from ..mavlink.remote_gimbal import about, GIMBAL_DEVICE_ATTITUDE_STATUS
 from ..mavlink.gimbal_flags import axis_limits
 from ..mavlink.protocol import Lost
 from ..utils import clock
-from ..utils.general import inside, known
+from ..utils.values import inside, known
 from ..utils.geo import inverse, product, wrap
 from ..wire.dialect import Ack, MAVError
 

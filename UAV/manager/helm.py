@@ -18,7 +18,7 @@ from ..mavlink.gimbal_client import RemoteGimbal
 from ..mavlink.protocol import Denied, NoAnswer, Unsupported
 from ..utils import clock
 from ..utils.sockets import set_within
-from ..utils.general import inside, known
+from ..utils.values import inside, known
 from ..wire.dialect import MAVError
 
 # %% auto #0

@@ -17,7 +17,7 @@ from .panel import RowPart
 from .told import _battery_of, _picture_of
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS, from_int32
 from ..utils import clock
-from ..utils.general import known, NAN
+from ..utils.values import known, NAN
 from ..utils.geo import metres, moved, turned, unit
 from ..wire.dialect import address, MAVError
 

@@ -16,7 +16,8 @@ from ..cameras.values import CameraError
 from ..gimbals.values import GimbalError
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import Closes, plain
+from ..utils.threads import Closes
+from ..utils.values import plain
 from ..utils.sockets import LoopThread
 from ..wire.dialect import Ack, MAVError
 

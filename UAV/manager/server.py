@@ -15,7 +15,7 @@ from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.files import local_name
-from ..utils.general import Closes
+from ..utils.threads import Closes
 from ..utils.sockets import listen_tcp, url_host, _Guesses
 from ..wire.dialect import MAVError
 

@@ -13,7 +13,7 @@ from ..mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURE
 from ..mavlink.camera_asking import flags_of, printable, status_of, storage_of as _read_storage, text_of
 from ..mavlink.component import Texts
 from ..utils import clock
-from ..utils.general import known, NAN
+from ..utils.values import known, NAN
 from ..wire.dialect import enum_name
 
 # %% auto #0

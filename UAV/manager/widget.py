@@ -15,7 +15,7 @@ import json, sys
 from fastcore.basics import store_attr
 from .server import _Messages, panel_css, panel_js, PanelServer
 from ..utils import clock
-from ..utils.general import known
+from ..utils.values import known
 from ..utils.pictures import decode_picture
 
 # %% auto #0

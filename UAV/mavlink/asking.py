@@ -12,7 +12,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from .protocol import _AfterLock, Command, longest_rto, Lost, remembered
 from ..utils import clock, clock as _clock
-from ..utils.general import Seen
+from ..utils.clock import Seen
 from ..wire.dialect import address, enum_name
 
 # %% auto #0

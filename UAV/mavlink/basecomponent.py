@@ -17,7 +17,8 @@ from .protocol import (Cancelled, check_id, check_seconds, _check_state, _check_
     CommandError, contraries, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives,
     _Seconds, Served, _Tables)
 from ..utils import clock
-from ..utils.general import time_UTC_usec, timers, Worker
+from ..utils.clock import time_UTC_usec
+from ..utils.threads import timers, Worker
 from ..wire.dialect import Ack, address, command_cancel, enum_name, LinkError, timesync
 from ..wire.frames import pack
 

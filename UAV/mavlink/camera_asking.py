@@ -16,7 +16,8 @@ from ..cameras.sim import ThermalRange
 from ..cameras.storages import media_in
 from ..cameras.tracker import TrackingStatus
 from ..cameras.values import Pose, StorageInformation
-from ..utils.general import for_async, inside, known, NAN, one_of, Value
+from ..utils.docs import for_async
+from ..utils.values import inside, known, NAN, one_of, Value
 from ..utils.geo import euler
 from ..utils.sockets import host_in, plain_host
 from ..video.senders import is_group, is_loopback

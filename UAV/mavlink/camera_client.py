@@ -15,7 +15,8 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import LogLevels
 from ..utils import clock
-from ..utils.general import for_async, NAN
+from ..utils.docs import for_async
+from ..utils.values import NAN
 from ..wire.dialect import Ack, address, MAVError, number_of
 from .asking import first_rto
 from UAV.mavlink.protocol import (Busy, check_count, check_seconds, check_which, Command, Failed, Found, Lost,

@@ -16,7 +16,7 @@ from .basecomponent import Part
 from .protocol import Busy, Denied, announced, receives
 from .settings import *
 from ..utils import clock
-from ..utils.general import timers
+from ..utils.threads import timers
 from ..wire.dialect import address
 
 # %% auto #0

@@ -28,7 +28,8 @@ from UAV.mavlink.protocol import (announced, Busy, Cancelled, check_id, command,
     Served, Unsupported)
 from .vehicle import Geotagger, Survey
 from ..utils import clock
-from ..utils.general import NAN, Seen, time_since_boot_ms
+from ..utils.clock import Seen, time_since_boot_ms
+from ..utils.values import NAN
 from ..wire.dialect import address, enum_name, enum_value
 
 # %% auto #0

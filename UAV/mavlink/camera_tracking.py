@@ -13,7 +13,7 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_FOV_STAT
     MAVLINK_MSG_ID_CAMERA_TRACKING_IMAGE_STATUS as CAMERA_TRACKING_IMAGE_STATUS)
 from ..cameras.tracker import TrackingStatus
 from ..cameras.values import NAN, Pose, known
-from ..utils.general import time_since_boot_ms
+from ..utils.clock import time_since_boot_ms
 from ..utils.geo import metres, turned
 from ..wire.dialect import address, enum_value
 from .basecomponent import Part

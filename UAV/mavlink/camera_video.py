@@ -16,7 +16,7 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_
     MAVLINK_MSG_ID_VIDEO_STREAM_STATUS as VIDEO_STREAM_STATUS)
 from ..cameras.values import CameraBusy, CameraError, CaptureStatus, RecordingEnded, VideoStatus
 from ..video.senders import is_group
-from ..utils.general import time_since_boot_ms
+from ..utils.clock import time_since_boot_ms
 from ..wire.dialect import address, enum_name
 from .protocol import CommandError, Denied, Unsupported, announced, command, message
 from .mavcom import ends, host_of, own_host

@@ -19,7 +19,7 @@ from .basecomponent import BaseComponent
 from .protocol import (accepts, Busy, check_seconds, _check_target, comes_from, command, Denied, Lost,
     message, Unsupported)
 from ..utils import clock, clock as _clock
-from ..utils.general import HangWatch, Timers
+from ..utils.threads import HangWatch, Timers
 from ..wire.dialect import Ack, address, enum_name, MAVError, message_name
 from ..wire.frames import pack
 

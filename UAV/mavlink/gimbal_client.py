@@ -17,7 +17,7 @@ from UAV.mavlink.protocol import (check_count, check_seconds, check_which, comes
 from UAV.mavlink.remote_gimbal import (about, _device_address, _of_device, _of_manager, ATTITUDE, HOME_POSITION,
     RemoteGimbal)
 from ..utils import clock
-from ..utils.general import inside, NAN
+from ..utils.values import inside, NAN
 from ..wire.dialect import Ack, address
 
 # %% auto #0

@@ -18,7 +18,7 @@ from UAV.gimbals.values import (axes, Axis, GimbalAttitude, GimbalError, GimbalI
     PositionUnknown)
 from .protocol import Denied, Unsupported
 from ..utils import clock
-from ..utils.general import inside, known, NAN, one_of, Value
+from ..utils.values import inside, known, NAN, one_of, Value
 from ..utils.geo import gimbal_angles, inverse, product, quaternion, unit, wrap
 from ..wire.dialect import enum_value
 

@@ -22,7 +22,10 @@ from .gimbal_flags import (_axis, _checked_attitude, _checked_device_id, _limits
 from .protocol import check_id, command, Denied, message, receives, Unsupported
 from .vehicle import Vehicle
 from ..utils import clock
-from ..utils.general import known, Lateness, NAN, one_of, Seen, takes_options, time_since_boot_ms
+from ..utils.clock import Seen, time_since_boot_ms
+from ..utils.docs import takes_options
+from ..utils.threads import Lateness
+from ..utils.values import known, NAN, one_of
 from ..wire.dialect import address, enum_name, parameters
 
 # %% auto #0

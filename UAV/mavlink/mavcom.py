@@ -14,8 +14,9 @@ from ..logging import get_logger, line_limit, LogLevels
 from .asking import Remotes
 from .protocol import accepts, _check_component, check_id, opened
 from ..utils import clock
-from ..utils.general import (Closes, date_time_str, _explain, HangWatch, Lateness, Opened, Seen, show_unawaited,
-    time_since_boot_ms, time_UTC_usec, timers)
+from ..utils.clock import date_time_str, Seen, time_since_boot_ms, time_UTC_usec
+from ..utils.docs import _explain, show_unawaited
+from ..utils.threads import Closes, HangWatch, Lateness, Opened, timers
 from ..wire.dialect import address, LinkError
 from ..wire.frames import decode, FrameReader, Sources, target, Wanted
 from ..wire.links import Link, UDPLink, VirtualLink

@@ -14,7 +14,7 @@ import inspect, math, re, sys
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..utils import clock, clock as _clock
-from ..utils.general import Seen
+from ..utils.clock import Seen
 from ..wire.dialect import (address, Busy, Cancelled, CommandError, Denied, enum_name, enum_value, Failed, LinkError,
     Lost, MAVError, NoAnswer, parameters, Unsupported)
 from ..wire.links import Link, open_link

@@ -18,7 +18,8 @@ from .gimbal_flags import *
 from .gimbal_flags import _caps
 from .protocol import Denied, NoAnswer
 from ..utils import clock
-from ..utils.general import for_async, inside, known, NAN, one_of, Value
+from ..utils.docs import for_async
+from ..utils.values import inside, known, NAN, one_of, Value
 from ..utils.geo import quaternion, wrap
 from ..wire.dialect import Ack, address, MAVError
 

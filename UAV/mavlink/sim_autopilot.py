@@ -15,7 +15,8 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_ATTITUDE as ATT
     MAVLINK_MSG_ID_SYS_STATUS as SYS_STATUS, MAVLINK_MSG_ID_SYSTEM_TIME as SYSTEM_TIME,
     MAVLINK_MSG_ID_VFR_HUD as VFR_HUD)
 from ..logging import LogLevels
-from ..utils.general import inside, known, no_class, one_of, time_since_boot_ms, time_UTC_usec
+from ..utils.clock import time_since_boot_ms, time_UTC_usec
+from ..utils.values import inside, known, no_class, one_of
 from ..utils.geo import quaternion
 from ..wire.dialect import address, protocol_version
 from .protocol import command, Denied, message, receives, Unsupported

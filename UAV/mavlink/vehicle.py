@@ -23,7 +23,8 @@ from .basecomponent import Part
 from .gimbal_flags import attitude_of
 from .protocol import announced, command, Denied, receives
 from ..utils import clock
-from ..utils.general import inside, known, NAN, Seen
+from ..utils.clock import Seen
+from ..utils.values import inside, known, NAN
 from ..utils.geo import euler, inverse, metres, product, quaternion, SenderClock, unit, velocity_here
 from ..wire.dialect import address
 

@@ -4,7 +4,7 @@ _rooms = {'UAV.testing.kit': 'free_port Logged mark overlap read_mark TruthCamer
 __all__ = sorted(' '.join(_rooms.values()).split())
 
 def __getattr__(name):
-    from UAV.utils.general import from_rooms
+    from UAV.utils.lazy import from_rooms
     return from_rooms(globals(), _rooms, name)
 
 def __dir__(): return sorted({*globals(), *__all__})

@@ -13,7 +13,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..cameras.sim import SimCamera
 from ..cameras.sim_world import SimWorld
 from ..utils import clock
-from ..utils.general import Closes
+from ..utils.threads import Closes
 from ..utils.geo import metres
 from ..wire.message_log import MessageLog, _once, _pair
 

@@ -15,7 +15,7 @@ import numpy.random     # NumPy loads it late: inside of a world it would take o
 
 from . import scheduler
 from .scheduler import _real_monotonic, _real_sleep, here, outside, Waiter, World
-from ..utils import clock, general
+from ..utils import clock, threads
 
 # %% auto #0
 __all__ = ['epoch', 'simulated']
@@ -51,8 +51,8 @@ class simulated:
         tempfile.mktemp()           # its dice are the process's, or two processes would choose the same names
         self.world.__enter__()
         self._loop,self._state,self._numpy_state = loop,random.getstate(),numpy.random.get_state()
-        timers = general.Timers.__new__(general.Timers)
-        self._swap = _Swap(_names|_media()|_seeded(self.world.seed)|{general.timers: timers})
+        timers = threads.Timers.__new__(threads.Timers)
+        self._swap = _Swap(_names|_media()|_seeded(self.world.seed)|{threads.timers: timers})
         timers.__init__()
         _keep_real(self._swap)
         for owner,name,f in _methods: self._swap.set(owner, name, f)
@@ -78,7 +78,7 @@ class simulated:
             numpy.random.set_state(self._numpy_state)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #07dc37b5
-@general.in_child
+@threads.in_child
 def _forked():
     "A forked process has one thread and the real clock"
     scheduler._current = None

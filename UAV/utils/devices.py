@@ -9,7 +9,7 @@ from importlib.metadata import entry_points
 from urllib.parse import parse_qsl, unquote, urlsplit
 import re
 
-from .general import Value
+from .values import Value
 from .sockets import host_in
 
 # %% auto #0

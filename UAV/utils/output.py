@@ -11,7 +11,8 @@ import errno, io, logging, os, select, sys
 from fastcore.basics import patch, store_attr
 from fastcore.imports import in_jupyter
 from . import clock
-from .general import Closes, cv2
+from .lazy import cv2
+from .threads import Closes
 
 # %% auto #0
 __all__ = ['asked_for', 'colours', 'lasting', 'output_error', 'fill_standard_files', 'Progress', 'amount', 'ScrollingLog',

@@ -14,7 +14,8 @@ import base64, io, os, sys, tempfile
 from fastcore.imports import in_ipython, in_jupyter
 from fastcore.basics import GetAttr, patch
 
-from .general import av, Closes, cv2, np
+from .lazy import av, cv2, np
+from .threads import Closes
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #f8cb565e
 def _not_a_picture(im): return ValueError(f'not a picture: an array of shape {im.shape}, {im.dtype}')

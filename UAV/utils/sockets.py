@@ -12,7 +12,8 @@ import asyncio, errno, math, selectors, socket, ipaddress, re
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from . import clock
-from .general import _begin_thread, Closes, inside, timers
+from .threads import _begin_thread, Closes, timers
+from .values import inside
 
 # %% auto #0
 __all__ = ['log', 'Loop', 'listen_tcp', 'url_host', 'host_in', 'plain_host', 'get_web', 'TCPClient', 'LoopThread', 'LoopClosed',

@@ -10,7 +10,8 @@ from dataclasses import replace
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread, av, Closes
+from ..utils.lazy import av
+from ..utils.threads import _begin_thread, Closes
 from ..utils.pictures import _checked
 from .units import (AccessUnit, byte_stream, Codec, codecs, _DecodeTimes, _even, _is_hardware, is_key,
     _nal_type, nal_units, _open_codec, parameter_sets, sensible_bitrate, Sink, VideoFormat)

@@ -14,7 +14,8 @@ import asyncio, atexit, os, re, selectors, socket
 from fastcore.basics import GetAttr, patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread, av, Closes, np
+from ..utils.lazy import av, np
+from ..utils.threads import _begin_thread, Closes
 from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned
 from ..utils.sockets import host_in, plain_host
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver

@@ -13,7 +13,7 @@ import errno, os, re, selectors, socket
 
 from fastcore.basics import patch, store_attr
 from ..utils import clock
-from ..utils.general import Closes
+from ..utils.threads import Closes
 from ..utils.sockets import host_in
 from .senders import is_group
 from .units import (AccessUnit, _begins_decoding, byte_stream, clock_rate, codecs, _DecodeTimes, _nal_type,

@@ -11,7 +11,8 @@ import errno, os, shutil
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import av, Closes
+from ..utils.lazy import av
+from ..utils.threads import Closes
 from .senders import _add_video, _as_packet, _Ticks
 from .units import AccessUnit, Sink, VideoFormat, clock_rate
 

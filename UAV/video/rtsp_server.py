@@ -11,7 +11,7 @@ import socket
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import Closes
+from ..utils.threads import Closes
 from ..utils.sockets import _Guesses, url_host
 from .receivers import _listen_pair
 from .rtsp import _Digest, _Interleaved, _is_report, _Request, _RequestReader, _Response

@@ -12,7 +12,8 @@ from fastcore.basics import patch, store_attr
 from fastcore.meta import delegates
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import av, Closes
+from ..utils.lazy import av
+from ..utils.threads import Closes
 from ..utils.sockets import _shut, listen_tcp, Loop, plain_host
 from .units import AccessUnit, clock_rate, Sink
 

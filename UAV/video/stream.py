@@ -10,7 +10,7 @@ import math, os, re
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import Closes, in_child
+from ..utils.threads import Closes, in_child
 from ..utils.sockets import url_host
 from .rtsp import RTPSender
 from .rtsp_server import RTSPServer

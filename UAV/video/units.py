@@ -14,7 +14,8 @@ from types import SimpleNamespace
 from fastcore.basics import patch
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread, _has_ended, av, Closes, cv2, np
+from ..utils.lazy import av, cv2, np
+from ..utils.threads import _begin_thread, _has_ended, Closes
 from ..utils.pictures import as_bgr
 
 # %% auto #0

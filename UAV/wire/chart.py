@@ -5,14 +5,123 @@
 # %% ../../nbs/api/wire/06_chart.ipynb #5282a673
 from __future__ import annotations
 from html import escape
+from pathlib import Path
 import textwrap
 
 from fastcore.basics import patch, store_attr
-from ..utils.svg import Drawing, _css_class, element, one_line, path, text, _text_width
 
 # %% auto #0
-__all__ = ['colours', 'row_height', 'first_row', 'least_gap', 'margin', 'head_top', 'head_height', 'head_padding', 'bar_width',
-           'bar_step', 'number_column', 'time_column', 'legend_line', 'Chart']
+__all__ = ['letter_height', 'letter_width', 'dark_pages', 'colours', 'row_height', 'first_row', 'least_gap', 'margin', 'head_top',
+           'head_height', 'head_padding', 'bar_width', 'bar_step', 'number_column', 'time_column', 'legend_line',
+           'element', 'path', 'text', 'one_line', 'Drawing', 'Chart']
+
+# %% ../../nbs/api/wire/06_chart.ipynb #d8e67597
+def _name(attribute:str)->str: return 'class' if attribute=='cls' else attribute.replace('_','-')
+def _value(value)->str: return f'{value:g}' if isinstance(value, float) else escape(str(value))
+
+# %% ../../nbs/api/wire/06_chart.ipynb #42b2c3ed
+def element(
+    tag:str, # As in 'rect'
+    *inside:str, # Other elements
+    **attributes, # `_` becomes `-`, `cls` is `class`; what is `None` is left out
+)->str:
+    "An element of an SVG"
+    given = ''.join(f' {_name(k)}="{_value(v)}"' for k,v in attributes.items() if v is not None)
+    return f'<{tag}{given}>{"".join(inside)}</{tag}>' if inside else f'<{tag}{given}/>'
+
+# %% ../../nbs/api/wire/06_chart.ipynb #05fb26c0
+def path(d:str, # As in 'M0 0H10': from 0,0 to the right
+         **attributes)->str:
+    "A line in the current colour"
+    return element('path', d=d, **attributes)
+
+# %% ../../nbs/api/wire/06_chart.ipynb #8bc4e3fd
+def text(
+    x:float, y:float, # Pixels; `y` is the base line
+    words:str, # Escaped here
+    *classes:str, # A colour, `middle` or `end` (where `x` is), `bold`, `plain` (no margin in the paper's colour)
+)->str:
+    "Words"
+    return element('text', escape(words), x=round(x), y=round(y), cls=' '.join(classes) or None)
+
+# %% ../../nbs/api/wire/06_chart.ipynb #db63e813
+letter_height = 12      # pixels; under 11 they cannot be read
+letter_width = .603*letter_height
+
+def _text_width(words:str)->float: return len(words)*letter_width      # pixels
+
+# %% ../../nbs/api/wire/06_chart.ipynb #6c649166
+def one_line(text, most:int=60)->str:
+    "`text` in one line of printable characters, at most `most` of them"
+    text = ' '.join(''.join(c if c.isprintable() else ' ' for c in str(text)).split())
+    return text if len(text)<=most else text[:most-1]+'…'
+
+# %% ../../nbs/api/wire/06_chart.ipynb #c5238377
+dark_pages = ':is([data-jp-theme-light="false"],[data-bs-theme=dark],.quarto-dark,.vscode-dark)'
+
+# %% ../../nbs/api/wire/06_chart.ipynb #1aab675e
+_shapes = {     # how the elements of any drawing look
+    '': 'border-radius:8px;max-width:100%;height:auto;'
+        f'font:{letter_height}px ui-monospace,"DejaVu Sans Mono",Menlo,Consolas,monospace',
+    ' path': 'fill:none;stroke:currentColor',
+    ' .solid': 'fill:currentColor',
+    ' text': 'fill:currentColor;paint-order:stroke;stroke-width:4px;stroke-linejoin:round',
+    ' .middle': 'text-anchor:middle',
+    ' .end': 'text-anchor:end',
+    ' .bold': 'font-weight:700',
+    ' .plain': 'stroke-width:0'}
+
+# %% ../../nbs/api/wire/06_chart.ipynb #e6cf8113
+def _css_class(name:str)->str: "`name` as a class; a class has no spaces"; return name.replace(' ','-')
+
+def _css(rules:dict, of:str)->str:
+    "`rules`, as `{selector: declarations}`, as a style sheet for elements in `of`"
+    return ''.join(f'{of}{selector}{{{declarations}}}' for selector,declarations in rules.items())
+
+# %% ../../nbs/api/wire/06_chart.ipynb #cab5cc12
+def _colour_rules(colours:dict, dark:bool)->dict:
+    "A rule for each of `Drawing`'s colours; letters have a margin in the colour of the paper"
+    chosen = {name:both[dark] for name,both in colours.items()}
+    rules = {f' .{_css_class(name)}':f'color:{colour}' for name,colour in chosen.items()}
+    return {**rules, ' text':f'stroke:{chosen["paper"]}', ' .paper':f'fill:{chosen["paper"]}'}
+
+# %% ../../nbs/api/wire/06_chart.ipynb #24643a39
+class Drawing:
+    "An SVG that shows itself in a notebook, in the colours of the page"
+    least = 11      # pixels: the height of letters on a narrow page
+
+    def __init__(self,
+        name:str, # Class of the `<svg>`: its rules are only for drawings of this name
+        colours:dict, # `{name: (on light pages, on dark pages)}`, with one named `paper`
+        width:int, # Pixels
+        height:int, # Pixels
+        *inside:str, # Elements
+        rules:dict|None=None, # More rules, `{selector: declarations}`
+    ):
+        store_attr(but='rules')
+        self.inside,self.rules = inside,{**_shapes, **(rules or {})}
+
+    def __repr__(self): return f'Drawing: {self.name}, {self.width}×{self.height}'
+
+    @property
+    def svg(self)->str:
+        "All of it, with the colours for light pages"
+        w,h = self.width,self.height
+        light = _css(_colour_rules(self.colours, dark=False), f'.{self.name}')
+        style = element('style', _css(self.rules, f'.{self.name}')+light)
+        paper = element('rect', cls='paper', width=w, height=h, rx=8)
+        return element('svg', style, paper, *self.inside, xmlns='http://www.w3.org/2000/svg', cls=self.name,
+                       width=w, height=h, viewBox=f'0 0 {w} {h}', style=f'min-width:{w*self.least/letter_height:.0f}px')
+
+    def _repr_svg_(self)->str: return self.svg
+
+    def _repr_html_(self)->str:
+        dark = element('style', _css(_colour_rules(self.colours, dark=True), f'{dark_pages} .{self.name}'))
+        return dark+f'<div style="overflow-x:auto">{self.svg}</div>'
+
+    def save(self, file): # An `.svg`
+        "Write it"
+        Path(file).write_text(self.svg, encoding='utf-8')
 
 # %% ../../nbs/api/wire/06_chart.ipynb #9816368a
 colours = {

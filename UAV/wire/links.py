@@ -12,7 +12,7 @@ import errno, os, re, selectors, socket
 from fastcore.basics import patch
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread
+from ..utils.threads import _begin_thread
 from .dialect import LinkError
 
 # %% auto #0

@@ -12,7 +12,7 @@ from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread
+from ..utils.threads import _begin_thread
 from .frames import promised, target
 from .links import Link, open_link
 

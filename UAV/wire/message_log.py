@@ -12,9 +12,9 @@ from pathlib import Path
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..utils import clock
-from ..utils.general import Closes, Seen
-from ..utils.svg import one_line
-from .chart import Chart
+from ..utils.clock import Seen
+from ..utils.threads import Closes
+from .chart import one_line, Chart
 from .dialect import Ack, enum_name, message_name, parameters
 from .frames import decode, target
 from .tlog import read_tlog, record, TlogWriter, unsigned, without_secrets

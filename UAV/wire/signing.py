@@ -17,7 +17,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, LogLevels
 from ..utils import clock, clock as _clock
 from ..utils.files import read_secret
-from ..utils.general import Closes
+from ..utils.threads import Closes
 from .frames import crc
 
 # %% auto #0

@@ -13,7 +13,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread, Opened
+from ..utils.threads import _begin_thread, Opened
 from .dialect import LinkError
 from .frames import crc
 from .links import Link, link_types

@@ -1,5 +1,5 @@
 """One import for all that shows pictures, videos, logs and classes in a notebook or a terminal."""
-from UAV.utils.general import doc_class
+from UAV.utils.docs import doc_class
 from UAV.utils.pictures import Thumbnail, Video, VideoWriter, as_bgr, contact_sheet, puttext, show_image
 from UAV.utils.output import ScrollingLog, ScrollingLogHandler
 
