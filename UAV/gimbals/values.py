@@ -12,12 +12,12 @@ import math
 
 from fastcore.basics import patch
 from ..utils.geo import gimbal_angles, moved, product, quaternion, wrap
-from ..utils.general import NAN, Value, known, one_of
+from ..utils.general import NAN, UAVError, Value, known, one_of
 
 _all_ = ['NAN', 'known', 'one_of', 'wrap']
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #24c83426
-class GimbalError(Exception): "The gimbal cannot do that"
+class GimbalError(UAVError): "The gimbal cannot do that"
 class HeadingUnknown(GimbalError): "A direction on earth was asked for, and the vehicle's heading is not known"
 class PositionUnknown(GimbalError): "There is no direction to a place: the vehicle's position is not known"
 

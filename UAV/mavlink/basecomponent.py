@@ -11,7 +11,7 @@ import math, secrets, struct
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, LogLevels, _set_level
-from .asking import Commands
+from .retransmission import Commands
 from .mavcom import MAVCom
 from .protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
     CommandError, contraries, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives,

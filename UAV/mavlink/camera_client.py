@@ -17,7 +17,7 @@ from ..logging import LogLevels
 from ..utils import clock
 from ..utils.general import for_async, NAN
 from ..wire.dialect import Ack, address, MAVError, number_of
-from .asking import first_rto
+from .retransmission import first_rto
 from UAV.mavlink.protocol import (Busy, check_count, check_seconds, check_which, Command, Failed, Found, Lost,
     NoAnswer, receives)
 from .component import Component, sends, verb

@@ -14,7 +14,7 @@ from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import MAVLink
 from ..logging import LogLevels
-from .asking import first_rto
+from .retransmission import first_rto
 from .basecomponent import BaseComponent
 from .protocol import (accepts, Busy, check_seconds, _check_target, comes_from, command, Denied, Lost,
     message, Unsupported)

@@ -11,7 +11,7 @@ import atexit, re, socket
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, line_limit, LogLevels
-from .asking import Remotes
+from .retransmission import Remotes
 from .protocol import accepts, _check_component, check_id, opened
 from ..utils import clock
 from ..utils.general import (Closes, date_time_str, _explain, HangWatch, Lateness, Opened, Seen, show_unawaited,

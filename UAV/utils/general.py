@@ -22,13 +22,16 @@ from ..logging import get_logger
 from . import clock, clock as _clock
 
 # %% auto #0
-__all__ = ['log', 'timers', 'NAN', 'time_since_boot_ms', 'time_UTC_usec', 'date_time_str', 'in_child', 'Closes', 'Opened',
-           'Timers', 'Worker', 'Lateness', 'HangWatch', 'known', 'Value', 'inside', 'one_of', 'no_class', 'plain',
-           'CompleteLater', 'KeepsNames', 'Seen', 'for_async', 'show_unawaited', 'Report', 'kept', 'doc_class',
+__all__ = ['log', 'timers', 'NAN', 'UAVError', 'time_since_boot_ms', 'time_UTC_usec', 'date_time_str', 'in_child', 'Closes',
+           'Opened', 'Timers', 'Worker', 'Lateness', 'HangWatch', 'known', 'Value', 'inside', 'one_of', 'no_class',
+           'plain', 'CompleteLater', 'KeepsNames', 'Seen', 'for_async', 'show_unawaited', 'Report', 'kept', 'doc_class',
            'takes_options', 'from_rooms']
 
 # %% ../../nbs/api/utils/00_general.ipynb #b1083063
 log = get_logger('timers')
+
+# %% ../../nbs/api/utils/00_general.ipynb #ea0e0002
+class UAVError(Exception): "Something that a link, a camera or a gimbal could not do"
 
 # %% ../../nbs/api/utils/00_general.ipynb #60c39659
 def time_since_boot_ms()->int:
