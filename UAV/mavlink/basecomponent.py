@@ -12,7 +12,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, LogLevels, _set_level
 from .retransmission import Commands
-from .mavcom import MAVCom
+from .mavcom import MAVCom, Member
 from .protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
     CommandError, contraries, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives,
     _Seconds, Served, _Tables)
@@ -130,7 +130,7 @@ def _encode_command(command:Command):
     return mavlink.MAVLink_command_int_message(*target, command.frame, command_id, 0, 0, *p[:4], x, y, p[6])
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #9bc1d7ec
-class BaseComponent:
+class BaseComponent(Member):
     "One component of a MAVLink system"
     autopilot = mavlink.MAV_AUTOPILOT_INVALID       # for the heartbeat: not an autopilot
     base_mode = custom_mode = 0
@@ -318,7 +318,7 @@ def set_mav_connection(self:BaseComponent, mav_com:MAVCom):
     self._alarm = timers.alarm(lambda: self.asking.tick())
     self.asking = Commands(mav_com.remotes, self._send_copy, self._send_fence, alarm=partial(timers.move, self._alarm))
     self.tables.join(mav_com.wanted, mavlink.MAVLINK_MSG_ID_COMMAND_ACK, *([None] if self._listeners else []))
-    mav_com.joining.discard(id(self))           # from here on it gets messages
+    mav_com.deliver_to(self)
     self._each_part('join')
     self.on_mav_connection()
     if self._closed:            # while it joined: end what has begun since

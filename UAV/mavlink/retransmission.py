@@ -10,7 +10,7 @@ import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from .protocol import _AfterLock, Command, longest_rto, Lost, remembered
+from .protocol import Command, longest_rto, Lost, remembered
 from ..utils import clock, clock as _clock
 from ..utils.general import Seen
 from ..wire.dialect import address, enum_name
@@ -206,6 +206,29 @@ class _Line:
         self.last = -math.inf   # time of the last copy
         self.hard = -math.inf   # time after which no late ack can come
         self.fence = None       # the request that must be answered before the next command is sent
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #9513a993
+class _AfterLock:
+    "A lock with a queue of calls that are made after its release; calls they add run after them, not within"
+    def __init__(self): self._calls,self._lock,self._busy = deque(),clock.RLock(),clock.Lock()
+
+    def add(self, f, *args):
+        "Call `f(*args)` after the lock is released"
+        self._calls.append((f,args))
+
+    def __enter__(self): self._lock.acquire()
+    def __exit__(self, *args):
+        self._lock.release()
+        if self._calls: self.flush()
+
+    def flush(self):
+        "Make the queued calls, unless another thread is making them: then it makes ours, too"
+        while self._calls and self._busy.acquire(False):
+            try:
+                while self._calls:
+                    f,args = self._calls.popleft()
+                    f(*args)
+            finally: self._busy.release()
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #407dd8fb
 class Commands:

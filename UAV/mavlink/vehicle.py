@@ -203,7 +203,7 @@ def beat(self:Vehicle):
 def _ask(self:Vehicle, autopilot:tuple, msg_ids:list):
     "Send MAV_CMD_SET_MESSAGE_INTERVAL for messages not recently requested on our `MAVCom`"
     us = self.component
-    parts = [p for c in list(us.mav_com.component.values()) for p in getattr(c, 'parts', ())]
+    parts = [p for c in list(us.mav_com.component.values()) for p in c.parts]
     listeners = [p for p in parts if isinstance(p, Vehicle)] or [self]
     for msg_id in msg_ids:
         if listeners[0]._asked.setdefault((autopilot, msg_id), now := object()) is not now: continue
