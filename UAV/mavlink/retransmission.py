@@ -16,8 +16,8 @@ from ..utils.general import Seen
 from ..wire.dialect import address, enum_name
 
 # %% auto #0
-__all__ = ['first_rto', 'least_rto', 'busy', 'longest_back_off', 'late', 'latest', 'longest_late', 'in_progress_timeout',
-           'longest_work', 'noise', 'longest_stray', 'fence_tries', 'RoundTrip', 'Remote', 'Remotes', 'Commands']
+__all__ = ['first_rto', 'least_rto', 'busy', 'longest_back_off', 'in_progress_timeout', 'longest_work', 'noise', 'longest_stray',
+           'fence_tries', 'late', 'latest', 'longest_late', 'RoundTrip', 'Commands', 'Remote', 'Remotes']
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #c9706371
 first_rto = .5 # s: timeout for a component that has not answered yet
@@ -67,130 +67,6 @@ def wait(self:RoundTrip, copies:int=1, # Number of copies sent
         )->float:
     "Return the seconds until the next copy: the timeout, doubled each time"
     return min(self.rto*2**(copies-1), max(self.rto, longest_back_off))
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #3523d692
-@dataclass
-class Remote:
-    "A component elsewhere; times are monotonic seconds"
-    address:tuple # `(system, component)`
-    type:int|None=None # MAV_TYPE of its last HEARTBEAT; `None`: none came yet
-    autopilot:int=mavlink.MAV_AUTOPILOT_INVALID # MAV_AUTOPILOT
-    system_status:int=mavlink.MAV_STATE_UNINIT # MAV_STATE
-    heard:float=0. # Time of its last HEARTBEAT
-    alive:float=0. # Time when its latest frame was noticed
-    frames:int=0 # Number of its frames by then
-    late:float|None=None # By how much all looks were late by then, s
-    lost:bool=False # True if it has fallen silent
-    sequences:dict=field(default_factory=dict) # By link: its last HEARTBEATs, `(number, when)`; frames, restarts
-    aheads:list=field(default_factory=list) # Excess of the last ten numbers over those expected
-    double:bool=False # True if two components seem to use this address
-    round_trip:RoundTrip=field(default_factory=RoundTrip)
-
-    @property
-    def name(self)->str:
-        "`system/component` and MAV_TYPE"
-        kind = '(no heartbeat)' if self.type is None else enum_name('MAV_TYPE', self.type, 'MAV_TYPE_')
-        return f'{self.address[0]}/{self.address[1]} {kind}'
-
-    def __repr__(self): return self.name+(', lost' if self.lost else '')
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #9212bc30
-class Remotes(dict):
-    "`{(system, component): Remote}` of all components that sent a heartbeat or an answer"
-    lost_after = 5. # s of silence after which a component is lost
-    most = 1024     # components that are stored
-
-    # copies, because a reader may store a new component while somebody loops over them
-    def __iter__(self): return iter(self.keys())
-    def keys(self)->list: return list(super().keys())
-    def values(self)->list: return list(super().values())
-    def items(self)->list: return list(super().items())
-
-    def known(self, address:tuple)->Remote:
-        "Return the `Remote` of `address`, a new one if necessary"
-        if address not in self and len(self)>=self.most:
-            # forget lost ones, then those that never answered us, then the oldest
-            def worth(r): return not r.lost, r.round_trip.srtt is not None, max(r.heard, r.alive)
-            for remote in sorted(self.values(), key=worth)[:self.most//16]: self.pop(remote.address, None)
-        return self.get(address) or self.setdefault(address, Remote(address))
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #8bd1e1bd
-@patch
-def beat(self:Remotes, address:tuple, # `(system, component)` that sent it
-         msg, # Its HEARTBEAT
-         now:float, # Monotonic time, s
-        )->bool:
-    "Store a heartbeat; true if the component is new or back"
-    remote = self.known(address)
-    news = remote.lost or remote.type is None
-    remote.type,remote.autopilot,remote.system_status = msg.type,msg.autopilot,msg.system_status
-    remote.heard,remote.lost = now,False
-    return news
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #b9882c43
-@patch
-def silent(self:Remotes, now:float, # Monotonic time, s
-           frames=lambda address: 0, # Returns the number of frames received from `(system, component)`
-           late:float=0., # By how much all our looks were late, s: then their frames wait for us
-          )->list:
-    "Return the remotes that are lost from now on"
-    found = []
-    for remote in self.values():
-        count = frames(remote.address)
-        if count!=remote.frames or remote.late is None: remote.late = late
-        if count!=remote.frames: remote.frames,remote.alive,remote.lost = count,now,False
-        if remote.lost or remote.type is None: continue
-        remote.lost = now-max(remote.alive, remote.heard)-(late-remote.late)>=self.lost_after
-        if remote.lost: found.append(remote)
-    return found
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #db1f53cd
-@patch
-def why_lost(self:Remotes, address:tuple)->str:
-    "Return why `address` is lost, or '' if it is not"
-    remote = self.get(address)
-    return f'{remote.name} is lost: silent for {self.lost_after:g} s or more' if remote and remote.lost else ''
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #e988e5fc
-@patch
-def note_sequence(self:Remotes, address:tuple, # `(system, component)` that sent a HEARTBEAT
-                  sequence:int, # Sequence number of its frame, 0 … 255
-                  link=None, # Link of the frame
-                  frames:int=0, # Frames of `address` received on that link by then, without duplicates
-                  restarts:int=0, # Number of restarts of its numbers on that link
-                  now:float=0., # Monotonic time, s
-                 )->bool:
-    "Store a heartbeat's sequence number; true once, when two components seem to use this address"
-    remote = self.known(address)
-    came,counted,begun = remote.sequences.get(link, ([],frames,restarts))
-    if came and sequence==came[-1][0]: return False     # it came by two routes
-    remote.sequences[link] = [*came[-9:], (sequence,now)],frames,restarts
-    if not came or restarts==begun+1: return False      # after an outage
-    remote.note_step(came, sequence, frames-counted, now)
-    news = not remote.double and remote.seems_double
-    remote.double = remote.double or news
-    return news
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #761ff25e
-late,latest = 8,64 # frames that may overtake a frame of a quiet component; of any component
-longest_late = 2.  # s that a frame of a quiet component may be late
-
-@patch
-def note_step(self:Remote, came:list, sequence:int, frames:int, now:float):
-    "Store by how much `sequence` is off, given the numbers that `came` and `frames` since; 0 if it's just late"
-    ahead = (sequence-came[-1][0]-frames+128)%256-128
-    quiet = -late-frames<=ahead<-frames and frames<=late    # a small step back
-    overtaken = quiet and any(0<(n-sequence)%256<=late and now-at>=longest_late for n,at in came)
-    is_late = abs(ahead)<=min(max(late, frames//2), latest)
-    self.aheads = [*self.aheads[-9:], 0 if is_late and not overtaken else ahead]
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #a908def6
-@patch(as_prop=True)
-def seems_double(self:Remote)->bool:
-    "True if the last ten numbers look like those of two components"
-    a,b,c = [0,0,0,*self.aheads][-3:]
-    turns = all((a,b,c)) and abs(a+b)<=2 and abs(b+c)<=2
-    return turns or sum(ahead<0 for ahead in self.aheads)>=3
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #34973412
 in_progress_timeout = 3. # s after an IN_PROGRESS until we ask for the final ack
@@ -484,3 +360,127 @@ def _fence_due(self:Commands, line:_Line, now:float):
     if line.on_wire: return             # it was for an ack that came too early
     line.dirty = False
     self._advance(line)
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #3523d692
+@dataclass
+class Remote:
+    "A component elsewhere; times are monotonic seconds"
+    address:tuple # `(system, component)`
+    type:int|None=None # MAV_TYPE of its last HEARTBEAT; `None`: none came yet
+    autopilot:int=mavlink.MAV_AUTOPILOT_INVALID # MAV_AUTOPILOT
+    system_status:int=mavlink.MAV_STATE_UNINIT # MAV_STATE
+    heard:float=0. # Time of its last HEARTBEAT
+    alive:float=0. # Time when its latest frame was noticed
+    frames:int=0 # Number of its frames by then
+    late:float|None=None # By how much all looks were late by then, s
+    lost:bool=False # True if it has fallen silent
+    sequences:dict=field(default_factory=dict) # By link: its last HEARTBEATs, `(number, when)`; frames, restarts
+    aheads:list=field(default_factory=list) # Excess of the last ten numbers over those expected
+    double:bool=False # True if two components seem to use this address
+    round_trip:RoundTrip=field(default_factory=RoundTrip)
+
+    @property
+    def name(self)->str:
+        "`system/component` and MAV_TYPE"
+        kind = '(no heartbeat)' if self.type is None else enum_name('MAV_TYPE', self.type, 'MAV_TYPE_')
+        return f'{self.address[0]}/{self.address[1]} {kind}'
+
+    def __repr__(self): return self.name+(', lost' if self.lost else '')
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #9212bc30
+class Remotes(dict):
+    "`{(system, component): Remote}` of all components that sent a heartbeat or an answer"
+    lost_after = 5. # s of silence after which a component is lost
+    most = 1024     # components that are stored
+
+    # copies, because a reader may store a new component while somebody loops over them
+    def __iter__(self): return iter(self.keys())
+    def keys(self)->list: return list(super().keys())
+    def values(self)->list: return list(super().values())
+    def items(self)->list: return list(super().items())
+
+    def known(self, address:tuple)->Remote:
+        "Return the `Remote` of `address`, a new one if necessary"
+        if address not in self and len(self)>=self.most:
+            # forget lost ones, then those that never answered us, then the oldest
+            def worth(r): return not r.lost, r.round_trip.srtt is not None, max(r.heard, r.alive)
+            for remote in sorted(self.values(), key=worth)[:self.most//16]: self.pop(remote.address, None)
+        return self.get(address) or self.setdefault(address, Remote(address))
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #8bd1e1bd
+@patch
+def beat(self:Remotes, address:tuple, # `(system, component)` that sent it
+         msg, # Its HEARTBEAT
+         now:float, # Monotonic time, s
+        )->bool:
+    "Store a heartbeat; true if the component is new or back"
+    remote = self.known(address)
+    news = remote.lost or remote.type is None
+    remote.type,remote.autopilot,remote.system_status = msg.type,msg.autopilot,msg.system_status
+    remote.heard,remote.lost = now,False
+    return news
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #b9882c43
+@patch
+def silent(self:Remotes, now:float, # Monotonic time, s
+           frames=lambda address: 0, # Returns the number of frames received from `(system, component)`
+           late:float=0., # By how much all our looks were late, s: then their frames wait for us
+          )->list:
+    "Return the remotes that are lost from now on"
+    found = []
+    for remote in self.values():
+        count = frames(remote.address)
+        if count!=remote.frames or remote.late is None: remote.late = late
+        if count!=remote.frames: remote.frames,remote.alive,remote.lost = count,now,False
+        if remote.lost or remote.type is None: continue
+        remote.lost = now-max(remote.alive, remote.heard)-(late-remote.late)>=self.lost_after
+        if remote.lost: found.append(remote)
+    return found
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #db1f53cd
+@patch
+def why_lost(self:Remotes, address:tuple)->str:
+    "Return why `address` is lost, or '' if it is not"
+    remote = self.get(address)
+    return f'{remote.name} is lost: silent for {self.lost_after:g} s or more' if remote and remote.lost else ''
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #e988e5fc
+@patch
+def note_sequence(self:Remotes, address:tuple, # `(system, component)` that sent a HEARTBEAT
+                  sequence:int, # Sequence number of its frame, 0 … 255
+                  link=None, # Link of the frame
+                  frames:int=0, # Frames of `address` received on that link by then, without duplicates
+                  restarts:int=0, # Number of restarts of its numbers on that link
+                  now:float=0., # Monotonic time, s
+                 )->bool:
+    "Store a heartbeat's sequence number; true once, when two components seem to use this address"
+    remote = self.known(address)
+    came,counted,begun = remote.sequences.get(link, ([],frames,restarts))
+    if came and sequence==came[-1][0]: return False     # it came by two routes
+    remote.sequences[link] = [*came[-9:], (sequence,now)],frames,restarts
+    if not came or restarts==begun+1: return False      # after an outage
+    remote.note_step(came, sequence, frames-counted, now)
+    news = not remote.double and remote.seems_double
+    remote.double = remote.double or news
+    return news
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #761ff25e
+late,latest = 8,64 # frames that may overtake a frame of a quiet component; of any component
+longest_late = 2.  # s that a frame of a quiet component may be late
+
+@patch
+def note_step(self:Remote, came:list, sequence:int, frames:int, now:float):
+    "Store by how much `sequence` is off, given the numbers that `came` and `frames` since; 0 if it's just late"
+    ahead = (sequence-came[-1][0]-frames+128)%256-128
+    quiet = -late-frames<=ahead<-frames and frames<=late    # a small step back
+    overtaken = quiet and any(0<(n-sequence)%256<=late and now-at>=longest_late for n,at in came)
+    is_late = abs(ahead)<=min(max(late, frames//2), latest)
+    self.aheads = [*self.aheads[-9:], 0 if is_late and not overtaken else ahead]
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #a908def6
+@patch(as_prop=True)
+def seems_double(self:Remote)->bool:
+    "True if the last ten numbers look like those of two components"
+    a,b,c = [0,0,0,*self.aheads][-3:]
+    turns = all((a,b,c)) and abs(a+b)<=2 and abs(b+c)<=2
+    return turns or sum(ahead<0 for ahead in self.aheads)>=3
