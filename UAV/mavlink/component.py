@@ -24,8 +24,38 @@ from ..wire.dialect import Ack, address, enum_name, MAVError, message_name
 from ..wire.frames import pack
 
 # %% auto #0
-__all__ = ['everyone', 'Stream', 'Streams', 'Component', 'StatusText', 'Texts', 'Health', 'DeviceServer', 'verb', 'sends',
+__all__ = ['everyone', 'Component', 'Stream', 'Streams', 'StatusText', 'Texts', 'Health', 'DeviceServer', 'verb', 'sends',
            'verbs', 'MAVLink', 'mavlink', 'LogLevels']
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #b1d0d43c
+_all_ = ['MAVLink', 'mavlink', 'LogLevels']
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #e44a6adf
+def __getattr__(name):
+    "Import `mavutil` on demand, which takes as long as all the rest"
+    if name!='mavutil': raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    from pymavlink import mavutil
+    return mavutil
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #928cb8ca
+class Component(BaseComponent):
+    "A component that sends messages on request, and requests them from others"
+    min_interval = 20_000       # shortest interval of a stream in µs
+    pace = 2880.                # bytes/s of long answers: half the capacity of a 57,600 baud radio
+
+    def __init__(self, source_component:int, # Our component id (MAV_COMP_ID)
+                 mav_type:int, # Our MAV_TYPE
+                 loglevel:int=LogLevels.INFO):
+        super().__init__(source_component, mav_type, loglevel)
+        self.timers = Timers(f'timers of {type(self).__name__} {source_component}')     # for requests to a device
+        self.sending = self.add_part(Streams(self))
+        self.target_system = self.target_component = None
+        self._text_id = 0           # of our last text in pieces
+
+    @property
+    def messages(self)->dict:
+        "Messages sent on request, `{message id: Handler}`"
+        return self.tables['message']
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #6e19bbae
 class Stream:
@@ -113,7 +143,7 @@ def beat(self:Streams):
     late = com.heart.lateness.total         # meanwhile frames may wait for us
     for asker,(frames,when,was_late) in list(self._askers.items()):
         count = com.heart.frames(asker)
-        if count!=frames or asker in com._here: self._askers[asker] = count,now,late
+        if count!=frames or asker in com.here: self._askers[asker] = count,now,late
         elif now-when-(late-was_late)>=com.lost_after:
             self.component.log.info('%s/%s is silent: its streams end', *asker)
             self.end(asker, timeout=0)          # a heartbeat does not wait
@@ -219,36 +249,6 @@ def answer(self:Streams, asker:tuple, # `(system, component)` of the requester
             if is_long: other.msg_id,other.is_long = msg_id,True
         if self._pacer is None and not self._closed:
             self._credit,self._pacer = self.ahead,self.component.timers.every(self.tick, self._pace, delay=self.tick)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #b1d0d43c
-_all_ = ['MAVLink', 'mavlink', 'LogLevels']
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #e44a6adf
-def __getattr__(name):
-    "Import `mavutil` on demand, which takes as long as all the rest"
-    if name!='mavutil': raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    from pymavlink import mavutil
-    return mavutil
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #928cb8ca
-class Component(BaseComponent):
-    "A component that sends messages on request, and requests them from others"
-    min_interval = 20_000       # shortest interval of a stream in µs
-    pace = 2880.                # bytes/s of long answers: half the capacity of a 57,600 baud radio
-
-    def __init__(self, source_component:int, # Our component id (MAV_COMP_ID)
-                 mav_type:int, # Our MAV_TYPE
-                 loglevel:int=LogLevels.INFO):
-        super().__init__(source_component, mav_type, loglevel)
-        self.timers = Timers(f'timers of {type(self).__name__} {source_component}')     # for requests to a device
-        self.sending = self.add_part(Streams(self))
-        self.target_system = self.target_component = None
-        self._text_id = 0           # of our last text in pieces
-
-    @property
-    def messages(self)->dict:
-        "Messages sent on request, `{message id: Handler}`"
-        return self.tables['message']
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #a38a301f
 @patch

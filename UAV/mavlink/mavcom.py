@@ -46,11 +46,13 @@ class MAVCom(Closes):
     ):
         self.source_system = check_id('source_system', source_system)
         self.connection_string = _link_name(connection_string)
-        self.log,self.message_log,self.forward = get_logger(f'mavcom.{source_system}', loglevel),message_log,forward
+        self.log = get_logger(f'mavcom.{source_system}', loglevel)
+        self.message_log,self.forward = message_log,forward
         self.signing = signing if signing is None or isinstance(signing, Signing) else Signing(signing)
         self.component,self.channels,self.wanted = {},[],Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
         self.receivers = ()         # the components that can take messages: not those that are joining
-        self._here,self._everywhere = set(),[]      # addresses of our components; `(channel, None)` for each link
+        self.here = set()           # addresses of our components
+        self._everywhere = []       # `(channel, None)` for each link
         self._passed,self._lock,self._closed = Seen(1., most=512),clock.Lock(),False
         self.heart = Heart(self)
         self.remotes = self.heart.remotes       # `{(system, component): Remote}` of all components seen
@@ -134,7 +136,7 @@ def add_component(self:MAVCom, component):
         _check_component(component, self, twins)
         number = component.source_component
         self.component[number] = component
-        self._here.add((self.source_system, number))
+        self.here.add((self.source_system, number))
     try: component.set_mav_connection(self)
     except BaseException:
         self.remove_component(component)
@@ -159,7 +161,7 @@ def remove_component(self:MAVCom, component):
         self.receivers = tuple(c for c in self.receivers if c is not component)
         if self.component.get(number) is not component: return
         del self.component[number]
-        self._here.discard((self.source_system, number))
+        self.here.discard((self.source_system, number))
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #818f57ea
 @patch
@@ -176,7 +178,7 @@ def route(self:MAVCom, msg, # A received message, or one of ours
           origin=None): # Our component that sent it
     "Deliver `msg` to all components it is addressed to, except its sender"
     source = address(msg)
-    if origin is None and source in self._here: return self.heart.check_echo(msg, source)
+    if origin is None and source in self.here: return self.heart.check_echo(msg, source)
     if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_HEARTBEAT:
         self.heart.note(msg, source, ours=origin is not None)
         if origin is None and 0 not in source: self.heart.check_double(msg, source)
@@ -359,7 +361,7 @@ def check_stuck(self:Heart)->bool:
 def check_alone(self:Heart):
     "Log once why nobody is heard, if we sign: others drop frames of another key or of a wrong clock"
     if self.alone_since is None or self.com.signing is None: return
-    others = any(a not in self.com._here for a in self.remotes)
+    others = any(a not in self.com.here for a in self.remotes)
     if not others and clock.monotonic()-self.alone_since<self.com.lost_after: return
     self.alone_since,signing = None,self.com.signing
     level = LogLevels.WARNING if signing.dropped or not signing.has_time else LogLevels.INFO
@@ -399,7 +401,7 @@ def watch(self:Heart):
     "Report components that fell silent or are back"
     were = [r for r in self.remotes.values() if r.lost]
     for remote in self.remotes.silent(clock.monotonic(), self.frames, self.lateness.total):
-        if remote.address in self.com._here: remote.lost = False
+        if remote.address in self.com.here: remote.lost = False
         else: self.lose(remote.address)
     for remote in were:
         if not remote.lost: self.com.log.warning('%s is back', remote.name)
@@ -537,7 +539,7 @@ def write(self:MAVCom, frame:bytes, # A packed message of ours
     if frame[7:10]==b'\0\0\0': self.heart.sent.note(_essence(frame))
     if self.message_log is not None: self.keep(frame, True)
     to = to or target(frame)
-    if to in self._here: return
+    if to in self.here: return
     one_way = len(self.channels)==1 and len(self.channels[0].readers)<2
     known = self.where(*to) if to[0] and not one_way else ()
     for channel,peer in known or self._everywhere:
@@ -567,7 +569,7 @@ _never_forwarded = mavlink.MAVLINK_MSG_ID_RADIO_STATUS,mavlink.MAVLINK_MSG_ID_SE
 def _forward(self:MAVCom, origin:Channel, frame:bytes, msg_id:int, source:tuple):
     "Forward a frame that came by the link `origin`"
     to = target(frame)
-    if msg_id in _never_forwarded or source in self._here or to in self._here: return
+    if msg_id in _never_forwarded or source in self.here or to in self.here: return
     with self._lock:
         first = self._passed.find(frame, origin)
         if first is origin: self._passed.note(frame, origin)
@@ -664,7 +666,7 @@ def _why_nothing_came(self:MAVCom)->str:
 def who_was_heard(self:MAVCom, system:int=0, # Only this system, if anything of it was received; 0: all
                  )->str:
     "List up to eight components that were received, or suggest why there are none"
-    there = sorted({a for c in self.channels for a in list(c.sources)} - self._here)
+    there = sorted({a for c in self.channels for a in list(c.sources)} - self.here)
     of = [a for a in there if system in (0,a[0])]
     if not there: return self._why_nothing_came()
     which = f'nothing of system {system}, but ' if not of else f'of system {system}: ' if system else ''
