@@ -9,9 +9,7 @@ from pathlib import Path
 from typing import Any
 import asyncio, inspect, sys
 
-from .cameras.values import CameraError
-from .gimbals.values import GimbalError
-from .wire.dialect import MAVError
+from .utils.values import UAVError
 
 # %% auto #0
 __all__ = ['run']
@@ -23,7 +21,7 @@ def run(main:Callable[..., Any]): # Called with the command-line arguments; a co
     try:
         done = main(*sys.argv[1:])
         if inspect.iscoroutine(done): asyncio.run(done)
-    except (MAVError, CameraError, GimbalError) as e: sys.exit(f'{program}: {" ".join(str(e).split())}')
+    except UAVError as e: sys.exit(f'{program}: {" ".join(str(e).split())}')
     except KeyboardInterrupt:
         print(f'{program}: stopped', file=sys.stderr)
         sys.exit(128+2)         # a shell's exit status for SIGINT

@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 import math
 
 from fastcore.basics import patch
-from UAV.mavlink.asking import Remotes
+from UAV.mavlink.retransmission import Remotes
 from UAV.wire.dialect import mavlink
 from UAV.wire.frames import decode, pack
 from UAV.wire.links import Link, open_link

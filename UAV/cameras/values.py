@@ -9,12 +9,12 @@ __all__ = ['CameraInformation', 'CameraError', 'CameraBusy', 'WrongMode', 'Stora
 
 # %% ../../nbs/api/cameras/00_values.ipynb #c572e020
 import json, re
-from dataclasses import asdict, dataclass, field, replace
 
-from fastcore.basics import patch
 from ..utils import geo as earth
+from dataclasses import asdict, dataclass, field, replace
+from fastcore.basics import patch
 from ..utils.geo import quaternion
-from ..utils.values import NAN, Value, inside, known, one_of
+from ..utils.values import NAN, Value, inside, known, one_of, UAVError
 
 _all_ = ['NAN', 'Value', 'inside', 'known', 'one_of']
 
@@ -49,7 +49,7 @@ def shown(self:CameraInformation, width:int, # Of a picture, px
     return width/finest,height/finest
 
 # %% ../../nbs/api/cameras/00_values.ipynb #28407a0b
-class CameraError(Exception): "The camera cannot do that"
+class CameraError(UAVError): "The camera cannot do that"
 class CameraBusy(CameraError): "Not now; it passes by itself"
 class WrongMode(CameraError): "The camera's mode does not allow it"
 class StorageError(CameraError): "The storage takes no picture"

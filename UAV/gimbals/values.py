@@ -7,17 +7,17 @@ __all__ = ['axes', 'GimbalError', 'HeadingUnknown', 'PositionUnknown', 'GimbalIn
            'yaw_in', 'GimbalAttitude', 'NAN', 'known', 'one_of', 'wrap']
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #7861364c
-from dataclasses import dataclass, replace
 import math
-
+from dataclasses import dataclass, replace
 from fastcore.basics import patch
 from ..utils.geo import gimbal_angles, moved, product, quaternion, wrap
-from ..utils.values import NAN, Value, known, one_of
+from ..utils.values import NAN, Value, known, one_of, UAVError
+
 
 _all_ = ['NAN', 'known', 'one_of', 'wrap']
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #24c83426
-class GimbalError(Exception): "The gimbal cannot do that"
+class GimbalError(UAVError): "The gimbal cannot do that"
 class HeadingUnknown(GimbalError): "A direction on earth was asked for, and the vehicle's heading is not known"
 class PositionUnknown(GimbalError): "There is no direction to a place: the vehicle's position is not known"
 

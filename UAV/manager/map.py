@@ -47,7 +47,7 @@ def _words_of(remote)->str:
 def _links_of(com, most:int=32)->list:
     "Return `name` of each link of a `MAVCom`, and the components `heard` there"
     def there(channel):
-        heard = (com.remotes.get(a) for a in sorted(list(channel.sources)) if a not in com._here)
+        heard = (com.remotes.get(a) for a in sorted(list(channel.sources)) if a not in com.here)
         return [_words_of(r) for r in heard if r and r.heard and not r.lost][:most]
     return [dict(name=channel.name, heard=there(channel)) for channel in com.channels]
 

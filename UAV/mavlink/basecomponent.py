@@ -11,8 +11,8 @@ import math, secrets, struct
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, LogLevels, _set_level
-from .asking import Commands
-from .mavcom import MAVCom
+from .retransmission import Commands
+from .mavcom import MAVCom, Member
 from .protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
     CommandError, contraries, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives,
     _Seconds, Served, _Tables)
@@ -23,7 +23,52 @@ from ..wire.dialect import Ack, address, command_cancel, enum_name, LinkError, t
 from ..wire.frames import pack
 
 # %% auto #0
-__all__ = ['Sender', 'BaseComponent', 'Part', 'TimeSync']
+__all__ = ['BaseComponent', 'Sender', 'Part', 'TimeSync']
+
+# %% ../../nbs/api/mavlink/03_basecomponent.ipynb #9bc1d7ec
+class BaseComponent(Member):
+    "One component of a MAVLink system"
+    autopilot = mavlink.MAV_AUTOPILOT_INVALID       # for the heartbeat: not an autopilot
+    base_mode = custom_mode = 0
+    _results = {CommandError:None, NotImplementedError:mavlink.MAV_RESULT_UNSUPPORTED} # of errors; `None`: their own
+    command_timeout:float|None = _Seconds(None) # s until each next copy; `None`: from measured round trips
+    patience:float = _Seconds(patience) # s in which commands are retransmitted, unless `retries` is given
+    _in_progress_after = .3  # s until a slow command is acknowledged with IN_PROGRESS
+    def __init__(self, source_component:int, # Our component id (MAV_COMP_ID), 1 to 255
+                 mav_type:int, # Our MAV_TYPE for the heartbeat
+                 loglevel:int=LogLevels.INFO): # DEBUG also logs each command and ack on stderr
+        self.parts = ()         # microservices besides our own methods: see `add_part`
+        self.source_component = check_id('source_component', source_component)
+        self.mav_type,self.system_status = _check_type(mav_type),mavlink.MAV_STATE_ACTIVE
+        self.log = get_logger(f'{type(self).__name__}.{source_component}', loglevel)
+        self.tables,self.sender = _Tables(self),Sender(self)
+        self.message_cnts = {}      # received: `{system: {MESSAGE_NAME: count}}`
+        self.num_msgs_rcvd = self.num_cmds_rcvd = self.num_acks_rcvd = self.num_cmds_sent = self.num_acks_sent = 0
+        self.num_acks_drop = 0      # commands that were never answered
+        self.worker = Worker(f'worker of {type(self).__name__} {source_component}')
+        self.served,self._under_way = Served(),{}
+        self.mav_com = self.asking = self.mav = None        # until we join a link; `mav` is our encoder
+        self._expectations = Expectations()
+        self._listeners = [self.on_message] if type(self).on_message is not BaseComponent.on_message else []
+        self._alarm = None      # of `asking`
+
+    def __repr__(self):
+        number = self.source_component
+        where = f'{self.source_system}/{number}' if self.mav_com else f'{number}, not on a link'
+        return (f'{type(self).__name__} {where}: {self.num_msgs_rcvd} messages, '
+                f'commands {self.num_cmds_sent} sent {self.num_cmds_rcvd} received, '
+                f'acks {self.num_acks_sent} sent {self.num_acks_rcvd} received {self.num_acks_drop} missing')
+
+    @property
+    def system_status(self)->int:
+        "MAV_STATE of our heartbeat"
+        return self._system_status
+
+    @system_status.setter
+    def system_status(self, state): self._system_status = _check_state(state)
+
+    def on_mav_connection(self): "Called when the component joins a link; for subclasses"
+    def on_message(self, msg): "Called with each message for the component; for subclasses, true accepts a command"
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #a33d64cd
 class Sender:
@@ -53,7 +98,7 @@ def send_now(self:Sender, msg, # A message of the encoder `mav`
             raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
         self.mav.seq = (self.mav.seq+1)%256
         com.write(frame, to)
-    if len(com.component)>1 and (to is None or to in com._here): com.share(frame, msg.get_msgId(), self.component)
+    if len(com.component)>1 and (to is None or to in com.here): com.share(frame, msg.get_msgId(), self.component)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #22c46d15
 class _Held:
@@ -129,50 +174,6 @@ def _encode_command(command:Command):
     if any(map(math.isinf, p[4:6])): raise ValueError(f'parameters 5 and 6 of a COMMAND_INT are integers, not {p[4:6]}')
     x,y = (0x7fffffff if math.isnan(v) else int(v) for v in p[4:6])
     return mavlink.MAVLink_command_int_message(*target, command.frame, command_id, 0, 0, *p[:4], x, y, p[6])
-
-# %% ../../nbs/api/mavlink/03_basecomponent.ipynb #9bc1d7ec
-class BaseComponent:
-    "One component of a MAVLink system"
-    autopilot = mavlink.MAV_AUTOPILOT_INVALID       # for the heartbeat: not an autopilot
-    base_mode = custom_mode = 0
-    _results = {CommandError:None, NotImplementedError:mavlink.MAV_RESULT_UNSUPPORTED} # of errors; `None`: their own
-    command_timeout:float|None = _Seconds(None) # s until each next copy; `None`: from measured round trips
-    patience:float = _Seconds(patience) # s in which commands are retransmitted, unless `retries` is given
-    _in_progress_after = .3  # s until a slow command is acknowledged with IN_PROGRESS
-    def __init__(self, source_component:int, # Our component id (MAV_COMP_ID), 1 to 255
-                 mav_type:int, # Our MAV_TYPE for the heartbeat
-                 loglevel:int=LogLevels.INFO): # DEBUG also logs each command and ack on stderr
-        self.parts = ()         # microservices besides our own methods: see `add_part`
-        self.source_component = check_id('source_component', source_component)
-        self.mav_type,self.system_status = _check_type(mav_type),mavlink.MAV_STATE_ACTIVE
-        self.log = get_logger(f'{type(self).__name__}.{source_component}', loglevel)
-        self.tables,self.sender = _Tables(self),Sender(self)
-        self.message_cnts = {}      # received: `{system: {MESSAGE_NAME: count}}`
-        self.num_msgs_rcvd = self.num_cmds_rcvd = self.num_acks_rcvd = self.num_cmds_sent = self.num_acks_sent = 0
-        self.num_acks_drop = 0      # commands that were never answered
-        self.worker = Worker(f'worker of {type(self).__name__} {source_component}')
-        self.served,self._under_way = Served(),{}
-        self.mav_com,self.asking,self.mav,self._expectations = None,None,None,Expectations()      # `mav`: our encoder
-        self._listeners = [self.on_message] if type(self).on_message is not BaseComponent.on_message else []
-        self._closed,self._alarm = False,None
-
-    def __repr__(self):
-        number = self.source_component
-        where = f'{self.source_system}/{number}' if self.mav_com else f'{number}, not on a link'
-        return (f'{type(self).__name__} {where}: {self.num_msgs_rcvd} messages, '
-                f'commands {self.num_cmds_sent} sent {self.num_cmds_rcvd} received, '
-                f'acks {self.num_acks_sent} sent {self.num_acks_rcvd} received {self.num_acks_drop} missing')
-
-    @property
-    def system_status(self)->int:
-        "MAV_STATE of our heartbeat"
-        return self._system_status
-
-    @system_status.setter
-    def system_status(self, state): self._system_status = _check_state(state)
-
-    def on_mav_connection(self): "Called when the component joins a link; for subclasses"
-    def on_message(self, msg): "Called with each message for the component; for subclasses, true accepts a command"
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #a11e0011
 class Part:
@@ -319,7 +320,7 @@ def set_mav_connection(self:BaseComponent, mav_com:MAVCom):
     self._alarm = timers.alarm(lambda: self.asking.tick())
     self.asking = Commands(mav_com.remotes, self._send_copy, self._send_fence, alarm=partial(timers.move, self._alarm))
     self.tables.join(mav_com.wanted, mavlink.MAVLINK_MSG_ID_COMMAND_ACK, *([None] if self._listeners else []))
-    mav_com.joining.discard(id(self))           # from here on it gets messages
+    mav_com.deliver_to(self)
     self._each_part('join')
     self.on_mav_connection()
     if self._closed:            # while it joined: end what has begun since
@@ -388,12 +389,12 @@ def count_message(self:BaseComponent, msg):
 @patch
 def _show(self:BaseComponent, msg)->bool:
     "Pass `msg` to `on_message` and the callbacks; true if one of them returns true"
-    said,error = False,None
+    accepted,error = False,None
     for listener in list(self._listeners):
-        try: said = bool(listener(msg)) or said
+        try: accepted = bool(listener(msg)) or accepted
         except Exception as e: error = e            # the others get it anyway
     if error: raise error
-    return said
+    return accepted
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #41c40a09
 @patch
@@ -558,12 +559,13 @@ def _answer_again(self:BaseComponent, msg):
 def _answer_command(self:BaseComponent, handler, msg):
     "Run `handler`, send its ack, then its held messages; send IN_PROGRESS every second during a slow one"
     if not handler.options['once'] and self.served.is_late(msg): return     # as if it were lost
-    slow,say = handler.options['slow'],partial(self.send_ack, msg, mavlink.MAV_RESULT_IN_PROGRESS, progress=255)
+    slow = handler.options['slow']
+    in_progress = partial(self.send_ack, msg, mavlink.MAV_RESULT_IN_PROGRESS, progress=255)
     with self.sender.ack_first(own_thread=slow):
-        taken_back = getattr(msg, 'cancelled', False)
-        saying = timers.every(1., say, delay=self._in_progress_after) if slow else None
-        try: outcome = Outcome(Cancelled.result) if taken_back else self._run_command(handler, msg)
-        finally: slow and timers.cancel(saying)
+        cancelled = getattr(msg, 'cancelled', False)
+        job = timers.every(1., in_progress, delay=self._in_progress_after) if slow else None
+        try: outcome = Outcome(Cancelled.result) if cancelled else self._run_command(handler, msg)
+        finally: slow and timers.cancel(job)
         if handler.options['once']: self.served.note(msg, outcome)
         elif msg.command in contraries: self.served.executed(msg)
         self._under_way.pop(msg.command, None)       # before the ack: the next one may follow it within a millisecond
@@ -579,15 +581,15 @@ def _on_command(self:BaseComponent, msg):
     before = self.served.find(msg) if handler is None or handler.options['once'] else None
     if before is not None: return self._acknowledge(msg, before)
     self.num_cmds_rcvd += 1
-    said = mavlink.MAV_RESULT_UNSUPPORTED
+    result = mavlink.MAV_RESULT_UNSUPPORTED
     try:
-        if self._listeners and self._show(msg): said = mavlink.MAV_RESULT_ACCEPTED
+        if self._listeners and self._show(msg): result = mavlink.MAV_RESULT_ACCEPTED
     except (Exception, SystemExit):
-        said = mavlink.MAV_RESULT_FAILED
+        result = mavlink.MAV_RESULT_FAILED
         self.log.exception('a callback raised on %s', enum_name('MAV_CMD', msg.command, 'MAV_CMD_'))
     if handler: return self._work(handler, msg) if handler.options['slow'] else self._answer_command(handler, msg)
-    if said!=mavlink.MAV_RESULT_UNSUPPORTED or self._is_for_us(msg): self.served.note(msg, Outcome(said))
-    self._acknowledge(msg, Outcome(said))
+    if result!=mavlink.MAV_RESULT_UNSUPPORTED or self._is_for_us(msg): self.served.note(msg, Outcome(result))
+    self._acknowledge(msg, Outcome(result))
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #58facc76
 @patch

@@ -255,7 +255,7 @@ def same_host(one:str, # An address
 def _own_hosts(self:RemoteComponent)->set:
     "Return the known addresses that its MAVLink comes from"
     com = self.client.mav_com
-    if self.address in com._here: return {'127.0.0.1'}
+    if self.address in com.here: return {'127.0.0.1'}
     return {ends(*way)[1] for way in com.where(*self.address)}-{None}
 
 @patch

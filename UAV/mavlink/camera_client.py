@@ -18,7 +18,7 @@ from ..utils import clock
 from ..utils.docs import for_async
 from ..utils.values import NAN
 from ..wire.dialect import Ack, address, MAVError, number_of
-from .asking import first_rto
+from .retransmission import first_rto
 from UAV.mavlink.protocol import (Busy, check_count, check_seconds, check_which, Command, Failed, Found, Lost,
     NoAnswer, receives)
 from .component import Component, sends, verb

@@ -22,7 +22,7 @@ from ..utils.files import FileEntry, local_name
 from ..utils.output import Progress
 from ..utils.sockets import get_web
 from ..wire.dialect import LinkError
-from .asking import RoundTrip
+from .retransmission import RoundTrip
 from .camera_asking import RemoteComponent, same_host
 from .protocol import Answer, comes_from, Lost
 

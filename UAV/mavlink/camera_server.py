@@ -221,7 +221,7 @@ def _run_command(self:CameraServer, handler, msg)->Outcome:
     "Run a command under the guard; send a status after a refused capture; answer a reset with ACCEPTED or FAILED"
     try:
         if handler.options.get('destroys'): self.check_guard(msg)
-        if msg.command in _triggers and self._is_news(msg): self.health.said = ''
+        if msg.command in _triggers and self._is_news(msg): self.health.last_text = ''
         outcome = Component._run_command(self, handler, msg)
     except Exception as e: outcome = Outcome(self._result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
     if outcome.result==mavlink.MAV_RESULT_ACCEPTED: return outcome
@@ -428,7 +428,7 @@ def _encode_picture(self:CameraServer, picture:Picture):
 @announced(Picture)
 def _picture_news(self:CameraServer, picture:Picture):
     "Encode the news of a `Picture`; send the reason first if it failed"
-    if picture.ok: self.health.said = ''
+    if picture.ok: self.health.last_text = ''
     elif picture.error: self._tell_failure(picture.error)
     return self._encode_picture(picture)
 
@@ -486,7 +486,7 @@ def _on_camera(self:CameraServer, event):
 @patch
 def beat(self:CameraServer):
     "Send a heartbeat with the camera's state, the end of a zoom or focus, and the status of a single slow picture"
-    self.health.beat()
+    super(CameraServer, self).beat()
     if self._runs_on and not (self._is_running('zoom') or self._is_running('focus')):
         self._runs_on = False           # it came to the end of its range
         self.send_message(self._camera_settings())
@@ -500,7 +500,7 @@ def beat(self:CameraServer):
 def _tell_again(self:_CameraVerbs, number:int, msg, before:Outcome):
     "Send the notice of a shot again to the client that repeats it; log that once"
     source = address(msg)
-    if self.presses.told.setdefault(source, msg) is msg: self.log.info('%s/%s asks for shot %s again', *source, number)
+    if self.presses.logged.setdefault(source, msg) is msg: self.log.info('%s/%s asks for shot %s again', *source, number)
     if not before.value or not hasattr(self.camera, 'picture'): return
     try: self.send_message(self._encode_picture(self.camera.picture(before.value-1)), source)
     except IndexError: pass             # it is being taken

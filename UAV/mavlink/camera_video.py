@@ -249,7 +249,7 @@ def _video_news(self:VideoPart, event:VideoStatus)->list|None:
     there = {tuple(com.where(*a)): a for a in self.component.remotes if news and not com.lost(a)}
     for ways,to in there.items():
         way = ways[0] if ways else None
-        if way or to in com._here: self.component.send_message(self._encode_stream(stream, self.host_for(way)), to)
+        if way or to in com.here: self.component.send_message(self._encode_stream(stream, self.host_for(way)), to)
     return self._video_stream_status(event.stream_id)
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #93774722

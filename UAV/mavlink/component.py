@@ -14,8 +14,8 @@ from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import MAVLink
 from ..logging import LogLevels
-from .asking import first_rto
-from .basecomponent import BaseComponent
+from .retransmission import first_rto
+from .basecomponent import BaseComponent, Part
 from .protocol import (accepts, Busy, check_seconds, _check_target, comes_from, command, Denied, Lost,
     message, Unsupported)
 from ..utils import clock, clock as _clock
@@ -24,8 +24,38 @@ from ..wire.dialect import Ack, address, enum_name, MAVError, message_name
 from ..wire.frames import pack
 
 # %% auto #0
-__all__ = ['everyone', 'Stream', 'Streams', 'Component', 'StatusText', 'Texts', 'Health', 'DeviceServer', 'verb', 'sends',
+__all__ = ['everyone', 'Component', 'Stream', 'Streams', 'StatusText', 'Texts', 'Health', 'DeviceServer', 'verb', 'sends',
            'verbs', 'MAVLink', 'mavlink', 'LogLevels']
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #b1d0d43c
+_all_ = ['MAVLink', 'mavlink', 'LogLevels']
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #e44a6adf
+def __getattr__(name):
+    "Import `mavutil` on demand, which takes as long as all the rest"
+    if name!='mavutil': raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    from pymavlink import mavutil
+    return mavutil
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #928cb8ca
+class Component(BaseComponent):
+    "A component that sends messages on request, and requests them from others"
+    min_interval = 20_000       # shortest interval of a stream in µs
+    pace = 2880.                # bytes/s of long answers: half the capacity of a 57,600 baud radio
+
+    def __init__(self, source_component:int, # Our component id (MAV_COMP_ID)
+                 mav_type:int, # Our MAV_TYPE
+                 loglevel:int=LogLevels.INFO):
+        super().__init__(source_component, mav_type, loglevel)
+        self.timers = Timers(f'timers of {type(self).__name__} {source_component}')     # for requests to a device
+        self.sending = self.add_part(Streams(self))
+        self.target_system = self.target_component = None
+        self._text_id = 0           # of our last text in pieces
+
+    @property
+    def messages(self)->dict:
+        "Messages sent on request, `{message id: Handler}`"
+        return self.tables['message']
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #6e19bbae
 class Stream:
@@ -55,14 +85,15 @@ class Stream:
         self.component.log.error('message %s is not made: the thread %s hangs', self.msg_id, timers.name)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #32beee58
-class Streams:
+class Streams(Part):
     "Streams and long answers of one component, by requester"
     most_each,most_askers = 16,32   # streams of one asker; askers at a time
     tick,ahead = .01,1000.          # seconds between two messages of answers; bytes of credit at the start
     most_more = 4                   # short answers queued behind another one
 
     def __init__(self, component, clock=clock.now):
-        self.component,self.clock = component,_clock.direct(clock)
+        super().__init__(component)
+        self.clock = _clock.direct(clock)
         self._streams,self._askers,self._closed = {},{},False
         self._lock,self._pacer,self._credit = _clock.Lock(),None,0.
         self._answers = {}      # by asker: pending messages with receivers: a long answer, short ones, or both
@@ -106,13 +137,13 @@ def _admit(self:Streams, asker:tuple|None):
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #fa539d24
 @patch
-def look(self:Streams):
+def beat(self:Streams):
     "End streams of silent askers, and forget askers without any"
     com,now = self.component.mav_com,self.clock()
     late = com.heart.lateness.total         # meanwhile frames may wait for us
     for asker,(frames,when,was_late) in list(self._askers.items()):
         count = com.heart.frames(asker)
-        if count!=frames or asker in com._here: self._askers[asker] = count,now,late
+        if count!=frames or asker in com.here: self._askers[asker] = count,now,late
         elif now-when-(late-was_late)>=com.lost_after:
             self.component.log.info('%s/%s is silent: its streams end', *asker)
             self.end(asker, timeout=0)          # a heartbeat does not wait
@@ -218,45 +249,6 @@ def answer(self:Streams, asker:tuple, # `(system, component)` of the requester
             if is_long: other.msg_id,other.is_long = msg_id,True
         if self._pacer is None and not self._closed:
             self._credit,self._pacer = self.ahead,self.component.timers.every(self.tick, self._pace, delay=self.tick)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #b1d0d43c
-_all_ = ['MAVLink', 'mavlink', 'LogLevels']
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #e44a6adf
-def __getattr__(name):
-    "Import `mavutil` on demand, which takes as long as all the rest"
-    if name!='mavutil': raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    from pymavlink import mavutil
-    return mavutil
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #928cb8ca
-class Component(BaseComponent):
-    "A component that sends messages on request, and requests them from others"
-    min_interval = 20_000       # shortest interval of a stream in µs
-    pace = 2880.                # bytes/s of long answers: half the capacity of a 57,600 baud radio
-
-    def __init__(self, source_component:int, # Our component id (MAV_COMP_ID)
-                 mav_type:int, # Our MAV_TYPE
-                 loglevel:int=LogLevels.INFO):
-        super().__init__(source_component, mav_type, loglevel)
-        self.timers = Timers(f'timers of {type(self).__name__} {source_component}')     # for requests to a device
-        self.sending,self.target_system,self.target_component = Streams(self),None,None
-
-    def beat(self):
-        "Send our heartbeat, and end streams of silent requesters"
-        super().beat()
-        self.sending.look()
-
-    def close(self):
-        "Stop all streams and leave the link"
-        self._closed = True         # later messages are ignored
-        self.sending.close()
-        super().close()
-
-    @property
-    def messages(self)->dict:
-        "Messages sent on request, `{message id: Handler}`"
-        return self.tables['message']
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #a38a301f
 @patch
@@ -449,7 +441,7 @@ def say(self:Component, severity:int, # MAV_SEVERITY
         now:bool=False): # True sends it before the ack of the command in progress
     "Send a text to all ground stations (STATUSTEXT)"
     pieces = _pieces_of(text)
-    self._text_id = getattr(self, '_text_id', 0)%0xffff+1
+    self._text_id = self._text_id%0xffff+1
     for n,piece in enumerate(pieces):
         send = self.sender.send_now if now else self.send_message
         send(self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n))
@@ -519,9 +511,9 @@ class Health:
     "The `fault` of a device, shown in the heartbeat of a component"
     def __init__(self, component:Component, device): # A device with `information.model` and an optional `fault`
         store_attr()
-        self.fault,self.said,self._lock = None,'',clock.Lock()      # `said`: the last text sent
-        self.sent = -math.inf               # when that was, monotonic s
-        self._beating = clock.Lock()        # no heartbeat with an older state comes after one with a newer
+        self.fault,self._lock = None,clock.Lock()
+        self.last_text,self.sent = '',-math.inf         # the last text, and when it was sent, monotonic s
+        self.beating = clock.Lock()         # no heartbeat with an older state comes after one with a newer
 
     @property
     def now(self):
@@ -530,11 +522,11 @@ class Health:
         except Exception as e: return f'fault unknown: {e!r}'
 
     @property
-    def is_news(self)->bool:
-        "True if a fault has come or gone since the last `look`"
+    def has_changed(self)->bool:
+        "True if a fault has come or gone since the last `poll`"
         return bool(self.fault)!=bool(self.now)
 
-    def look(self)->tuple|None:
+    def poll(self)->tuple|None:
         "Update the heartbeat's status; returns `(MAV_SEVERITY, text)` after a change"
         with self._lock:
             was,fault = self.fault,self.now
@@ -545,22 +537,12 @@ class Health:
         if fault: return mavlink.MAV_SEVERITY_ERROR,f'{model}: {fault}'
         return mavlink.MAV_SEVERITY_NOTICE,f'{model} works again'
 
-# %% ../../nbs/api/mavlink/04_component.ipynb #5a1f0c04
-@patch
-def beat(self:Health):
-    "Send the component's heartbeat with the device's state, then a text after a change"
-    with self._beating:
-        news = self.look()
-        Component.beat(self.component)
-    if news: self.tell(*news)
-
-@patch
-def tell(self:Health, severity:int, text:str, now:bool=False):
-    "Send a text, unless it repeats the last one"
-    before,self.said = self.said,text
-    if text==before: return
-    self.sent = clock.monotonic()
-    self.component.say(severity, text, now)
+    def tell(self, severity:int, text:str, now:bool=False):
+        "Send a text, unless it repeats the last one"
+        before,self.last_text = self.last_text,text
+        if text==before: return
+        self.sent = clock.monotonic()
+        self.component.say(severity, text, now)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #c01eadfb
 class DeviceServer(Component):
@@ -569,20 +551,18 @@ class DeviceServer(Component):
     _pulse = _watch = None      # the alarm of our heartbeats, and who watches it
     _hangs = False              # true while the device hangs
 
-    def can(self, verb:str, # Name of a method
-           )->bool:
-        "True if the device has this method"
-        return callable(getattr(self.health.device, verb, None))
-
-    def need(self, verb:str): # Name of a method
-        "Return the device's method; raises `Unsupported` if it has none"
-        found = getattr(self.health.device, verb, None)
-        if not callable(found): raise Unsupported(f'{self.health.device.information.model} has no {verb}')
-        return found
+    def set_mav_connection(self, mav_com):
+        "Join a link; our heartbeats have a thread of their own"
+        super().set_mav_connection(mav_com)
+        self._watch = HangWatch(mav_com.beat_period)
+        self._pulse = self.timers.alarm(self.beat)
 
     def beat(self):
-        "Send our heartbeat with the device's state"
-        self.health.beat()
+        "Send our heartbeat with the device's state, then a text after a change"
+        with self.health.beating:
+            change = self.health.poll()
+            super().beat()
+        if change: self.health.tell(*change)
 
     def _beat_soon(self):
         "Schedule our heartbeat, which waits while the device hangs"
@@ -593,20 +573,25 @@ class DeviceServer(Component):
         self._hangs = hangs
         self.timers.move(self._pulse, clock.monotonic())
 
-# %% ../../nbs/api/mavlink/04_component.ipynb #6674ab65
+    def close(self):
+        "Close the component, waiting at most five seconds for a device that hangs"
+        self._closed = True         # schedules no more heartbeats
+        if self._pulse and not self.timers.cancel(self._pulse, timeout=5): self.log.error('the device hangs')
+        super().close()
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #c01eadfc
 @patch
-def set_mav_connection(self:DeviceServer, mav_com):
-    "Join a link; our heartbeats have a thread of their own"
-    Component.set_mav_connection(self, mav_com)
-    self._watch = HangWatch(mav_com.beat_period)
-    self._pulse = self.timers.alarm(self.beat)
+def can(self:DeviceServer, verb:str, # Name of a method
+       )->bool:
+    "True if the device has this method"
+    return callable(getattr(self.health.device, verb, None))
 
 @patch
-def close(self:DeviceServer):
-    "Close the component, waiting at most five seconds for a device that hangs"
-    self._closed = True
-    if self._pulse and not self.timers.cancel(self._pulse, timeout=5): self.log.error('the device hangs')
-    Component.close(self)
+def need(self:DeviceServer, verb:str): # Name of a method
+    "Return the device's method; raises `Unsupported` if it has none"
+    found = getattr(self.health.device, verb, None)
+    if not callable(found): raise Unsupported(f'{self.health.device.information.model} has no {verb}')
+    return found
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #3a00448c
 def verb(cmd:int): # The MAV_CMD to send
@@ -651,7 +636,7 @@ def list_verbs(self:Component):
 @patch
 def _heard_instead(self:Component, target:tuple, command_id:int)->str:
     "List the components seen, with a hint if the first number was perhaps not meant as a system"
-    heard = BaseComponent._heard_instead(self, target, command_id)
+    heard = super(Component, self)._heard_instead(target, command_id)
     if not heard or self.target_system in (None,0,target[0]): return heard
     senders = [getattr(type(self), name) for name,cmd in verbs(type(self)).items() if cmd==command_id]
     found = [list(inspect.signature(f).parameters) for f in senders]

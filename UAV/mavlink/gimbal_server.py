@@ -207,7 +207,7 @@ def _stop_turning(self:GimbalServer):
 @patch
 def _see_gimbal(self:GimbalServer):
     "Send a change of health, and end expired rates"
-    if self.health.is_news: self.beat()
+    if self.health.has_changed: self.beat()
     if self.can('tick'): self.gimbal.tick()
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #d5c675b6

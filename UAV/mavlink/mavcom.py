@@ -11,8 +11,8 @@ import atexit, re, socket
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, line_limit, LogLevels
-from .asking import Remotes
-from .protocol import accepts, _check_component, check_id, opened
+from .retransmission import Remotes
+from .protocol import accepts, check_id, opened
 from ..utils import clock
 from ..utils.clock import date_time_str, Seen, time_since_boot_ms, time_UTC_usec
 from ..utils.docs import _explain, show_unawaited
@@ -23,145 +23,196 @@ from ..wire.links import Link, UDPLink, VirtualLink
 from ..wire.signing import Signing
 
 # %% auto #0
-__all__ = ['Heart', 'Channel', 'MAVCom', 'own_host', 'ends', 'host_of', 'LinkQuality', 'date_time_str', 'time_since_boot_ms',
-           'time_UTC_usec']
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #79155edb
-class Heart:
-    "Heartbeats of one system, sent and received"
-    def __init__(self, com): # The system, with `component`, `channels`, `log`, and times such as `beat_period`
-        self.com = com
-        self.remotes,self.sent = Remotes(),Seen(60., most=256)      # other components; our own recent heartbeats
-        self.remotes.lost_after = com.lost_after
-        self.ways = Seen(com.lost_after, most=256)      # `(channel, peer)` of recent heartbeats
-        self.stuck,self.greeted,self.job,self.lateness = False,0.,None,Lateness(com.beat_period)
-        self.alone_since = clock.monotonic()    # `None`: a component was heard, or it was said that none is
-
-    def start(self):
-        "Start to send heartbeats every `beat_period` seconds"
-        self.job = timers.every(self.com.beat_period, self.tick, delay=self.com.beat_period)
-
-    def stop(self):
-        "Stop the heartbeats"
-        timers.cancel(self.job)
-
-    def tick(self):
-        "Send heartbeats and check for silent components, on the timer"
-        self.lateness.look(clock.monotonic())
-        if not self.check_stuck(): self.beat()
-        self.watch()
-        self.check_alone()
-        line_limit.tell(clock.time())
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #69e8a0bc
-def _joined(com)->list:
-    "The components of `com` that can take messages: all but those that are joining"
-    return [c for c in list(com.component.values()) if id(c) not in com.joining]
-
-@patch
-def beat(self:Heart):
-    "Send the heartbeat of each component, by `_beat_soon` where it must not wait for a device"
-    for c in _joined(self.com):
-        try: getattr(c, '_beat_soon', c.beat)()
-        except Exception: self.com.log.exception('component %s cannot beat', c.source_component)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #85147039
-@patch
-def check_stuck(self:Heart)->bool:
-    "True if a handler hangs, which blocks a reader for `stuck_after` seconds"
-    were,self.stuck = self.stuck,any([c.hangs() for c in self.com.channels])
-    if self.stuck and not were: self.com.log.error('a handler does not return: no heartbeats until it does')
-    return self.stuck
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #af3be14a
-@patch
-def check_alone(self:Heart):
-    "Log once why nobody is heard, if we sign: others drop frames of another key or of a wrong clock"
-    if self.alone_since is None or self.com.signing is None: return
-    heard = any(a not in self.com._here for a in self.remotes)
-    if not heard and clock.monotonic()-self.alone_since<self.com.lost_after: return
-    self.alone_since,signing = None,self.com.signing
-    level = LogLevels.WARNING if signing.dropped or not signing.has_time else LogLevels.INFO
-    if not heard: self.com.log.log(level, self.com._in_vain())
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #14aecf83
-@patch
-def note(self:Heart, msg, # A HEARTBEAT
-         source:tuple, # `(system, component)` that sent it
-         ours:bool=False): # True if a component of this system sent it
-    "Store a heartbeat, and answer a new component with ours"
-    if 0 in source: return                  # 0 means all, and cannot send
-    self.ways.note(getattr(msg, 'came_by', None))
-    now,was_lost = clock.monotonic(),self.remotes.why_lost(source)
-    news = self.remotes.beat(source, msg, now)
-    if was_lost: self.com.log.warning('%s is back', self.remotes[source].name)
-    if ours or not news or now-self.greeted<.2: return      # many new components get one answer
-    self.greeted = now
-    self.beat()
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #7e9c20b0
-@patch
-def frames(self:Heart, address:tuple)->int:
-    "Return the number of frames received from `address` on all links"
-    return sum(c.sources[address].received for c in self.com.channels if address in c.sources)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #1c0b5405
-@patch
-def lost(self:Heart, address:tuple)->str:
-    "Return why `address` is lost, or '' if it is not or has sent a frame since"
-    remote = self.remotes.get(address)
-    return self.remotes.why_lost(address) if remote and self.frames(address)==remote.frames else ''
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #99876a36
-@patch
-def watch(self:Heart):
-    "Report components that fell silent or are back"
-    were = [r for r in self.remotes.values() if r.lost]
-    for remote in self.remotes.silent(clock.monotonic(), self.frames, self.lateness.total):
-        if remote.address in self.com._here: remote.lost = False
-        else: self.lose(remote.address)
-    for remote in were:
-        if not remote.lost: self.com.log.warning('%s is back', remote.name)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #a281c68c
-@patch
-def lose(self:Heart, source:tuple):
-    "Log that `source` is lost, and end all waits for it"
-    why = self.remotes.why_lost(source)
-    self.com.log.warning(why)
-    for channel in self.com.channels:
-        if source in channel.sources: channel.sources[source].restart()     # frames of its silence do not count as lost
-    for c in _joined(self.com):
-        if hasattr(c, '_lose'): c._lose(source, why)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #024c88df
-_another = '; give one another system (source_system, --system) or component'
-
-@patch
-def check_double(self:Heart, msg, source:tuple):
-    "Log an error if two components seem to use the address `source`"
-    channel = msg.came_by[0]
-    heard = channel.sources.source(source)
-    frames = heard.received+heard.missing+heard.skipped-heard.doubled
-    numbers = msg.get_seq(),channel.number,frames,heard.restarts,clock.monotonic()
-    if not self.remotes.note_sequence(source, *numbers): return
-    name = self.remotes[source].name
-    self.com.log.error('%s: two components use this address; both obey its commands, and you see one'+_another, name)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #b0eb72ec
-def _essence(frame:bytes)->bytes:
-    "Return number, address and payload of a MAVLink 2 frame, equal with and without a signature"
-    return bytes(frame[4:10+frame[1]])
-
-@patch
-def check_echo(self:Heart, msg, source:tuple):
-    "Log an error if a frame with our own address is not an echo"
-    if msg.get_msgId()!=mavlink.MAVLINK_MSG_ID_HEARTBEAT or self.sent.find(_essence(msg.get_msgbuf())): return
-    if self.sent.again(('stranger', source)): return
-    self.com.log.error('%s/%s is ours, and another one uses it too'+_another, *source)
+__all__ = ['MAVCom', 'Member', 'Channel', 'Heart', 'own_host', 'ends', 'host_of', 'LinkQuality', 'date_time_str',
+           'time_since_boot_ms', 'time_UTC_usec']
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #3ccd1d9b
 _all_ = ['date_time_str', 'time_since_boot_ms', 'time_UTC_usec']
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #4dade846
+class MAVCom(Closes):
+    "One MAVLink system on one or more links; close it, or use it in a `with`"
+    beat_period = 1. # s between two heartbeats of each component
+    lost_after = 5. # s of silence after which another component is lost
+    stuck_after = 2. # s after which a blocking handler stops our heartbeats
+
+    def __init__(self,
+        connection_string:str|Link, # pymavlink's: `udpin:HOST:PORT`, `/dev/ttyACM0` …, or `virtual:NAME`; or a `Link`
+        baudrate:int=57600, # For serial ports
+        source_system:int=111, # Our system id; a camera on a vehicle has the vehicle's
+        loglevel:int=LogLevels.INFO, # DEBUG also logs each command and ack on stderr
+        signing=None, # Key for signed frames: 32 bytes, a passphrase, the `Path` of a file with one, or a `Signing`
+        message_log=None, # A `MessageLog`, or any object with its `add`
+        forward:bool=False, # Forward messages between the links, as a router
+    ):
+        self.source_system = check_id('source_system', source_system)
+        self.connection_string = _link_name(connection_string)
+        self.log = get_logger(f'mavcom.{source_system}', loglevel)
+        self.message_log,self.forward = message_log,forward
+        self.signing = signing if signing is None or isinstance(signing, Signing) else Signing(signing)
+        self.component,self.channels,self.wanted = {},[],Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
+        self.receivers = ()         # the components that can take messages: not those that are joining
+        self.here = set()           # addresses of our components
+        self._everywhere = []       # `(channel, None)` for each link
+        self._passed,self._lock,self._closed = Seen(1., most=512),clock.Lock(),False
+        self.heart = Heart(self)
+        self.remotes = self.heart.remotes       # `{(system, component): Remote}` of all components seen
+        self.add_link(connection_string, baudrate)
+        self.heart.start()
+        _open.add(self)
+        show_unawaited()
+        _explain()
+
+    def __repr__(self):
+        who = f'MAVCom({self.connection_string!r}, source_system={self.source_system})'
+        return f'{who} with components {sorted(self.component)}'
+
+_open = Opened(lambda com: setattr(com, '_closed', True))   # empty in a forked process
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #a8b7a562
+@patch
+def add_link(self:MAVCom, connection_string:str|Link, # As for the constructor
+             baudrate:int=57600, # For serial ports
+            )->Channel:
+    "Open one more link and read it; raises `LinkError` if that fails"
+    if self._closed: raise LinkError(f'{self!r} is closed')
+    if hasattr(baudrate, '__index__') and 1<=baudrate<=255:         # no radio is that slow
+        raise ValueError(f'the second argument is the baud rate of a serial port: write source_system={baudrate}')
+    link = connection_string if isinstance(connection_string, Link) else opened(connection_string, baudrate, _open)
+    with self._lock:
+        channel = Channel(self, link, _link_name(connection_string), len(self.channels)%256)
+        if not self._closed:
+            self.channels.append(channel)
+            self._everywhere.append((channel, None))
+            channel.thread.start()
+            return channel
+    link.close()
+    link.release()
+    raise LinkError(f'{self!r} was closed')
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #48ef8fec
+@patch(as_prop=True)
+def link(self:MAVCom)->Link:
+    "The first link"
+    return self.channels[0].link
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #3e3be001
+class Member:
+    "What a `MAVCom` calls on its components; a subclass has a `source_component` number and the methods that it needs"
+    parts,mav_com,_closed = (),None,False   # its microservices; the `MAVCom` that it is on
+    def set_mav_connection(self, mav_com): "Called when it is added, before it gets messages"
+    def deliver(self, msg): "Called with each message for it, on the link's reader thread"
+    def beat(self): "Send its heartbeat"
+
+    def _beat_soon(self):
+        "Called every second on the timer that all components share: one that waits for a device hands it on"
+        self.beat()
+
+    def _lose(self, source:tuple, why:str): "Called when the component `source` has fallen silent"
+    def _farewell(self): "Called before the links are closed, to send its last messages"
+    def close(self): "Leave the link; safe to call twice"
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #b62b961a
+def _check_component(component, com, twins=()):
+    "Raise `TypeError` if it is no component, `ValueError` if it is on another `MAVCom` or its address is taken"
+    name = component.__name__ if isinstance(component, type) else type(component).__name__
+    if isinstance(component, type): raise TypeError(f'{name} is a class; a component is {name}(…)')
+    if not hasattr(component, '_beat_soon'):           # no `Member`
+        raise TypeError(f'{component!r} is no component: write CameraServer(camera=…), or GimbalServer(gimbal=…)')
+    number,other = component.source_component,component.mav_com
+    if other not in (None,com) and not component._closed:
+        raise ValueError(f'{name} {number} is on {other!r} already; make a second one for this MAVCom')
+    for c in (com, *twins):
+        if number not in c.component: continue
+        has = f'system {c.source_system} has a component {number} already: {type(c.component[number]).__name__}'
+        raise ValueError(f'{has} of {c!r}; take another number, or close that, or all with `MAVCom.close_all()`')
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #7f1bfd02
+@patch
+def add_component(self:MAVCom, component):
+    "Add `component`, send its heartbeat and return it; raises `ValueError` if its address is taken, or `TypeError`"
+    twins = self._twins()
+    with self._lock:
+        if self._closed: raise LinkError(f'{self!r} is closed')
+        _check_component(component, self, twins)
+        number = component.source_component
+        self.component[number] = component
+        self.here.add((self.source_system, number))
+    try: component.set_mav_connection(self)
+    except BaseException:
+        self.remove_component(component)
+        raise
+    self.deliver_to(component)
+    component.beat()
+    return component
+
+@patch
+def deliver_to(self:MAVCom, component):
+    "Deliver messages to `component` from now on; one that is complete earlier calls this when it joins"
+    with self._lock:
+        is_ours = self.component.get(component.source_component) is component
+        if is_ours and component not in self.receivers: self.receivers += (component,)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #78819268
+@patch
+def remove_component(self:MAVCom, component):
+    "Remove `component`; its `close` calls this"
+    number = component.source_component
+    with self._lock:
+        self.receivers = tuple(c for c in self.receivers if c is not component)
+        if self.component.get(number) is not component: return
+        del self.component[number]
+        self.here.discard((self.source_system, number))
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #818f57ea
+@patch
+def _twins(self:MAVCom)->list:
+    "Return other `MAVCom`s of this process with our system id and a link to the same place"
+    listens = re.compile('udp:|udpin:|tcpin:')
+    def leads(com): return {c.name.replace('localhost','127.0.0.1') for c in com.channels if not listens.search(c.name)}
+    alike = [com for com in _open if com is not self and com.source_system==self.source_system]
+    return [com for com in alike if leads(com)&leads(self)]
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #c2f728ea
+@patch
+def route(self:MAVCom, msg, # A received message, or one of ours
+          origin=None): # Our component that sent it
+    "Deliver `msg` to all components it is addressed to, except its sender"
+    source = address(msg)
+    if origin is None and source in self.here: return self.heart.check_echo(msg, source)
+    if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_HEARTBEAT:
+        self.heart.note(msg, source, ours=origin is not None)
+        if origin is None and 0 not in source: self.heart.check_double(msg, source)
+    for c in self.receivers:
+        if c is origin or not accepts(msg, self.source_system, c.source_component): continue
+        try: c.deliver(msg)
+        except (Exception, SystemExit):
+            self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #e493bb56
+@patch
+def close(self:MAVCom):
+    "Close the components, the links and their threads; safe to call twice"
+    for c in [] if self._closed else list(self.component.values()):         # last messages, while there are links
+        try: c._farewell()
+        except Exception: self.log.exception('%r did not say farewell', c)
+    with self._lock: again,self._closed = self._closed,True
+    if again: return
+    self.heart.stop()
+    for part in [*self.component.values(), *self.channels]:
+        try: part.close()
+        except Exception: self.log.exception('%r did not close', part)
+    if self.signing is not None: self.signing.close()
+    _open.discard(self)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #4f46e9d7
+@patch(cls_method=True)
+def close_all(cls:MAVCom):
+    "Close every open `MAVCom` of this process"
+    for com in _open: com.close()
+
+@atexit.register
+def _close_all(): MAVCom.close_all()
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #7bfb7815
 def _link_name(link:str|Link)->str:
@@ -247,163 +298,6 @@ def close(self:Channel):
 @patch
 def release(self:Channel): "Release the link's socket or port"; self.link.release()
 
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #4dade846
-class MAVCom(Closes):
-    "One MAVLink system on one or more links; close it, or use it in a `with`"
-    beat_period = 1. # s between two heartbeats of each component
-    lost_after = 5. # s of silence after which another component is lost
-    stuck_after = 2. # s after which a blocking handler stops our heartbeats
-
-    def __init__(self,
-        connection_string:str|Link, # pymavlink's: `udpin:HOST:PORT`, `/dev/ttyACM0` …, or `virtual:NAME`; or a `Link`
-        baudrate:int=57600, # For serial ports
-        source_system:int=111, # Our system id; a camera on a vehicle has the vehicle's
-        loglevel:int=LogLevels.INFO, # DEBUG also logs each command and ack on stderr
-        signing=None, # Key for signed frames: 32 bytes, a passphrase, the `Path` of a file with one, or a `Signing`
-        message_log=None, # A `MessageLog`, or any object with its `add`
-        forward:bool=False, # Forward messages between the links, as a router
-    ):
-        self.source_system = check_id('source_system', source_system)
-        self.connection_string = _link_name(connection_string)
-        self.log,self.message_log,self.forward = get_logger(f'mavcom.{source_system}', loglevel),message_log,forward
-        self.signing = signing if signing is None or isinstance(signing, Signing) else Signing(signing)
-        self.component,self.channels,self.wanted = {},[],Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
-        self.joining = set()        # the `id` of each component that can't take messages yet
-        self._here,self._everywhere = set(),[]      # addresses of our components; `(channel, None)` for each link
-        self._passed,self._lock,self._closed = Seen(1., most=512),clock.Lock(),False
-        self.heart = Heart(self)
-        self.remotes = self.heart.remotes       # `{(system, component): Remote}` of all components seen
-        self.add_link(connection_string, baudrate)
-        self.heart.start()
-        _open.add(self)
-        show_unawaited()
-        _explain()
-
-    def __repr__(self):
-        who = f'MAVCom({self.connection_string!r}, source_system={self.source_system})'
-        return f'{who} with components {sorted(self.component)}'
-
-_open = Opened(lambda com: setattr(com, '_closed', True))   # empty in a forked process
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #a8b7a562
-@patch
-def add_link(self:MAVCom, connection_string:str|Link, # As for the constructor
-             baudrate:int=57600, # For serial ports
-            )->Channel:
-    "Open one more link and read it; raises `LinkError` if that fails"
-    if self._closed: raise LinkError(f'{self!r} is closed')
-    if hasattr(baudrate, '__index__') and 1<=baudrate<=255:         # no radio is that slow
-        raise ValueError(f'the second argument is the baud rate of a serial port: write source_system={baudrate}')
-    link = connection_string if isinstance(connection_string, Link) else opened(connection_string, baudrate, _open)
-    with self._lock:
-        channel = Channel(self, link, _link_name(connection_string), len(self.channels)%256)
-        if not self._closed:
-            self.channels.append(channel)
-            self._everywhere.append((channel, None))
-            channel.thread.start()
-            return channel
-    link.close()
-    link.release()
-    raise LinkError(f'{self!r} was closed')
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #48ef8fec
-@patch(as_prop=True)
-def link(self:MAVCom)->Link:
-    "The first link"
-    return self.channels[0].link
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #7f1bfd02
-@patch
-def add_component(self:MAVCom, component):
-    "Add `component`, send its heartbeat and return it; raises `ValueError` if its address is taken, or `TypeError`"
-    twins = self._twins()
-    with self._lock:
-        if self._closed: raise LinkError(f'{self!r} is closed')
-        _check_component(component, self, twins)
-        number = component.source_component
-        self.joining.add(id(component))
-        self.component[number] = component
-        self._here.add((self.source_system, number))
-    try: component.set_mav_connection(self)
-    except BaseException:
-        self.remove_component(component)
-        raise
-    finally: self.joining.discard(id(component))
-    component.beat()
-    return component
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #78819268
-@patch
-def remove_component(self:MAVCom, component):
-    "Remove `component`; its `close` calls this"
-    number = component.source_component
-    if self.component.get(number) is not component: return
-    del self.component[number]
-    self._here.discard((self.source_system, number))
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #818f57ea
-@patch
-def _twins(self:MAVCom)->list:
-    "Return other `MAVCom`s of this process with our system id and a link to the same place"
-    listens = re.compile('udp:|udpin:|tcpin:')
-    def leads(com): return {c.name.replace('localhost','127.0.0.1') for c in com.channels if not listens.search(c.name)}
-    alike = [com for com in _open if com is not self and com.source_system==self.source_system]
-    return [com for com in alike if leads(com)&leads(self)]
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #c2f728ea
-@patch
-def route(self:MAVCom, msg, # A received message, or one of ours
-          origin=None): # Our component that sent it
-    "Deliver `msg` to all components it is addressed to, except its sender"
-    source = address(msg)
-    if origin is None and source in self._here: return self.heart.check_echo(msg, source)
-    if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_HEARTBEAT:
-        self.heart.note(msg, source, ours=origin is not None)
-        if origin is None and 0 not in source: self.heart.check_double(msg, source)
-    for c in _joined(self):
-        if c is origin or not accepts(msg, self.source_system, c.source_component): continue
-        try: c.deliver(msg)
-        except (Exception, SystemExit):
-            self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #e493bb56
-@patch
-def close(self:MAVCom):
-    "Close the components, the links and their threads; safe to call twice"
-    for c in [] if self._closed else list(self.component.values()):         # last messages, while there are links
-        try: c._farewell() if hasattr(c, '_farewell') else None
-        except Exception: self.log.exception('%r did not say farewell', c)
-    with self._lock: again,self._closed = self._closed,True
-    if again: return
-    self.heart.stop()
-    for part in [*self.component.values(), *self.channels]:
-        try: part.close()
-        except Exception: self.log.exception('%r did not close', part)
-    if self.signing is not None: self.signing.close()
-    _open.discard(self)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #4f46e9d7
-@patch(cls_method=True)
-def close_all(cls:MAVCom):
-    "Close every open `MAVCom` of this process"
-    for com in _open: com.close()
-
-@atexit.register
-def _close_all(): MAVCom.close_all()
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #77cc63bb
-@patch
-def name_of(self:MAVCom, source:tuple)->str:
-    "Return `system/component` and MAV_TYPE"
-    remote = self.remotes.get(source)
-    return remote.name if remote else f'{source[0]}/{source[1]} (no heartbeat)'
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #1c41e0c8
-@patch
-def lost(self:MAVCom, source:tuple)->str:
-    "Return why a component is lost, or '' if it is not"
-    return self.heart.lost(source)
-
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #3a36a383
 @patch
 def _come_back(self:Channel):
@@ -419,6 +313,148 @@ def _come_back(self:Channel):
     for reader in self.readers.values(): reader.restart()
     self.com.log.warning('%s is back', self.name)
     self.com.heart.beat()
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #79155edb
+class Heart:
+    "Heartbeats of one system, sent and received"
+    def __init__(self, com): # The system, with `component`, `channels`, `log`, and times such as `beat_period`
+        self.com = com
+        self.remotes,self.sent = Remotes(),Seen(60., most=256)      # other components; our own recent heartbeats
+        self.remotes.lost_after = com.lost_after
+        self.ways = Seen(com.lost_after, most=256)      # `(channel, peer)` of recent heartbeats
+        self.stuck,self.greeted,self.job,self.lateness = False,0.,None,Lateness(com.beat_period)
+        self.alone_since = clock.monotonic()    # `None`: a component was received, or it was logged that none is
+
+    def start(self):
+        "Start to send heartbeats every `beat_period` seconds"
+        self.job = timers.every(self.com.beat_period, self.tick, delay=self.com.beat_period)
+
+    def stop(self):
+        "Stop the heartbeats"
+        timers.cancel(self.job)
+
+    def tick(self):
+        "Send heartbeats and check for silent components, on the timer"
+        self.lateness.look(clock.monotonic())
+        if not self.check_stuck(): self.beat()
+        self.watch()
+        self.check_alone()
+        line_limit.tell(clock.time())
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #69e8a0bc
+@patch
+def beat(self:Heart):
+    "Send the heartbeat of each component"
+    for c in self.com.receivers:
+        try: c._beat_soon()
+        except Exception: self.com.log.exception('component %s cannot beat', c.source_component)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #85147039
+@patch
+def check_stuck(self:Heart)->bool:
+    "True if a handler hangs, which blocks a reader for `stuck_after` seconds"
+    were,self.stuck = self.stuck,any([c.hangs() for c in self.com.channels])
+    if self.stuck and not were: self.com.log.error('a handler does not return: no heartbeats until it does')
+    return self.stuck
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #af3be14a
+@patch
+def check_alone(self:Heart):
+    "Log once why nobody is heard, if we sign: others drop frames of another key or of a wrong clock"
+    if self.alone_since is None or self.com.signing is None: return
+    others = any(a not in self.com.here for a in self.remotes)
+    if not others and clock.monotonic()-self.alone_since<self.com.lost_after: return
+    self.alone_since,signing = None,self.com.signing
+    level = LogLevels.WARNING if signing.dropped or not signing.has_time else LogLevels.INFO
+    if not others: self.com.log.log(level, self.com._why_nothing_came())
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #14aecf83
+@patch
+def note(self:Heart, msg, # A HEARTBEAT
+         source:tuple, # `(system, component)` that sent it
+         ours:bool=False): # True if a component of this system sent it
+    "Store a heartbeat, and answer a new component with ours"
+    if 0 in source: return                  # 0 means all, and cannot send
+    self.ways.note(getattr(msg, 'came_by', None))
+    now,was_lost = clock.monotonic(),self.remotes.why_lost(source)
+    is_new = self.remotes.beat(source, msg, now)
+    if was_lost: self.com.log.warning('%s is back', self.remotes[source].name)
+    if ours or not is_new or now-self.greeted<.2: return      # many new components get one answer
+    self.greeted = now
+    self.beat()
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #7e9c20b0
+@patch
+def frames(self:Heart, address:tuple)->int:
+    "Return the number of frames received from `address` on all links"
+    return sum(c.sources[address].received for c in self.com.channels if address in c.sources)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #1c0b5405
+@patch
+def lost(self:Heart, address:tuple)->str:
+    "Return why `address` is lost, or '' if it is not or has sent a frame since"
+    remote = self.remotes.get(address)
+    return self.remotes.why_lost(address) if remote and self.frames(address)==remote.frames else ''
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #99876a36
+@patch
+def watch(self:Heart):
+    "Report components that fell silent or are back"
+    were = [r for r in self.remotes.values() if r.lost]
+    for remote in self.remotes.silent(clock.monotonic(), self.frames, self.lateness.total):
+        if remote.address in self.com.here: remote.lost = False
+        else: self.lose(remote.address)
+    for remote in were:
+        if not remote.lost: self.com.log.warning('%s is back', remote.name)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #a281c68c
+@patch
+def lose(self:Heart, source:tuple):
+    "Log that `source` is lost, and end all waits for it"
+    why = self.remotes.why_lost(source)
+    self.com.log.warning(why)
+    for channel in self.com.channels:
+        if source in channel.sources: channel.sources[source].restart()     # frames of its silence do not count as lost
+    for c in self.com.receivers: c._lose(source, why)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #024c88df
+_another = '; give one another system (source_system, --system) or component'
+
+@patch
+def check_double(self:Heart, msg, source:tuple):
+    "Log an error if two components seem to use the address `source`"
+    channel = msg.came_by[0]
+    counts = channel.sources.source(source)
+    frames = counts.received+counts.missing+counts.skipped-counts.doubled
+    numbers = msg.get_seq(),channel.number,frames,counts.restarts,clock.monotonic()
+    if not self.remotes.note_sequence(source, *numbers): return
+    name = self.remotes[source].name
+    self.com.log.error('%s: two components use this address; both obey its commands, and you see one'+_another, name)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #b0eb72ec
+def _essence(frame:bytes)->bytes:
+    "Return number, address and payload of a MAVLink 2 frame, equal with and without a signature"
+    return bytes(frame[4:10+frame[1]])
+
+@patch
+def check_echo(self:Heart, msg, source:tuple):
+    "Log an error if a frame with our own address is not an echo"
+    if msg.get_msgId()!=mavlink.MAVLINK_MSG_ID_HEARTBEAT or self.sent.find(_essence(msg.get_msgbuf())): return
+    if self.sent.again(('stranger', source)): return
+    self.com.log.error('%s/%s is ours, and another one uses it too'+_another, *source)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #77cc63bb
+@patch
+def name_of(self:MAVCom, source:tuple)->str:
+    "Return `system/component` and MAV_TYPE"
+    remote = self.remotes.get(source)
+    return remote.name if remote else f'{source[0]}/{source[1]} (no heartbeat)'
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #1c41e0c8
+@patch
+def lost(self:MAVCom, source:tuple)->str:
+    "Return why a component is lost, or '' if it is not"
+    return self.heart.lost(source)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #b87b128e
 @patch
@@ -504,7 +540,7 @@ def write(self:MAVCom, frame:bytes, # A packed message of ours
     if frame[7:10]==b'\0\0\0': self.heart.sent.note(_essence(frame))
     if self.message_log is not None: self.keep(frame, True)
     to = to or target(frame)
-    if to in self._here: return
+    if to in self.here: return
     one_way = len(self.channels)==1 and len(self.channels[0].readers)<2
     known = self.where(*to) if to[0] and not one_way else ()
     for channel,peer in known or self._everywhere:
@@ -534,7 +570,7 @@ _never_forwarded = mavlink.MAVLINK_MSG_ID_RADIO_STATUS,mavlink.MAVLINK_MSG_ID_SE
 def _forward(self:MAVCom, origin:Channel, frame:bytes, msg_id:int, source:tuple):
     "Forward a frame that came by the link `origin`"
     to = target(frame)
-    if msg_id in _never_forwarded or source in self._here or to in self._here: return
+    if msg_id in _never_forwarded or source in self.here or to in self.here: return
     with self._lock:
         first = self._passed.find(frame, origin)
         if first is origin: self._passed.note(frame, origin)
@@ -584,10 +620,10 @@ class LinkQuality:
     @property
     def says(self)->str:
         "The numbers as text"
-        heard = f'{self.received} frames, {self.loss:.0%} lost'
-        if self.round_trip is None: return heard
+        frames = f'{self.received} frames, {self.loss:.0%} lost'
+        if self.round_trip is None: return frames
         ms = self.round_trip*1000
-        return f'{heard}, {ms:.{0 if ms>=10 else 1}f} ms there and back'
+        return f'{frames}, {ms:.{0 if ms>=10 else 1}f} ms there and back'
 
     def __repr__(self): return f'{self.system}/{self.component} on {self.link}: {self.says}'
 
@@ -618,7 +654,7 @@ def _what_to_ask(link:str)->str:
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #44796f6b
 @patch
-def _in_vain(self:MAVCom)->str:
+def _why_nothing_came(self:MAVCom)->str:
     "Return what arrived instead of messages, and a question to the user"
     bad = sum(r.bad for c in self.channels for r in list(c.readers.values()))
     if bad: return 'heard nothing but garbage: is it MAVLink, and on a serial port, is it the right baud rate?'
@@ -631,9 +667,9 @@ def _in_vain(self:MAVCom)->str:
 def who_was_heard(self:MAVCom, system:int=0, # Only this system, if anything of it was received; 0: all
                  )->str:
     "List up to eight components that were received, or suggest why there are none"
-    there = sorted({a for c in self.channels for a in list(c.sources)} - self._here)
+    there = sorted({a for c in self.channels for a in list(c.sources)} - self.here)
     of = [a for a in there if system in (0,a[0])]
-    if not there: return self._in_vain()
+    if not there: return self._why_nothing_came()
     which = f'nothing of system {system}, but ' if not of else f'of system {system}: ' if system else ''
     return f'heard {which}'+', '.join(self.name_of(a) for a in (of or there)[:8])
 
@@ -646,7 +682,7 @@ def summary(self:MAVCom)->str:
         where = f' by {q.link}' if len(self.channels)>1 else ''
         lost = ', LOST' if self.lost((q.system,q.component)) else ''
         lines.append(f'  heard {self.name_of((q.system,q.component))}{where}: {q.says}{lost}')
-    if not self.link_quality: lines.append(f'  {self._in_vain()}')
+    if not self.link_quality: lines.append(f'  {self._why_nothing_came()}')
     lines += [f'  {c!r}' for c in self.channels if not c.up]
     bad = sum(r.bad for c in self.channels for r in list(c.readers.values()))
     if bad: lines.append(f'  {bad} pieces of garbage')

@@ -15,7 +15,7 @@ from ..utils.sockets import get_web
 from ..wire.dialect import MAVError
 from ..ftp.frames import read_ftp_url
 from .protocol import Answer, Lost, NoAnswer, Unsupported, comes_from
-from .asking import in_progress_timeout, longest_stray, longest_work
+from .retransmission import in_progress_timeout, longest_stray, longest_work
 from .settings import *
 from .camera_asking import CAMERA_INFORMATION, CameraAsking
 from .camera_downloads import RemoteFiles

@@ -54,21 +54,21 @@ def _from_position(msg)->dict:
 _readers = {POSITION:_from_position, ATTITUDE:_from_attitude, GIMBAL_STATE:_from_gimbal_state}
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #a5cb9a83
-class _HeardVehicle:
+class _Reported:
     "Recent messages of one vehicle"
     lasts = {POSITION:3., ATTITUDE:1., GIMBAL_STATE:1.}     # s for which each message is valid
     carries = .5            # s for which a turn is extrapolated
-    def __init__(self, clock=clock.now): self.clock,self.home_alt,self._heard = clock,NAN,{}
+    def __init__(self, clock=clock.now): self.clock,self.home_alt,self._reported = clock,NAN,{}
 
     def take(self, msg):
         "Store the fields of `msg`; raises `ValueError` for impossible ones"
         if msg.get_msgId()==HOME: self.home_alt = msg.altitude/1e3     # m above mean sea level
-        else: self._heard[msg.get_msgId()] = _readers[msg.get_msgId()](msg),self.clock()
+        else: self._reported[msg.get_msgId()] = _readers[msg.get_msgId()](msg),self.clock()
 
     def fresh(self, *msg_ids)->bool:
         "True if one of these messages is recent"
         now = self.clock()
-        return any(i in self._heard and now-self._heard[i][1]<=self.lasts[i] for i in msg_ids)
+        return any(i in self._reported and now-self._reported[i][1]<=self.lasts[i] for i in msg_ids)
 
     @property
     def missing(self)->list:
@@ -78,16 +78,16 @@ class _HeardVehicle:
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #db2aaeee
 @patch(as_prop=True)
-def state(self:_HeardVehicle)->VehicleState:
+def state(self:_Reported)->VehicleState:
     "State of the vehicle now, extrapolated from recent messages"
-    told,ages,now = {},{},self.clock()
+    values,ages,now = {},{},self.clock()
     for msg_id in (i for i in _readers if self.fresh(i)):
-        fields,when = self._heard[msg_id]
-        told.update({name:v for name,v in fields.items() if known(v)})
+        fields,when = self._reported[msg_id]
+        values.update({name:v for name,v in fields.items() if known(v)})
         ages.update(dict.fromkeys(fields, now-when))
-    if known(self.home_alt) and 'alt' in told: told['relative_alt'] = told['alt']-self.home_alt
+    if known(self.home_alt) and 'alt' in values: values['relative_alt'] = values['alt']-self.home_alt
     turning = min(ages.get('yaw', 0.), self.carries)
-    state = VehicleState(**told).after(ages.get('lat', 0.), turning)
+    state = VehicleState(**values).after(ages.get('lat', 0.), turning)
     return state if turning<self.carries else replace(state, yaw_rate=NAN)      # no further extrapolation
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #8fe65b84
@@ -101,30 +101,30 @@ class Vehicle(Part):
         super().__init__(component)
         self.device,self.asks,self.clock = component.health.device,asks,clock
         self.source = None      # `(system, component)` of the last report
-        self._heard,self._others = _HeardVehicle(clock),{}      # our vehicle; others, by their system
-        self._asked,self._said = Seen(self.asks_again),Seen(60.)    # recent requests; recent complaints
+        self._reported,self._others = _Reported(clock),{}      # our vehicle; others, by their system
+        self._asked,self._logged = Seen(self.asks_again),Seen(60.)  # recent requests; recent complaints
 
     def __repr__(self): return f'{type(self).__name__}: {self.state}'
 
     def _complain(self, about:str, error:Exception):
         "Log an error, once a minute for each subject"
-        if not self._said.again((about, type(error))): self.component.log.warning('%s: %s', about, error)
+        if not self._logged.again((about, type(error))): self.component.log.warning('%s: %s', about, error)
 
     def _listen_to(self, source:tuple):
         "Switch to the autopilot `source`"
-        if self.source not in (None, source): self._heard = _HeardVehicle(self.clock)
+        if self.source not in (None, source): self._reported = _Reported(self.clock)
         self.source = source
 
-    def _counts(self, msg)->bool: return self._believes(address(msg))
+    def _counts(self, msg)->bool: return self._trusts(address(msg))
 
     def _take(self, msg):
         "Store a message of our autopilot; raises `ValueError` for impossible fields"
         self._listen_to(address(msg))
-        self._heard.take(msg)
+        self._reported.take(msg)
 
     def _pass_on(self, msg):
         "Give the device the newest state"
-        if callable(take := getattr(self.device, 'set_vehicle', None)): take(self._heard.state)
+        if callable(take := getattr(self.device, 'set_vehicle', None)): take(self._reported.state)
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #22efe9b9
 @patch
@@ -142,7 +142,7 @@ def autopilot(self:Vehicle)->tuple|None:
     return first if first in there else next(iter(there), None)
 
 @patch
-def _believes(self:Vehicle, source:tuple)->bool:
+def _trusts(self:Vehicle, source:tuple)->bool:
     "True if `source` is the trusted autopilot"
     return self._may_be(source) and source==(self.autopilot or source)
 
@@ -152,14 +152,14 @@ def _believes(self:Vehicle, source:tuple)->bool:
 @receives(POSITION)
 @receives(ATTITUDE)
 @receives(GIMBAL_STATE)
-def _hear(self:Vehicle, msg):
+def receive(self:Vehicle, msg):
     "Handle messages of our autopilot, and positions of other vehicles"
     source = address(msg)
     ours = source[0]==self.component.source_system
     if ours and not self._counts(msg): return
     try:
         if ours: self._take(msg)
-        elif msg.get_msgId()==POSITION: self._others.setdefault(source[0], _HeardVehicle(self.clock)).take(msg)
+        elif msg.get_msgId()==POSITION: self._others.setdefault(source[0], _Reported(self.clock)).take(msg)
     except ValueError as e: return self._complain(msg.get_type(), e)
     try: ours and self._pass_on(msg)
     except Exception as e: self._complain('set_vehicle', e)
@@ -168,7 +168,7 @@ def _hear(self:Vehicle, msg):
 @patch(as_prop=True)
 def state(self:Vehicle)->VehicleState:
     "State of our vehicle now, from its messages, else from the device"
-    state,own = self._heard.state,getattr(self.device, 'vehicle', None)
+    state,own = self._reported.state,getattr(self.device, 'vehicle', None)
     return own if state==VehicleState() and isinstance(own, VehicleState) else state
 
 @patch
@@ -180,7 +180,7 @@ def state_of(self:Vehicle, system:int, # Its system id
 @patch
 def is_told(self:Vehicle)->bool:
     "True if an attitude has come within a second"
-    return self._heard.fresh(ATTITUDE, GIMBAL_STATE)
+    return self._reported.fresh(ATTITUDE, GIMBAL_STATE)
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #25f0788a
 @patch(as_prop=True)
@@ -191,7 +191,7 @@ def wishes(self:Vehicle)->dict:
 @patch(as_prop=True)
 def missing(self:Vehicle)->list:
     "Ids of missing messages"
-    return self._heard.missing
+    return self._reported.missing
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #ebef3536
 @patch
@@ -204,7 +204,7 @@ def beat(self:Vehicle):
 def _ask(self:Vehicle, autopilot:tuple, msg_ids:list):
     "Send MAV_CMD_SET_MESSAGE_INTERVAL for messages not recently requested on our `MAVCom`"
     us = self.component
-    parts = [p for c in list(us.mav_com.component.values()) for p in getattr(c, 'parts', ())]
+    parts = [p for c in list(us.mav_com.component.values()) for p in c.parts]
     listeners = [p for p in parts if isinstance(p, Vehicle)] or [self]
     for msg_id in msg_ids:
         if listeners[0]._asked.setdefault((autopilot, msg_id), now := object()) is not now: continue
@@ -325,7 +325,8 @@ class Geotagger(Vehicle):
                  clock=clock.now, # Returns seconds
                  utc=clock.utc): # Returns seconds since 1970, the clock of the camera's frames
         super().__init__(component, asks, clock)
-        self.utc,self._time_heard,self._clocks = utc,-math.inf,{}   # SYSTEM_TIME; `{(system, component): SenderClock}`
+        self.utc,self._time_received = utc,-math.inf    # when SYSTEM_TIME came
+        self._clocks = {}       # `{(system, component): SenderClock}`
         self._positions,self._attitudes,self._gimbal = _PositionTrail(),_AttitudeTrail(),_AttitudeTrail()
 
     def __repr__(self): return f'{type(self).__name__}: {self.pose()}'
@@ -334,20 +335,20 @@ class Geotagger(Vehicle):
         "Return the time of `msg` in s on our clock"
         now,ms,us = self.clock(),getattr(msg, 'time_boot_ms', None),getattr(msg, 'time_boot_us', None)
         if ms is None and us is None: return now
-        told = us/1e6 if ms is None else ms/1e3
-        return self._clocks.setdefault(address(msg), SenderClock()).ours(told, now)
+        theirs = us/1e6 if ms is None else ms/1e3
+        return self._clocks.setdefault(address(msg), SenderClock()).ours(theirs, now)
 
     def _take_position(self, msg):
         "Store GLOBAL_POSITION_INT; raises `ValueError`"
-        told = _readers[msg.get_msgId()](msg)
-        if not told: return
-        velocity = told.pop('velocity')
-        self._positions.add(self._made(msg), (Pose(**told), velocity))
+        fields = _readers[msg.get_msgId()](msg)
+        if not fields: return
+        velocity = fields.pop('velocity')
+        self._positions.add(self._made(msg), (Pose(**fields), velocity))
 
     def _take_attitude(self, msg):
         "Store ATTITUDE or AUTOPILOT_STATE_FOR_GIMBAL_DEVICE; raises `ValueError`"
-        told = _readers[msg.get_msgId()](msg)
-        self._attitudes.add(self._made(msg), quaternion(told['roll'], told['pitch'], told['yaw']))
+        fields = _readers[msg.get_msgId()](msg)
+        self._attitudes.add(self._made(msg), quaternion(fields['roll'], fields['pitch'], fields['yaw']))
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #a8fe8d4b
 @patch
@@ -381,7 +382,7 @@ def _take_gimbal(self:Geotagger, msg):
 @patch
 def _take_time(self:Geotagger, msg):
     "Set the error of this computer's clock by SYSTEM_TIME"
-    self._time_heard = self.clock()
+    self._time_received = self.clock()
     knows = 1.5e15<msg.time_unix_usec<4.1e15    # before 2017 or after 2099 it has no time
     if not (knows and hasattr(self.device, 'clock_error')): return
     ours = self.utc()-(self.clock()-self._made(msg))
@@ -392,8 +393,8 @@ def _take_time(self:Geotagger, msg):
 @patch(as_prop=True)
 def missing(self:Geotagger)->list:
     "Ids of missing messages"
-    late = self.clock()-self._time_heard>self.time_lasts
-    return self._heard.missing+[SYSTEM_TIME]*late
+    late = self.clock()-self._time_received>self.time_lasts
+    return self._reported.missing+[SYSTEM_TIME]*late
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #39191a46
 @patch
@@ -429,7 +430,7 @@ def _take(self:Geotagger, msg):
     msg_id = msg.get_msgId()
     if msg_id!=GIMBAL_STATUS: self._listen_to(address(msg))
     if msg_id in _takers: _takers[msg_id](self, msg)
-    if msg_id in _readers or msg_id==HOME: self._heard.take(msg)
+    if msg_id in _readers or msg_id==HOME: self._reported.take(msg)
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #60749644
 @patch(as_prop=True)
@@ -450,7 +451,7 @@ def _counts(self:Geotagger, msg)->bool:
     "True if this message counts for our camera"
     if msg.get_msgId()==GIMBAL_STATUS: return self._serves
     needed = msg.get_msgId()==SYSTEM_TIME or self._serves or msg.get_msgId()==POSITION and self.measures
-    return self._believes(address(msg)) and needed
+    return self._trusts(address(msg)) and needed
 
 @patch
 def _pass_on(self:Geotagger, msg):
@@ -462,9 +463,9 @@ def _pass_on(self:Geotagger, msg):
 @receives(SYSTEM_TIME)
 @receives(CAMERA_FEEDBACK)
 @receives(GIMBAL_STATUS)
-def _hear_more(self:Geotagger, msg):
+def _receive_more(self:Geotagger, msg):
     "Handle time and picture messages of our autopilot, and the attitude of our gimbal"
-    self._hear(msg)
+    self.receive(msg)
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #9cdad17b
 class Survey(Part):

@@ -12,7 +12,8 @@ from numbers import Real
 import math
 
 # %% auto #0
-__all__ = ['NAN', 'known', 'Value', 'inside', 'one_of', 'no_class', 'plain', 'CompleteLater', 'KeepsNames', 'Report', 'kept']
+__all__ = ['NAN', 'known', 'Value', 'inside', 'one_of', 'no_class', 'plain', 'CompleteLater', 'KeepsNames', 'Report', 'kept',
+           'UAVError']
 
 # %% ../../nbs/api/utils/00_values.ipynb #d2c1c824
 _all_ = ['NAN']
@@ -165,3 +166,6 @@ def kept(
                 raise AssertionError(f'{device!r} {check.__doc__}: not so, {type(e).__name__}: {e}') from e
     finally: device.close()
     return Report('\n'.join([repr(device), *(f'  ✓ {check.__doc__}' for check in checks)]))
+
+# %% ../../nbs/api/utils/00_values.ipynb #ea0e0002
+class UAVError(Exception): "Something that a link, a camera or a gimbal could not do"

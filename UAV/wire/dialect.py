@@ -9,6 +9,7 @@ import re, struct
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
+from ..utils.values import UAVError
 
 # %% auto #0
 __all__ = ['crc_extras', 'command_cancel', 'timesync', 'protocol_version', 'address', 'enum_name', 'enum_value', 'number_of',
@@ -163,7 +164,7 @@ def parameters(msg)->list:
     return [None if v!=v or v in _not_given else v for v in values]
 
 # %% ../../nbs/api/wire/00_dialect.ipynb #3f22ffcf
-class MAVError(Exception): "Something MAVLink could not do"
+class MAVError(UAVError): "Something MAVLink could not do"
 class LinkError(MAVError, ConnectionError): "A link that cannot be opened, or was closed"
 
 # %% ../../nbs/api/wire/00_dialect.ipynb #2ad737de
