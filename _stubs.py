@@ -9,6 +9,7 @@ KEPT = ('property', 'cached_property', 'classmethod', 'staticmethod', 'setter', 
 SCOPES = ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef
 PARTS = ast.BinOp, ast.BitOr, ast.Subscript, ast.Name, ast.Load, ast.Constant, ast.Tuple      # of an expression for a type
 CLASSES = {}        # those of the package, by name
+METHODS = {}        # their methods, by `CLASS.NAME`
 MADE = 'namedtuple', 'NewType', 'TypeVar'       # calls that make types
 HEAD = '''# Made by _stubs.py when the package was installed.
 from typing import Any, AsyncIterator, ClassVar, Iterator
@@ -104,6 +105,7 @@ def returned(function):
         if kind and name_of(getattr(kind, 'value', kind)).endswith(('Iterator', 'Iterable', 'Generator')): return kind
         name = 'AsyncIterator' if isinstance(function, ast.AsyncFunctionDef) else 'Iterator'
         return expression(f'{name}[{ast.unparse(kind) if kind else "Any"}]')
+    if kind and ast.unparse(kind) == 'bytes | Path': return named('Any')        # which one depends on an argument
     if kind or values: return kind or named('Self' if set(values) == {'self'} else 'Any')
     is_hook = isinstance(function.body[-1], (ast.Raise, ast.Pass)) or all(isinstance(n, (ast.Expr, ast.Constant)) for n in nodes)
     return named('Any') if is_hook and function.name != '__init__' else ast.Constant(None)
@@ -115,6 +117,14 @@ def with_target(made):
     made.args.defaults = [ast.Constant(None)]*2+[ast.Constant(...)]*free+made.args.defaults
     made.args.args[1:1] = [ast.arg(name, expression('int | None')) for name in ('target_system', 'target_component')]
     return ast.AsyncFunctionDef(**{**vars(made), 'returns': named('Ack')})
+
+
+def target_verb(name, call):
+    "A verb as `TargetVerb(COMMAND, CLASS.VERB, PART, PUBLISHED='NAME')` makes it: that verb, behind a target"
+    made,published = stub_of(METHODS[ast.unparse(call.args[1])], True),{k.value.value: k.arg for k in call.keywords}
+    for a in made.args.args: a.arg = published.get(a.arg, a.arg)
+    made.name = name
+    return with_target(made)
 
 
 def options_of(function):
@@ -217,6 +227,8 @@ def class_stub(node, patches):
     for n in node.body:
         if isinstance(n, ast.ClassDef): body.append(class_stub(n, []))
         elif is_enum and isinstance(n, ast.Assign): body.append(n)
+        elif isinstance(n, ast.Assign) and isinstance(n.value, ast.Call) and name_of(n.value) == 'TargetVerb':
+            body.append(target_verb(n.targets[0].id, n.value))
         elif isinstance(n, ast.Assign) and has_fields: body += [annotated(name, named('ClassVar[Any]')) for name in names_in(n)]
         elif isinstance(n, (ast.Assign, ast.AnnAssign)): body += plain(n)
     there = {f.name for f in filter(is_function, [*functions, *body])} | {n.target.id for n in body if isinstance(n, ast.AnnAssign)}
@@ -294,7 +306,7 @@ class Plain(ast.NodeTransformer):
                '__aexit__': '__exit__', '__aiter__': '__iter__'}
 
     def __init__(self, handles, homes):
-        ours = 'Any', 'Self', 'Iterator', 'contextmanager', 'cached_property'
+        ours = 'Any', 'Self', 'Iterator', 'Mapping', 'contextmanager', 'cached_property'
         self.handles,self.known = handles,{*homes, *vars(builtins), *ours}
 
     def visit_Name(self, node):
@@ -309,10 +321,15 @@ class Plain(ast.NodeTransformer):
 
     def visit_ClassDef(self, node):
         node = self.generic_visit(node)
-        bases = [b for b in node.bases if name_of(b).removeprefix('_') in self.handles]
+        bases = [b for b in node.bases if name_of(b).removeprefix('_') in (*self.handles, 'Mapping')]
         return ast.ClassDef(f'_{node.name}', bases, [], node.body, [])
 
     def visit_AnnAssign(self, node): return annotated(node.target.id, self.visit(node.annotation), node.value)
+
+
+def awaits(node):
+    "Has a class anything to await?"
+    return any(isinstance(n, ast.AsyncFunctionDef) or getattr(n, 'id', '') == 'AsyncIterator' for n in ast.walk(node))
 
 
 def blocking(texts, homes):
@@ -322,15 +339,17 @@ def blocking(texts, homes):
     while new:
         name = new.pop()
         handles[name] = classes[name]
-        used = {n.id for n in ast.walk(classes[name]) if isinstance(n, ast.Name)}
-        new += [n for n in sorted(used) if n in classes and n not in handles and n.startswith(('Remote', 'CameraAsking', 'Frames'))]
+        used = {n.id for n in ast.walk(classes[name]) if isinstance(n, ast.Name) and n.id.startswith('Remote')}
+        bases = set(map(name_of, classes[name].bases))
+        new += [n for n in sorted(used & {*classes}-{*handles}) if n in bases or awaits(classes[n])]
     made = [ast.fix_missing_locations(Plain(handles, homes).visit(node)) for node in handles.values()]
     used = {n.id for node in made for n in ast.walk(node) if isinstance(n, ast.Name)}
     imports = [f'from {homes[name][-1]} import {name} as {name}' for name in sorted(used & {*homes}-{'Blocking'})]
     ours = ast.parse(texts['UAV.blocking']).body
     mavcom = next(n for n in ours if isinstance(n, ast.ClassDef) and n.name == 'BlockingMAVCom')
     mavcom.bases,mavcom.body = [named('_MAVCom')],[n for n in mavcom.body if getattr(n, 'name', '') != '__init__']
-    imports += ['from contextlib import contextmanager', 'from functools import cached_property']
+    imports += ['from collections.abc import Mapping', 'from contextlib import contextmanager',
+                'from functools import cached_property']
     parts = [HEAD, *imports, *map(ast.unparse, [*ours, *made])]
     return '\n'.join(parts)+'\n'
 
@@ -346,6 +365,9 @@ def write(folder, to=None):
         for n in tree.body:
             if isinstance(n, ast.ClassDef): homes.setdefault(n.name, []).append(dotted[path])
     CLASSES.update({n.name: n for tree in trees.values() for n in tree.body if isinstance(n, ast.ClassDef)})
+    METHODS.update({f'{n.name}.{f.name}': f for n in CLASSES.values() for f in filter(is_function, n.body)})
+    functions = [f for tree in trees.values() for f in filter(is_function, tree.body)]
+    METHODS.update({f'{name}.{f.name}': f for f in functions for name in patched(f)})
     made = [Path(to or folder)/path.relative_to(folder).with_suffix('.pyi') for path in paths]
     for old in {*Path(to or folder).rglob('*.pyi')}-{*made}: old.unlink()
     texts = {dotted[path]: stub(trees[path], homes, dotted[path]) for path in paths}

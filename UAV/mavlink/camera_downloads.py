@@ -23,8 +23,8 @@ from ..utils.output import Progress
 from ..utils.sockets import get_web
 from ..wire.dialect import LinkError
 from .asking import RoundTrip
-from .camera_asking import RemoteComponent, same_host
 from .protocol import Answer, comes_from, Lost
+from .remote_video import hosts_of
 
 _all_ = ['FtpError', 'FileEntry']
 
@@ -132,10 +132,9 @@ class RemoteFiles:
     most = 1<<16        # entries of a listing
     upload_tries = 5    # times a session is reopened in a row without progress
 
-    def __init__(self, remote:RemoteComponent): # Component with the files
+    def __init__(self, remote): # `RemoteCamera` of the component with the files
         self.remote,self.client = remote,remote.client
         self.trip = RoundTrip()     # time to an answer, behind the other traffic of the link
-        self._others = {}           # `{component: RemoteFiles}`: others of the vehicle, named in a URL
         self.answers = False        # True: it has answered once
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #e3160204
@@ -162,8 +161,7 @@ def _place(self:RemoteFiles, file)->tuple:
     component,place = read_ftp_url(path)
     if component in (None, self.remote.component): return self,place
     if not 1<=component<=255: raise ValueError(f'{path} names component {component}: write 1 to 255')
-    there = RemoteComponent(self.client, self.remote.system, component)
-    return self._others.setdefault(component, RemoteFiles(there)),place
+    return self.client.camera(self.remote.system, component).files,place
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #d2280eab
 @patch
@@ -379,19 +377,15 @@ async def _to_disk(self:RemoteFiles, path:str, to:Path, progress)->Path:
         return await keep_part(part, to)    # while it is locked
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #01116d36
-class _Hosts(set):
-    "Addresses of a component; this computer's are all one"
-    def __contains__(self, host): return any(same_host(host, own) for own in self)
-
 def _is_web(path:str)->bool: return path.lower().startswith(('http://','https://'))
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #71ba53b1
 @patch
 async def _load(self:RemoteFiles, url:str, sink, progress, most:int, any_host:bool|None):
     "Fetch a file from a web server into `sink`; raises `OSError`, `ValueError`"
-    if any_host is None: any_host = getattr(self.client, 'any_host', False)
-    if not any_host: self.remote._check_host(url, 'the file')
-    hosts = None if any_host else _Hosts(self.remote._own_hosts())
+    if any_host is None: any_host = self.client.any_host
+    hosts = None if any_host else hosts_of(self.remote)
+    if hosts is not None: hosts.check(url, f'the file of {self.remote.system}/{self.remote.component}')
     answer,loop,left = Answer(),asyncio.get_running_loop(),clock.Event()
     def take(piece, size):
         if left.is_set(): raise OSError(errno.ECANCELED, os.strerror(errno.ECANCELED))
