@@ -25,8 +25,8 @@ from ..manager.told import (about_camera, capture_of, flags_of, printable, setti
 from ..mavlink import CameraClient
 from UAV.mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_INFORMATION, CAMERA_SETTINGS, mavlink,
     STORAGE_INFORMATION)
-from UAV.mavlink.camera_asking import (CAMERA_TRACKING_IMAGE_STATUS, cameras_heard, is_camera, storage_of, Stream,
-    tracking_of)
+from ..mavlink.remote_camera import cameras_heard, is_camera, storage_of
+from ..mavlink.remote_video import CAMERA_TRACKING_IMAGE_STATUS, RemoteStream, tracking_of
 from ..mavlink.component import StatusText, Texts
 from ..mavlink.protocol import Busy, comes_from, CommandError, Denied, NoAnswer
 from ..mavlink.settings import PARAM_EXT_VALUE, param_name, param_value
@@ -552,7 +552,7 @@ async def _reset(visit, yes:bool=False): # Really reset them
     visit.tell('all settings have their defaults')
 
 # %% ../../nbs/api/cli/03_camera.ipynb #2be8ca02
-def _view(stream:Stream, heat:ThermalRange|None)->Result:
+def _view(stream:RemoteStream, heat:ThermalRange|None)->Result:
     "Describe a stream's picture; °C, and places in parts of the picture from the upper left"
     degrees = f'{heat.min:.0f} … {heat.max:.0f} °C' if heat else ''
     wide = f'{stream.hfov}° wide' if stream.hfov else ''

@@ -17,7 +17,7 @@ from .panel import action, Btn_State, _on_or_off, RowPart
 from .told import text_of
 from ..mavlink.camera_client import CAMERA_CAPTURE_STATUS, CAMERA_INFORMATION, CAMERA_SETTINGS, STORAGE_INFORMATION
 from ..mavlink.camera_downloads import FtpFile
-from ..mavlink.camera_asking import CAMERA_TRACKING_IMAGE_STATUS, tracking_of
+from ..mavlink.remote_video import CAMERA_TRACKING_IMAGE_STATUS, tracking_of
 from ..mavlink.protocol import NoAnswer
 from ..mavlink.settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
 from ..utils import clock

@@ -16,7 +16,7 @@ from .preview import Preview
 from .told import BATTERY_STATUS, CameraTold, _picture_of, STATUSTEXT, text_of
 from ..mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
     CAMERA_SETTINGS, STORAGE_INFORMATION)
-from ..mavlink.camera_asking import stream_of, VIDEO_STREAM_INFORMATION
+from ..mavlink.remote_video import stream_of, VIDEO_STREAM_INFORMATION
 from ..mavlink.protocol import Failed
 from ..utils import clock
 from ..utils.values import inside, one_of

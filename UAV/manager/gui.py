@@ -15,7 +15,7 @@ from .map import Fleet
 from .panel import Panel, Row
 from .server import PanelServer
 from .widget import _card_of, _Shown, _this_kernel
-from ..mavlink.camera_asking import cameras_heard, is_camera
+from ..mavlink.remote_camera import cameras_heard, is_camera
 from ..mavlink.remote_gimbal import _of_manager, GIMBAL_MANAGER_INFORMATION
 from ..utils import clock
 from ..wire.dialect import address, MAVError

@@ -12,7 +12,7 @@ from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..gimbals.values import GimbalAttitude, GimbalError
 from .panel import action, Btn_State, CommandLog, _on_or_off, Press, RowPart
-from ..mavlink.camera_asking import CAMERA_TRACKING_IMAGE_STATUS, tracking_of
+from ..mavlink.remote_video import CAMERA_TRACKING_IMAGE_STATUS, tracking_of
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS
 from ..mavlink.gimbal_client import RemoteGimbal
 from ..mavlink.protocol import Denied, NoAnswer, Unsupported

@@ -10,7 +10,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
     CAMERA_SETTINGS, STORAGE_INFORMATION)
-from ..mavlink.camera_asking import flags_of, printable, status_of, storage_of as _read_storage, text_of
+from ..mavlink.remote_camera import flags_of, printable, status_of, storage_of as _read_storage, text_of
 from ..mavlink.component import Texts
 from ..utils import clock
 from ..utils.values import known, NAN

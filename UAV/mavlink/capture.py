@@ -6,74 +6,125 @@
 from __future__ import annotations
 from collections import deque
 from contextlib import contextmanager, nullcontext
+from enum import Enum
 from itertools import count as count_from, islice
 from weakref import WeakKeyDictionary
 import asyncio, math
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED
 from .component import Texts
-from .camera_asking import CAMERA_CAPTURE_STATUS, CameraAsking
+from .camera_server import CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED
 from .protocol import Busy, Failed, Lost, NoAnswer, shot_tries
 from ..utils import clock
 from ..wire.dialect import Ack, MAVError
 
 # %% auto #0
-__all__ = ['PictureLog', 'RemotePictures', 'Capture']
+__all__ = ['WantedRuns', 'CountVerdict', 'Agreement', 'Arrivals', 'PictureLog', 'RemotePictures', 'ShotRequest', 'Capture']
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #ea270da8
+class WantedRuns:
+    "Indexes of the wanted pictures: runs of them, and how many more whose index is not known"
+    def __init__(self):
+        self.runs,self.unknown = [],0       # `[first index, how many]` each; how many more
+        self.finished = set()               # indexes inside a run that were returned or given up
+
+    def __iter__(self):
+        for first,count in self.runs:
+            for index in count_from(first) if count==math.inf else range(first, first+count):
+                if index not in self.finished: yield index
+
+    @property
+    def first(self)->int|None: return next(iter(self), None)
+    @property
+    def left(self)->float: return sum(count for _,count in self.runs)+self.unknown
+
+    def covers(self, index:int)->bool: return any(first<=index<first+count for first,count in self.runs)
+
+    def reset(self, *runs, unknown:float=0):
+        "Want these `[first, count]` instead, and `unknown` more"
+        self.runs,self.unknown,self.finished = [*runs],unknown,set()
+
+    def found_first(self, index:int):
+        "The pictures of unknown index begin at `index`"
+        self.runs.append([index, self.unknown])
+        self.unknown = 0
+
+    def finish(self, index:int):
+        "Want `index` no more"
+        self.finished.add(index)
+        while self.runs and self.runs[0][0] in self.finished:
+            first,count = self.runs.pop(0)
+            self.finished.discard(first)
+            if count>1: self.runs.insert(0, [first+1, count-1])
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #5e53fd05
+class CountVerdict(Enum):
+    "What the camera's picture count says about the next wanted picture, if its notice hasn't come"
+    NOT_TAKEN = 'idle, and the count ends just before this picture'
+    RESTARTED = 'idle, and the count is lower still: formatted, or without power in between'
+    OWN_NUMBERS = 'a notice has an index beyond the count: the camera has a numbering of its own'
+
+class Agreement:
+    "A verdict that is valid once enough polls in a row have led to it"
+    def __init__(self): self.verdict,self.polls = None,0
+
+    def add(self, verdict:CountVerdict|None, # Of one poll; `None`: the count is plausible
+            enough:int, # Polls that must agree
+           )->CountVerdict|None:
+        "Count a verdict, and return it if it is valid"
+        self.polls = self.polls+1 if verdict==self.verdict else 1
+        self.verdict = verdict
+        return verdict if self.polls>=enough else None
+
+class Arrivals:
+    "Keys by arrival, for a camera that doesn't number its pictures"
+    def __init__(self): self.active,self.next,self.keys = False,0,{}      # `{identity of a notice: key}`, ours or not
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #cdedfe77
 class PictureLog:
     "Wanted pictures of a camera, in order, and the notices received"
-    most,sure = 2048,2 # notices kept that are not taken; looks at the camera that must agree
+    most = 2048     # notices kept that are not returned
+    polls = 2       # status messages that must agree on a verdict
 
     def __init__(self, first:int|None=None, # First wanted index; `None`: that of the first notice
                  count:float=math.inf, # Number of wanted pictures; 0: none before `begin`
                  since:int=0): # Milliseconds since the camera's boot when its count was `first`
-        self.runs,self.unknown = [],0           # `[index, how many]` wanted; how many more, of unknown index
-        self.notices,self.skipped = {},set()    # `{index: notice}` not given yet; indexes not to be given
-        self.came,self.last,self.since = 0,None,since   # how many came; the newest of them
-        self.odd,self._looks,self._lock = '',0,clock.RLock()    # what the last look at the camera was like
-        self.loose,self.known,self.serial = False,{},0      # see `loosen`: `{notice: key}` of all that came; next key
-        self.given,self.before = None,None      # last notice given; newest one before we asked for pictures
-        self.refused = set()                    # indexes whose notice the camera does not repeat
+        self.wanted,self.arrivals,self.agreement = WantedRuns(),Arrivals(),Agreement()
+        self.notices = {}           # `{index, or key by arrival: notice}` not returned yet
+        self.refused = set()        # indexes whose notice the camera does not repeat
+        self.received = 0           # notices stored
+        self.newest = self.returned = None      # the newest notice received; the last one returned
+        self.since,self.before = since,None     # the camera's clock, and its newest notice, when we asked for pictures
+        self._lock = clock.RLock()
         if count: self.begin(first, count)
+
+    @property
+    def left(self)->float:
+        "Number of wanted pictures not yet returned"
+        return self.wanted.left
+
+    @property
+    def endless(self)->bool:
+        "True if there is no last one"
+        return self.left==math.inf
 
     def __repr__(self): return f'PictureLog: {self.left:g} wanted, {len(self.ready())} ready'
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #0889ccb3
+def _time(msg)->int: return msg.time_utc or msg.time_boot_ms        # when the picture was taken
+
 @patch
 def begin(self:PictureLog, first:int|None, count:float=1):
     "Add `count` wanted pictures, from index `first` on"
     with self._lock:
-        if self.loose:                          # all that have come and are not given
-            self.runs = [[min(self.notices, default=self.serial), self.left+count]]
+        if self.arrivals.active:                # all that have come and are not returned
+            self.wanted.runs = [[min(self.notices, default=self.arrivals.next), self.left+count]]
             return
         if first is None and self.notices: first = min(self.notices.values(), key=_time).image_index
-        if first is None: self.unknown += count
-        else: self.runs.append([first, count])
+        if first is None: self.wanted.unknown += count
+        else: self.wanted.runs.append([first, count])
         if self.endless and first: self.notices = {i:m for i,m in self.notices.items() if i>=first}
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #94f72a2d
-def _time(msg)->int: return msg.time_utc or msg.time_boot_ms        # when the picture was taken
-
-@patch(as_prop=True)
-def left(self:PictureLog)->float:
-    "Number of wanted pictures not yet returned"
-    return sum(n for _,n in self.runs)+self.unknown
-
-@patch(as_prop=True)
-def endless(self:PictureLog)->bool:
-    "True if there is no last one"
-    return self.left==math.inf
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #4738ca75
-@patch
-def wanted(self:PictureLog):
-    "Yield the known wanted indexes, in order"
-    for first,n in self.runs:
-        for i in count_from(first) if n==math.inf else range(first, first+n):
-            if i not in self.skipped: yield i
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #07c37def
 @patch
@@ -81,92 +132,110 @@ def ready(self:PictureLog, most:float=math.inf)->list:
     "Return the next notices, in order and without a gap"
     found = []
     with self._lock:
-        for i in self.wanted():
+        for i in self.wanted:
             if i not in self.notices or len(found)>=most: return found
             found.append(self.notices[i])
     return found
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #2f7442b6
-def _who(msg)->tuple: # what tells one picture from another without a number
+def _identity(msg)->tuple: # what tells one picture from another without a number
     return (msg.time_utc,msg.time_boot_ms,msg.image_index,msg.file_url) if _time(msg) else (id(msg),)
 
 @patch
-def _same_as(self:PictureLog, msg)->list:
+def _same_index(self:PictureLog, msg)->list:
     "Return other pictures with the index of a notice"
-    return [m for m in (self.notices.get(msg.image_index),self.given) if m and m.image_index==msg.image_index]
+    return [m for m in (self.notices.get(msg.image_index),self.returned) if m and m.image_index==msg.image_index]
 
 @patch
-def _is_uncounted(self:PictureLog, msg)->bool:
+def _is_unnumbered(self:PictureLog, msg)->bool:
     "True for an index that is none, or that of an older picture among those that were asked for"
-    if msg.image_index<=0 and self.endless: return msg.image_index<0        # 0: the storage was formatted
-    def newer(m): return _time(msg)>_time(m) or not _time(msg) and msg.file_url!=m.file_url        # without a clock
-    return msg.image_index<0 or any(map(newer, self._same_as(msg)))
+    if msg.image_index<0: return True
+    if msg.image_index==0 and self.endless: return False        # the storage was formatted
+    for other in self._same_index(msg):
+        if _time(msg)>_time(other): return True
+        if not _time(msg) and msg.file_url!=other.file_url: return True         # no clock: files tell them apart
+    return False
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #d65b0faa
 @patch
-def loosen(self:PictureLog, found=()): # Notices that are pictures of this log
-    "Go by arrival from now on, because the camera does not count"
+def order_by_arrival(self:PictureLog, found=()): # Notices that are pictures of this log
+    "Go by arrival from here on, because the camera does not count"
     with self._lock:
-        left,given = self.left,self.given and _who(self.given)
-        self.loose,self.notices,self.skipped,self.refused,self.unknown = True,{},set(),set(),0
-        if given: self.known[given] = None
-        self.runs = [[self.serial, left]] if left else []
-        for msg in sorted(found, key=_time): self._add_uncounted(msg)
+        left,self.arrivals.active = self.left,True
+        self.notices,self.refused = {},set()
+        if self.returned: self.arrivals.keys[_identity(self.returned)] = None
+        self.wanted.reset(*[[self.arrivals.next, left]] if left else ())
+        for msg in sorted(found, key=_time): self._add_by_arrival(msg)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #e27d6ccc
 @patch
-def _add_uncounted(self:PictureLog, msg):
+def _counts_again(self:PictureLog, msg)->bool:
+    "True if an endless log gets the first picture with another index"
+    if not self.endless or self.notices or self.newest is None: return False
+    return 0<=msg.image_index!=self.newest.image_index
+
+@patch
+def _add_by_arrival(self:PictureLog, msg):
     "Store a notice that was not there before"
-    who,last = _who(msg),self.last
-    if who in self.known: return
-    if self.endless and not self.notices and last and 0<=msg.image_index!=last.image_index:       # it counts again
-        self.loose,self.runs = False,[[msg.image_index, math.inf]]
+    who,arrivals = _identity(msg),self.arrivals
+    if who in arrivals.keys: return
+    if self._counts_again(msg):
+        arrivals.active = False
+        self.wanted.reset([msg.image_index, math.inf])
         return self.add(msg)
-    while len(self.known)>=2*self.most: del self.known[next(iter(self.known))]
+    while len(arrivals.keys)>=2*self.most: del arrivals.keys[next(iter(arrivals.keys))]
     if len(self.notices)>=self.most: return
-    self.known[who],self.notices[self.serial] = self.serial,msg
-    self.serial,self.came,self._looks = self.serial+1,self.came+1,0
-    self._note(msg)
+    arrivals.keys[who] = arrivals.next
+    self._store(arrivals.next, msg)
+    arrivals.next += 1
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #9518f265
 @patch
 def drop(self:PictureLog, msg):
     "Drop a notice: it was returned"
     with self._lock:
-        if self.loose: self._add_uncounted(msg)
-        self.skip(self.known.get(_who(msg)) if self.loose else msg.image_index, msg)
+        if self.arrivals.active: self._add_by_arrival(msg)
+        self.skip(self.arrivals.keys.get(_identity(msg)) if self.arrivals.active else msg.image_index, msg)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #b17cf021
 @patch
 def add(self:PictureLog, msg):
     "Store a CAMERA_IMAGE_CAPTURED"
-    i = msg.image_index
+    index = msg.image_index
     with self._lock:
-        if not self.loose and self._is_uncounted(msg): self.loosen([*self.ready(), *self._same_as(msg)])
-        if self.loose: return self._add_uncounted(msg)
-        if _who(msg) in self.known: return          # it is older than this log
-        if self.endless and self._counts_anew(msg):         # the storage was formatted
-            self.runs,self.unknown,self.notices,self.skipped = [[0, math.inf]],0,{},set()
-        first = next(self.wanted(), None)
-        if i in self.notices or i in self.skipped or self.endless and first is not None and i<first: return
-        if len(self.notices)>=self.most and i!=first: return        # it can be asked for again
-        self.notices[i],self.came,self._looks = msg,self.came+1,0
-        self._note(msg)
-        known = any(first<=i<first+n for first,n in self.runs)
-        if self.unknown and not known: self.runs,self.unknown = self.runs+[[i, self.unknown]],0
+        if not self.arrivals.active and self._is_unnumbered(msg):
+            self.order_by_arrival([*self.ready(), *self._same_index(msg)])
+        if self.arrivals.active: return self._add_by_arrival(msg)
+        if _identity(msg) in self.arrivals.keys: return         # it is older than this log
+        if self.endless and self._is_restart(msg):
+            self.wanted.reset([0, math.inf])
+            self.notices = {}
+        first = self.wanted.first
+        if index in self.notices or index in self.wanted.finished: return
+        if self.endless and first is not None and index<first: return
+        if len(self.notices)>=self.most and index!=first: return        # it can be asked for again
+        self._store(index, msg)
+        if self.wanted.unknown and not self.wanted.covers(index): self.wanted.found_first(index)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #0614781b
 @patch
-def _note(self:PictureLog, msg):
-    if self.last is None or _time(msg)>=_time(self.last): self.last = msg
+def _store(self:PictureLog, key:int, msg):
+    self.notices[key] = msg
+    self.received += 1
+    self.agreement.polls = 0
+    self._note_newest(msg)
+
+@patch
+def _note_newest(self:PictureLog, msg):
+    if self.newest is None or _time(msg)>=_time(self.newest): self.newest = msg
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #d8765274
 @patch
-def _counts_anew(self:PictureLog, msg)->bool:
-    "True for a new picture with an old index"
+def _is_restart(self:PictureLog, msg)->bool:
+    "True for a new picture with an old index: the storage was formatted"
     if msg.image_index in self.notices: return _time(msg)>_time(self.notices[msg.image_index])
-    if not self.runs or msg.image_index>=self.runs[0][0]: return False
-    return _time(msg)>_time(self.last) if self.last else 0<self.since<msg.time_boot_ms
+    if not self.wanted.runs or msg.image_index>=self.wanted.runs[0][0]: return False
+    return _time(msg)>_time(self.newest) if self.newest else 0<self.since<msg.time_boot_ms
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #7c6d7aaf
 @patch
@@ -184,14 +253,10 @@ def skip(self:PictureLog, index:int, msg=None):
     with self._lock:
         self.notices.pop(index, None)
         self.refused.discard(index)
-        self.skipped.add(index)
         if msg:
-            self._note(msg)
-            self.given = msg
-        while self.runs and self.runs[0][0] in self.skipped:
-            self.skipped.discard(self.runs[0][0])
-            first,n = self.runs.pop(0)
-            if n>1: self.runs.insert(0, [first+1, n-1])
+            self._note_newest(msg)
+            self.returned = msg
+        self.wanted.finish(index)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #60c47d4e
 @patch
@@ -199,138 +264,154 @@ def missing(self:PictureLog, image_count:int, # Of CAMERA_CAPTURE_STATUS
             most:int=16, # Maximum length of the list
            )->list:
     "Return the indexes of wanted pictures that were taken, without a notice"
-    if self.loose: return []
+    if self.arrivals.active: return []
     with self._lock:
-        taken = (i for first,n in list(self.runs) for i in range(first, int(min(first+n, image_count))))
-        return list(islice((i for i in taken if i not in self.notices and i not in self.skipped|self.refused), most))
+        there = {*self.notices, *self.wanted.finished, *self.refused}
+        taken = (range(first, int(min(first+count, image_count))) for first,count in self.wanted.runs)
+        return list(islice((i for run in taken for i in run if i not in there), most))
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #3fe8cd61
+@patch
+def _verdict(self:PictureLog, image_count:int, idle:bool, seen)->CountVerdict|None:
+    "Return the verdict of one poll"
+    first = self.wanted.first
+    if self.arrivals.active or first is None or first in self.notices: return
+    if any(i>=image_count for i in seen if i in self.notices): return CountVerdict.OWN_NUMBERS
+    if not idle or image_count>first: return
+    return CountVerdict.NOT_TAKEN if image_count==first else CountVerdict.RESTARTED
+
 @patch
 def judge(self:PictureLog, image_count:int, # Of CAMERA_CAPTURE_STATUS
           idle:bool, # True if the camera is taking no pictures
           seen, # Indexes of the notices received before the request
-         )->str:
-    "Return the verdict on the camera's count when enough looks agree, else ''"
+         )->CountVerdict|None:
+    "Return the verdict on the camera's count once enough polls agree"
     with self._lock:
-        first,verdict = next(self.wanted(), None),''
-        if first is not None and first not in self.notices and not self.loose:
-            if any(i>=image_count for i in seen if i in self.notices): verdict = 'own'
-            elif idle and image_count<=first: verdict = 'short' if image_count==first else 'anew'
-        self._looks = self._looks+1 if verdict==self.odd else 1
-        self.odd = verdict
-        return verdict if self._looks>=(2 if verdict=='own' else self.sure) else ''
+        verdict = self._verdict(image_count, idle, seen)
+        return self.agreement.add(verdict, 2 if verdict is CountVerdict.OWN_NUMBERS else self.polls)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #e33eb2f3
 @patch
-def cut(self:PictureLog, image_count:int)->float:
+def drop_untaken(self:PictureLog, image_count:int)->float:
     "Drop wanted pictures that were not taken; return their number"
     with self._lock:
         before = self.left
-        kept = [[first, min(n, image_count-first)] for first,n in self.runs if first<image_count]
-        self.runs,self.unknown,self._looks = kept,0,0
+        taken = [[first, min(count, image_count-first)] for first,count in self.wanted.runs if first<image_count]
+        self.wanted.runs,self.wanted.unknown,self.agreement.polls = taken,0,0
         return before-self.left if before<math.inf else math.inf
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #0f9706c0
 @patch
 def adopt(self:PictureLog):
     "Take the received notices as the wanted ones, whatever their index"
-    if self.loose: return
+    if self.arrivals.active: return
     with self._lock:
-        left,found = self.left,sorted(self.notices.values(), key=_time)
-        self.runs = [[m.image_index, 1] for m in found[:int(min(left, len(found)))]]
-        self.unknown,self._looks,self.refused = left-len(self.runs),0,set()
+        found = sorted(self.notices.values(), key=_time)
+        mine = found[:int(min(self.left, len(found)))]
+        self.wanted.runs,self.wanted.unknown = [[m.image_index, 1] for m in mine],self.left-len(mine)
+        self.agreement.polls,self.refused = 0,set()
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #52e94dbb
 @patch
 def newer(self:PictureLog, index:int)->list:
-    "Return notices with a lower index than `index` that were taken after we asked: the camera does not count"
+    "Return notices with a lower index than `index`, taken after we asked: the camera does not count"
     def new(m): return m.time_boot_ms>=self.since and (self.before is None or _time(m)>_time(self.before))
-    with self._lock: return [] if self.endless else [m for m in self.notices.values() if m.image_index<index and new(m)]
+    if self.endless: return []
+    with self._lock: return [m for m in self.notices.values() if m.image_index<index and new(m)]
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #ccd8812c
 @patch
-def guess(self:PictureLog, first:int):
+def assume_first(self:PictureLog, first:int):
     "Start at `first` if no notice has defined the start"
     with self._lock:
-        if not (self.runs or self.loose): self.runs,self.unknown = [[first, self.unknown]],0
+        if not (self.wanted.runs or self.arrivals.active): self.wanted.found_first(first)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #96fd9fd8
 @patch
-def instead(self:PictureLog, index:int):
+def want_instead(self:PictureLog, index:int):
     "Replace the wanted picture by `index`"
-    with self._lock: self.runs,self.unknown = [[index, 1]],0
+    with self._lock: self.wanted.runs,self.wanted.unknown = [[index, 1]],0
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #3de36638
 class RemotePictures:
     "Pictures of one camera: received notices, and the calls waiting for them"
-    def __init__(self, camera:CameraAsking): # The camera
-        self.camera,self.log = camera,None      # a `PictureLog` of all that came, when one is kept
-        self.requests = []                      # what has a `log` of its own: each `Capture` that is under way
-        self.texts,self.said = Texts(),(-math.inf,'')   # of its STATUSTEXTs; when its newest error came, and that
-        self.tells = False                      # True: the camera's ack has the picture's index
-        self.uncounted,self.seen,self._lock = False,{},clock.Lock()     # True: it does not count; its newest notices
-        self.taken = deque(maxlen=64)           # those that a capture has returned
+    def __init__(self, camera): # The `RemoteCamera`
+        self.camera = camera
+        self.log = None                         # `PictureLog` of all notices, once it is kept
+        self.captures,self.followers = [],[]    # `Capture`s under way; logs that get all notices, too
+        self.seen,self.returned = {},deque(maxlen=64)       # newest notices by identity; those that a capture has returned
+        self.unnumbered = False                 # True: the camera does not count
+        self.acks_have_index = False            # True: its ack says which picture it will be
         self.turns = WeakKeyDictionary()        # turns at a camera whose acks have no index: `{event loop: Lock}`
+        self.texts = Texts()                    # of its STATUSTEXTs
+        self.error,self.error_time = '',-math.inf           # its newest text of an error
+        self._lock = clock.Lock()
 
     def keep(self, log:PictureLog|None=None # The one to begin with; `None`: an empty one
             )->PictureLog:
-        "Return the log of all that came; begins it if there is none, as a reader and a caller may both be first"
+        "Return the log of all notices; begins it if there is none, as a reader and a caller may both be first"
         with self._lock:
             self.log = self.log or log or PictureLog()
             return self.log
 
     def note(self, msg):
         "Store a CAMERA_IMAGE_CAPTURED"
-        self.camera._announces = True
         for log in self._logs_for(msg, self.keep()): log.add(msg)
 
-    def hear(self, msg):
+    def note_text(self, msg):
         "Store a STATUSTEXT with an error"
         text = self.texts.add(msg)
-        if msg.severity<=mavlink.MAV_SEVERITY_ERROR: self.said = clock.monotonic(),text
+        if msg.severity<=mavlink.MAV_SEVERITY_ERROR: self.error,self.error_time = text,clock.monotonic()
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #914e7dd2
 @patch
 def see(self:RemotePictures, msg)->bool:
     "Remember a notice among the newest 64; return whether it was not there"
     with self._lock:
-        new = self.seen.setdefault(_who(msg), msg) is msg
+        new = self.seen.setdefault(_identity(msg), msg) is msg
         while len(self.seen)>64: del self.seen[next(iter(self.seen))]
     return new
 
 @patch
-def uncount(self:RemotePictures):
+def order_by_arrival(self:RemotePictures):
     "Go by arrival: each capture gets the pictures that came for it, and no two the same one"
-    self.uncounted,taken = True,set(self.taken)
-    for request in [self, *self.requests]:
-        log = request.log
-        if log is None or log.loose: continue
-        came = {_who(m):m for m in (*log.ready(), *log.newer(math.inf))}
-        if not isinstance(request, Capture): log.loosen(list(log.notices.values()))
-        else: log.loosen([m for who,m in came.items() if who not in taken][:log.left])
-        if isinstance(request, Capture): taken |= {*map(_who, log.notices.values())}
+    self.unnumbered,taken = True,set(self.returned)
+    for log in (self.log, *self.followers):
+        if log and not log.arrivals.active: log.order_by_arrival(list(log.notices.values()))
+    for log in [capture.log for capture in list(self.captures)]:
+        if not log.arrivals.active:
+            came = {_identity(m):m for m in (*log.ready(), *log.newer(math.inf))}
+            log.order_by_arrival([m for who,m in came.items() if who not in taken][:log.left])
+        taken |= {*map(_identity, log.notices.values())}
 
 @patch
 def _logs_for(self:RemotePictures, msg, kept:PictureLog)->list:
-    "Return the logs that get a notice: all, or of several captures from a camera that does not count only the first"
-    last,logs,new = kept.last,[r.log for r in list(self.requests)],self.see(msg)
-    finite = [log for log in logs if not log.endless]
-    if msg.image_index<0 or any(log.loose or log._is_uncounted(msg) for log in finite): self.uncount()
-    elif last is None or msg.image_index!=last.image_index: self.uncounted = False
-    if not self.uncounted: return [kept, *logs]
-    shots = [r for r in list(self.requests) if isinstance(r, Capture)]
-    waiting = [r.log for r in shots if r.log.left+r.owed>len(r.log.ready())]
-    others = [r.log for r in list(self.requests) if r not in shots]
-    return [kept, *others, *(waiting[:1] if new else [])]
+    "Return the logs that get a notice: all; without numbers only the first capture that waits"
+    last,new = kept.newest,self.see(msg)
+    captures,followers = list(self.captures),list(self.followers)
+    finite = [log for log in (*followers, *(c.log for c in captures)) if not log.endless]
+    if msg.image_index<0 or any(log.arrivals.active or log._is_unnumbered(msg) for log in finite): self.order_by_arrival()
+    elif last is None or msg.image_index!=last.image_index: self.unnumbered = False
+    if not self.unnumbered: return [kept, *followers, *(c.log for c in captures)]
+    waiting = [c.log for c in captures if c.log.left+c.owed>len(c.log.ready())]
+    return [kept, *followers, *(waiting[:1] if new else [])]
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #f33ec68f
-@patch
 @contextmanager
-def following(self:RemotePictures, request):
-    "Also store notices in `request.log`, within a `with`"
-    self.requests.append(request)
-    try: yield request
-    finally: self.requests.remove(request)
+def _listed(items:list, item):
+    items.append(item)
+    try: yield item
+    finally: items.remove(item)
+
+@patch
+def following(self:RemotePictures, log:PictureLog):
+    "Store all notices in `log`, too, within a `with`"
+    return _listed(self.followers, log)
+
+@patch
+def capturing(self:RemotePictures, capture:Capture):
+    "Store notices in the log of a capture, within a `with`"
+    return _listed(self.captures, capture)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #4fd4f649
 @patch
@@ -339,8 +420,9 @@ async def _ask_again(self:RemotePictures, index:int, soon:bool)->tuple:
     limit = max(1. if soon else 2., 4*self.camera.client._rto(self.camera.address))
     try: msg,ack = await asyncio.wait_for(self.camera._ask_for(CAMERA_IMAGE_CAPTURED, index), limit)
     except asyncio.TimeoutError: return None,soon
-    busy = None,mavlink.MAV_RESULT_ACCEPTED,mavlink.MAV_RESULT_TEMPORARILY_REJECTED
-    return msg,ack.result not in (busy[:1] if soon else busy)
+    if ack.result is None: return msg,False
+    busy = mavlink.MAV_RESULT_ACCEPTED,mavlink.MAV_RESULT_TEMPORARILY_REJECTED
+    return msg,soon or ack.result not in busy
 
 @patch
 def give_up(self:RemotePictures, log:PictureLog, index:int):
@@ -350,77 +432,97 @@ def give_up(self:RemotePictures, log:PictureLog, index:int):
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #dd6400e0
 @patch
-async def look(self:RemotePictures, log:PictureLog):
-    "Request missing notices; return `(CAMERA_CAPTURE_STATUS or None, verdict)`"
+async def poll(self:RemotePictures, log:PictureLog):
+    "Request the count and missing notices; return `(CAMERA_CAPTURE_STATUS or None, CountVerdict or None)`"
     seen = set(log.notices)
     status = await self.camera.request(CAMERA_CAPTURE_STATUS)
-    if status is None: return None,''
+    if status is None: return None,None
     verdict = log.judge(status.image_count, not status.image_status, seen)
-    same = log.before and any(m.image_index==log.before.image_index for m in log.newer(math.inf))
-    if verdict=='own': self.uncount() if same else log.adopt()
-    if log.endless and not log.loose and log.runs and 0<status.image_count<=log.runs[0][0]:      # was it formatted?
-        msg = await self.camera.request(CAMERA_IMAGE_CAPTURED, status.image_count-1)
-        if msg: log.add(msg)            # `log` begins anew when it does not know this one
-    for i in [*log.refused, *log.missing(status.image_count)] if log.odd!='own' else ():
-        if i in log.refused: msg,refused = None,True
-        else: msg,refused = await self._ask_again(i, bool(log.newer(i)))
-        if msg: log.add(msg)
-        elif refused and (taken := log.newer(i)):           # so that is it: the camera does not count
-            self.uncount()
-            break
-        elif refused and log.endless: self.give_up(log, i)
-        elif refused: log.refused.add(i)                    # its notice may still come
+    if verdict is CountVerdict.OWN_NUMBERS:
+        repeats = log.before and any(m.image_index==log.before.image_index for m in log.newer(math.inf))
+        self.order_by_arrival() if repeats else log.adopt()
+    if log.endless: await self._check_newest(log, status.image_count)
+    if log.agreement.verdict is not CountVerdict.OWN_NUMBERS: await self._ask_missing(log, status.image_count)
     return status,verdict
+
+@patch
+async def _check_newest(self:RemotePictures, log:PictureLog, image_count:int):
+    "Request the newest picture if its index isn't beyond the start of an endless log: was the storage formatted?"
+    if log.arrivals.active or not log.wanted.runs: return
+    if 0<image_count<=log.wanted.runs[0][0]:
+        msg = await self.camera.request(CAMERA_IMAGE_CAPTURED, image_count-1)
+        if msg: log.add(msg)            # `log` restarts if it is new
+
+@patch
+async def _ask_missing(self:RemotePictures, log:PictureLog, image_count:int):
+    "Request the missing notices of a log; one that is refused may be that of a camera without numbers"
+    for index in [*log.refused, *log.missing(image_count)]:
+        msg,refused = None,True
+        if index not in log.refused: msg,refused = await self._ask_again(index, bool(log.newer(index)))
+        if msg: log.add(msg)
+        elif refused and log.newer(index): return self.order_by_arrival()      # so that is it
+        elif refused and log.endless: self.give_up(log, index)
+        elif refused: log.refused.add(index)                    # its notice may still come
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #ac2d9c4d
 @patch
-async def gather(self:RemotePictures, log:PictureLog, count:int, timeout:float, longest:float=2.):
+async def wait_for(self:RemotePictures, log:PictureLog, count:int, timeout:float, longest:float=2.):
     "Wait for `count` notices, or `timeout` seconds without a new one; raises `Lost`"
-    last,wait,patience = clock.monotonic(),self.camera._soon(),timeout
+    last,wait,patience = clock.monotonic(),self.camera._follow_wait(),timeout
     while len(log.ready(count))<count and clock.monotonic()-last<patience:
-        came = log.came
-        msg = await self.camera._hear(CAMERA_IMAGE_CAPTURED, min(wait, timeout), there=lambda: log.came!=came)
+        before = log.received
+        def has_new(): return log.received!=before
+        msg = await self.camera._next_message(CAMERA_IMAGE_CAPTURED, min(wait, timeout), unless=has_new)
         if msg: log.add(msg)
-        if log.came==came:
-            status,_ = await self.look(log)
+        if not has_new():
+            status,_ = await self.poll(log)
             if status: patience = max(timeout, 2*status.image_interval)
-            if status and not log.came: log.guess(max(0, status.image_count-count))     # the latest ones must be meant
-        if log.came!=came: last,wait = clock.monotonic(),self.camera._soon()
+            if status and not log.received: log.assume_first(max(0, status.image_count-count))     # the latest must be meant
+        if has_new(): last,wait = clock.monotonic(),self.camera._follow_wait()
         else: wait = min(2*wait, longest)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #39426aa7
 @patch
-async def mark(self:RemotePictures):
+async def start_log(self:RemotePictures):
     "Start the log at the camera's count; a camera not yet seen gets one request"
     if self.log: return
     camera,client = self.camera,self.camera.client
     try: camera._check_camera()
     except MAVError: return
-    heard = camera.address in client.remotes and not client.mav_com.lost(camera.address)
     msg_id = CAMERA_CAPTURE_STATUS
-    how = mavlink.MAV_CMD_REQUEST_MESSAGE,[msg_id],msg_id,camera.address,.5
-    status = await camera.request(msg_id) if heard else (await client._request(*how, tries=1, retries=0))[0]
+    if camera.address in client.remotes and not client.mav_com.lost(camera.address):
+        status = await camera.request(msg_id)
+    else:
+        once = dict(tries=1, retries=0)
+        status,_ = await client._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id], msg_id, camera.address, .5, **once)
     if status: self.keep(PictureLog(status.image_count, since=status.time_boot_ms))
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #7b8a71ca
+class ShotRequest:
+    "The request for pictures that is under way"
+    number = None       # of a single shot, kept when it is repeated
+    running = False     # True: a series that we must stop when we leave
+    tries = 0           # since the last new picture
+    image_count = 0     # the camera's, before it
+
 class Capture:
     "Requested pictures, until each is returned"
-    # Requests in a row without a new picture; True: the camera was stopped
-    tries,stopped = shot_tries,False
-    ready = None # awaited once, just before the request: others may have to be ready, too
-    patience = 4 # times the timeout while a picture is being taken, or its notice does not get through
-    late_ack,counted = 1.,0 # s that an ack may take, for some come when the picture is taken; the camera's count
+    tries = shot_tries  # requests in a row without a new picture
+    patience = 4        # times the timeout while a picture is being taken, or its notice does not get through
+    late_ack = 1.       # s that an ack may take, for some come when the picture is taken
+    stopped = False     # True: the camera was stopped
+    ready = None        # awaited once, just before the request: others may have to be ready, too
 
     def __init__(self, pictures:RemotePictures, interval:float, count:int, timeout:float):
         if not (count>=0 and interval>=0): raise ValueError(f'count is {count}, interval {interval}: must be 0 or more')
         store_attr('pictures,interval,timeout')
-        self.camera,self.client = pictures.camera,pictures.camera.client
-        self.owed,self.log = count or math.inf,PictureLog(count=0)      # pictures still to request; those requested
-        self.log.known = dict.fromkeys(pictures.seen)
-        if pictures.uncounted: self.log.loosen()
-        self.number,self.running = None,False           # of a single shot; True: a series that we must stop
-        self.asked,self.given = 0,0     # requests since the last new picture; pictures received
-        self.since = self.begun = clock.monotonic()      # time of the request or the last picture; start time
+        self.camera,self.client,self.request = pictures.camera,pictures.camera.client,ShotRequest()
+        self.owed = count or math.inf               # pictures still to request
+        self.log = PictureLog(count=0)              # those requested
+        self.log.arrivals.keys = dict.fromkeys(pictures.seen)       # older than this capture
+        if pictures.unnumbered: self.log.order_by_arrival()
+        self.returned = 0
+        self.begun = self.progress = clock.monotonic()      # time of the start; of the last request or picture
 
     def __repr__(self):
         return f'Capture from {self.camera._label}: {self.owed:g} to be asked for, {self.log.left:g} asked for'
@@ -429,44 +531,45 @@ class Capture:
 @patch
 def failed(self:Capture)->Failed:
     "Return the error of a failed shot, with the camera's STATUSTEXT since the start"
-    when,why = self.pictures.said
+    why = self.pictures.error if self.pictures.error_time>=self.begun else ''
     model,_,rest = why.partition(': ')      # a camera of ours begins with what it is
-    if rest and getattr(self.camera, 'name', '').endswith(model): why = rest
-    because = f': {why}' if why and when>=self.begun else ''
-    return Failed(f'{self.camera._label} could not take the picture{because}')
+    if rest and self.camera.name.endswith(model): why = rest
+    return Failed(f'{self.camera._label} could not take the picture{why and ": "}{why}')
 
 @patch
 def _own_series(self:Capture)->str:
     "Return a text about our own series that keeps the camera busy, or ''"
-    others = [r for r in list(self.pictures.requests) if r is not self and getattr(r, 'running', False)]
-    own = next((r for r in others if r.log.left+r.owed), None)
-    if own is None: return ''
-    left = own.log.left+own.owed
-    what = 'without an end' if left==math.inf else f'of {own.given+left:g} pictures, {left:g} of them to come'
-    return f'{self.camera._label} is busy with your own series {what}: end its loop first, or call stop()'
+    for other in list(self.pictures.captures):
+        left = other.log.left+other.owed
+        if other is self or not (other.request.running and left): continue
+        what = 'without an end' if left==math.inf else f'of {other.returned+left:g} pictures, {left:g} of them to come'
+        return f'{self.camera._label} is busy with your own series {what}: end its loop first, or call stop()'
+    return ''
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #7b2637ed
 @patch
 async def _count_before(self:Capture, single:bool)->int|None:
     "Return the next index by the camera's count, `None` if unneeded or unavailable; raises `Busy`"
-    if single and self.pictures.tells: return None
-    for pause in (0, self.camera._soon()):   # the status may be an old one, or our last series just ends
+    if single and self.pictures.acks_have_index: return None
+    for pause in (0, self.camera._follow_wait()):   # the status may be an old one, or our last series just ends
         await asyncio.sleep(pause)
         status = await self.camera.request(CAMERA_CAPTURE_STATUS)
         if status is None: return None
-        self.log.since,self.log.before = status.time_boot_ms,getattr(self.pictures.log, 'last', None)
-        self.counted = status.image_count
+        kept = self.pictures.log
+        self.log.since,self.log.before = status.time_boot_ms,kept and kept.newest
+        self.request.image_count = status.image_count
         if single or not status.image_status&2: break
     else: raise Busy(self._own_series() or f'{self.camera._label} is taking a series')
-    others = [r.log for r in list(self.pictures.requests) if isinstance(r, Capture) and r is not self]
-    promised = [first+n for log in others for first,n in list(log.runs) if n<math.inf]     # they wait for these
-    return max([status.image_count+(status.image_count==self._highest()), *promised])
+    others = [c.log.wanted for c in list(self.pictures.captures) if c is not self]
+    promised = [first+n for wanted in others for first,n in list(wanted.runs) if n<math.inf]     # they wait for these
+    counts_from_1 = status.image_count==self._highest()
+    return max([status.image_count+counts_from_1, *promised])
 
-# %% ../../nbs/api/mavlink/13_capture.ipynb #f89fa266
 @patch
 def _highest(self:Capture)->int:
     "Return the index of the newest picture seen"
-    return getattr(getattr(self.pictures.log, 'last', None), 'image_index', -1)
+    kept = self.pictures.log
+    return kept.newest.image_index if kept and kept.newest else -1
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #f489eadd
 @patch
@@ -478,9 +581,9 @@ async def _in_series(self:Capture, unknown:bool)->bool:
 # %% ../../nbs/api/mavlink/13_capture.ipynb #7f07bda1
 @patch
 async def _order(self:Capture, params:list, before:int|None)->Ack:
-    "Send the command; a camera that acks late takes a copy for another one, so its status is looked at before that"
+    "Send the command; a camera that acks late takes a copy for another one, so its status is polled before that"
     command = *self.camera.address,mavlink.MAV_CMD_IMAGE_START_CAPTURE,params
-    if self.pictures.tells: return await self.client.send_command(*command)
+    if self.pictures.acks_have_index: return await self.client.send_command(*command)
     wait = max(self.late_ack, 4*self.client._rto(self.camera.address))
     if before is None: return await self.client.send_command(*command, wait, 2)
     end = clock.monotonic()+self.client.patience
@@ -488,64 +591,79 @@ async def _order(self:Capture, params:list, before:int|None)->Ack:
         ack = await self.client.send_command(*command, wait, 0)
         if ack.result is not None or ack.lost or clock.monotonic()>end: return ack
         status = await self.camera.request(CAMERA_CAPTURE_STATUS)
-        begun = status is None or status.image_status or status.image_count!=self.counted
-        if begun or self.log.came: return ack
+        begun = status is None or status.image_status or status.image_count!=self.request.image_count
+        if begun or self.log.received: return ack
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #88158f93
+@patch
+async def _check_ack(self:Capture, ack:Ack, before:int|None)->bool:
+    "True if the count must say which picture it will be; raises `Lost`, `Failed`, `Busy` or another refusal"
+    if ack.lost: raise Lost(ack.lost)
+    if ack.result is None and before is not None: return True
+    if ack.result is None and self.pictures.acks_have_index: return False       # again: it has a number
+    is_copy = before is not None and self.request.running and ack.copies>1
+    if ack.result==Busy.result:
+        if is_copy and await self._in_series(False): return True        # a copy was refused because of the first one
+        if own := self._own_series(): raise Busy(own)
+    if ack.result==Failed.result: raise self.failed()
+    ack.check()                                     # another refusal
+    return False
 
 @patch
 async def _send(self:Capture, params:list, before:int|None)->int|None:
     "Send the command until the first index is known, by the ack or by the count `before`"
-    known,said = self._highest() if before is None else before-1,None
-    while self.asked<self.tries:
-        self.asked += 1
+    known,last = self._highest() if before is None else before-1,None
+    while self.request.tries<self.tries:
+        self.request.tries += 1
         ack = await self._order(params, before)
-        told = (ack.param or 0)-1
-        if ack.lost: raise Lost(ack.lost)
-        if ack.result is None and before is not None: return before     # the count will tell
-        if ack.result is None and self.pictures.tells: continue                 # again: it has a number
-        ours = before is not None and self.running and ack.copies>1 and ack.result==Busy.result
-        if ours and await self._in_series(False): return before         # a copy was refused because of the first one
-        if ack.result==Failed.result: raise self.failed()
-        if ack.result==Busy.result and (own := self._own_series()): raise Busy(own)
-        ack.check()                                     # another refusal
-        if told<0 and (before is not None or not self.pictures.tells): return before
-        self.pictures.tells = told>=0
-        if told>known or told==said: return told
+        if await self._check_ack(ack, before): return before
+        if ack.result is None: continue
+        index = (ack.param or 0)-1
+        if index<0 and (before is not None or not self.pictures.acks_have_index): return before
+        self.pictures.acks_have_index = index>=0
+        if index>known or index==last: return index
         if before is not None: return before            # a series has no number: it must not be sent again
-        said = told
+        last = index
     raise NoAnswer(f'{self.camera._label} was asked {self.tries} times, and no picture came')
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #57ef633f
 @patch
 async def _ask(self:Capture, count:float):
     "Request one shot or a series; raises `CommandError`, `Lost` or `NoAnswer`"
-    single = count==1
-    if single: self.number = self.number or self.client._next_shot()
-    self.running = not single
-    interval = self.interval or (.001 if count==math.inf else 0)        # 0 and 0 would be one picture
-    params = [0, 0, 1, self.number] if single else [0, interval, 0 if count==math.inf else count, 0]
+    single,request = count==1,self.request
+    request.running = not single
+    if single:
+        request.number = request.number or self.client.command_numbers.shot()
+        params = [0, 0, 1, request.number]
+    else:
+        endless = count==math.inf
+        interval = self.interval or (.001 if endless else 0)        # 0 and 0 would be one picture
+        params = [0, interval, 0 if endless else count, 0]
     turn = self.pictures.turns.setdefault(asyncio.get_running_loop(), asyncio.Lock())
-    async with nullcontext() if single and self.pictures.tells else turn:
+    async with nullcontext() if single and self.pictures.acks_have_index else turn:
         before = await self._count_before(single)
         if ready := self.ready:
             self.ready = None
             await ready()
         if self.stopped: return
         self.log.begin(await self._send(params, before), count)
-    if self.stopped and self.running:           # the stop overtook the command
+    if self.stopped and request.running:           # the stop overtook the command
         await self.client.image_stop_capture(*self.camera.address)
-    self.log.sure = 2 if self.pictures.tells else 4
-    self.owed,self.since = 0 if count==math.inf else self.owed-count,clock.monotonic()
+    self.log.polls = 2 if self.pictures.acks_have_index else 4
+    self.owed = 0 if count==math.inf else self.owed-count
+    self.progress = clock.monotonic()
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #9f66ffa2
 @patch
 async def _ask_rest(self:Capture):
     "Request the owed pictures; raises as `_ask` does"
-    if self.given: await asyncio.sleep(self.since+self.interval-clock.monotonic())
-    try: await self._ask(1 if self.given else self.owed)
+    if self.returned: await asyncio.sleep(self.progress+self.interval-clock.monotonic())
+    try: await self._ask(1 if self.returned else self.owed)
     except Busy:
-        self.running = False            # it is another's
-        if not self.given and self.asked<2 or clock.monotonic()-self.since>self.timeout: raise
-        self.asked -= 1
+        self.request.running = False            # it is another's
+        first_try = not self.returned and self.request.tries<2
+        if first_try or clock.monotonic()-self.progress>self.timeout: raise
+        self.request.tries -= 1
         await asyncio.sleep(.5)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #fb8e6ada
@@ -556,67 +674,74 @@ async def next(self:Capture):
         if self.log.left: await self._verify()
         elif self.owed and not self.stopped: await self._ask_rest()
         else: return None
-    self.asked,self.number,self.given,self.since = 0,None,self.given+1,clock.monotonic()
+    [notice] = found
+    self.request.tries,self.request.number = 0,None
+    self.returned += 1
+    self.progress = clock.monotonic()
     kept = self.pictures.keep()
-    self.pictures.see(found[0])
-    self.pictures.taken.append(_who(found[0]))
-    kept.drop(found[0])                     # `wait_images` need not give it again
-    return found[0]
+    self.pictures.see(notice)
+    self.pictures.returned.append(_identity(notice))
+    kept.drop(notice)                       # `wait_images` need not return it again
+    return notice
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #5853c8d5
 @patch
-def _in_vain(self:Capture, status)->bool:
+def _timed_out(self:Capture, status)->bool:
     "True if nothing new came for too long, given the link and the camera's status"
-    longest = max(self.timeout, 4*self.client._rto(self.camera.address), 2*self.interval*self.running)
-    times = (clock.monotonic()-self.since)/longest
-    if status is None: return self.asked>self.tries and times>=self.patience
+    longest = max(self.timeout, 4*self.client._rto(self.camera.address), 2*self.interval*self.request.running)
+    times = (clock.monotonic()-self.progress)/longest
+    if status is None: return self.request.tries>self.tries and times>=self.patience
     if self.log.missing(status.image_count): return times>=3*self.patience          # it is there
-    return not self.log.odd and times>=(self.patience if status.image_status else 1)
+    return self.log.agreement.verdict is None and times>=(self.patience if status.image_status else 1)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #70a43326
 @patch
 async def _verify(self:Capture):
-    "Wait for a notice; if none comes, request it or check the camera's count"
-    came,silent,soon = self.log.came,clock.monotonic()-self.since,self.camera._soon()
-    if self.running: soon = max(soon, min(1.2*self.interval, 10.))
-    def there(): return self.log.came!=came
-    msg = await self.camera._hear(CAMERA_IMAGE_CAPTURED, max(soon, min(silent, 2.)), there)
-    if msg and msg.image_index>=0 and not self.log.loose: self.log.add(msg)
-    if not self.log.loose and self.number in self.log.notices: self.log.instead(self.number)    # it numbers as we do
-    index = next(self.log.wanted(), None)
-    if self.pictures.tells and not (there() or self.running or index is None):      # the camera has told which it is
+    "Wait for a notice; if none comes, request it or poll the camera's count"
+    log,pictures,before = self.log,self.pictures,self.log.received
+    def has_new(): return log.received!=before
+    wait = self.camera._follow_wait()
+    if self.request.running: wait = max(wait, min(1.2*self.interval, 10.))
+    silent = clock.monotonic()-self.progress
+    msg = await self.camera._next_message(CAMERA_IMAGE_CAPTURED, max(wait, min(silent, 2.)), has_new)
+    if msg and msg.image_index>=0 and not log.arrivals.active: log.add(msg)
+    numbers_as_we_do = self.request.number in log.notices and not log.arrivals.active
+    if numbers_as_we_do: log.want_instead(self.request.number)
+    index = log.wanted.first
+    if pictures.acks_have_index and not (has_new() or self.request.running or index is None):
         msg = await self.client.request_message(CAMERA_IMAGE_CAPTURED, [index], *self.camera.address,
-                                                self.camera._soon(), lambda m: m.image_index==index)
-        if msg: self.log.add(msg)
-    if there(): self.since = clock.monotonic()
-    else: await self._look()
+                                                self.camera._follow_wait(), lambda m: m.image_index==index)
+        if msg: log.add(msg)
+    if has_new(): self.progress = clock.monotonic()
+    else: await self._poll()
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #74fb431e
 @patch
-async def _look(self:Capture):
-    "Check the camera's count; raises `NoAnswer` if it is `_in_vain` to wait"
-    came = self.log.came
-    status,verdict = await self.pictures.look(self.log)
-    if status is None: self.asked += 1
-    if self.log.came!=came: self.since = clock.monotonic()
-    elif verdict in ('short','anew'): await self._cut(status.image_count, verdict)
-    elif self.log.refused and clock.monotonic()-self.since>=self.timeout:
-        for i in sorted(self.log.refused): self.pictures.give_up(self.log, i)
-    elif self._in_vain(status):
-        raise NoAnswer(f'{self.camera._label}: {self.log.left+self.owed:g} pictures did not come')
+async def _poll(self:Capture):
+    "Poll the camera's count; raises `NoAnswer` after the time limit"
+    before,log = self.log.received,self.log
+    status,verdict = await self.pictures.poll(log)
+    if status is None: self.request.tries += 1
+    if log.received!=before: self.progress = clock.monotonic()
+    elif verdict in (CountVerdict.NOT_TAKEN, CountVerdict.RESTARTED): await self._owe_again(status.image_count, verdict)
+    elif log.refused and clock.monotonic()-self.progress>=self.timeout:
+        for index in sorted(log.refused): self.pictures.give_up(log, index)
+    elif self._timed_out(status):
+        raise NoAnswer(f'{self.camera._label}: {log.left+self.owed:g} pictures did not come')
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #41a81db1
 @patch
-async def _cut(self:Capture, image_count:int, verdict:str):
+async def _owe_again(self:Capture, image_count:int, verdict:CountVerdict):
     "Mark untaken pictures as owed; a shot keeps its number, unless the camera restarted its count"
-    if self.number and not self.pictures.tells:         # does it number its pictures as we do?
-        await self.camera.request(CAMERA_IMAGE_CAPTURED, self.number)
-    if self.number in self.log.notices or self.log.loose: return
-    untaken = self.log.cut(image_count)
-    ended_elsewhere = untaken==math.inf and self.given and verdict=='short'     # a series without an end
-    self.owed += 0 if ended_elsewhere else untaken
-    self.running = False
-    if verdict=='anew': self.number = None
+    number = self.request.number
+    if number and not self.pictures.acks_have_index:         # does it number its pictures as we do?
+        await self.camera.request(CAMERA_IMAGE_CAPTURED, number)
+    if number in self.log.notices or self.log.arrivals.active: return
+    untaken = self.log.drop_untaken(image_count)
+    endless = untaken==math.inf
+    if not (endless and self.returned and verdict is CountVerdict.NOT_TAKEN): self.owed += untaken    # or it was ended elsewhere
+    self.request.running = False
+    if verdict is CountVerdict.RESTARTED: self.request.number = None
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #8f87405a
 @patch
@@ -625,23 +750,28 @@ async def end(self:Capture):
     unclear = not self.log.left         # no ack has said that it has begun
     for _ in range(self.tries):
         ack = await self.client.image_stop_capture(*self.camera.address)
-        if ack and unclear: await asyncio.sleep(self.camera._soon())        # frames may be late by as much
+        if ack and unclear: await asyncio.sleep(self.camera._follow_wait())        # frames may be late by as much
         if ack and not (unclear and await self._in_series(True)): return
     if not ack: self.client.log.warning('%s may still be taking pictures: %s', self.camera._label, ack)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #c4dd1950
 @patch
+def _is_running(self:Capture)->bool:
+    "True if the camera is taking a series of ours"
+    return bool(self.request.running and (self.log.left or self.owed))
+
+@patch
 async def leave(self:Capture):
     "End a running series, unless `stop_now` did so when its link was closed"
-    if not (self.running and (self.log.left or self.owed)): return
+    if not self._is_running(): return
     try: await self.end()
     except MAVError as e: self.client.log.debug('%r: %s', self, e)
 
 @patch
 def stop_now(self:Capture):
     "Send a stop for a running series without waiting: the link is about to be closed"
-    if not (self.running and (self.log.left or self.owed)): return
-    self.running = False
+    if not self._is_running(): return
+    self.request.running = False
     there,stop = self.camera.address,mavlink.MAV_CMD_IMAGE_STOP_CAPTURE
     self.client._log_command('→', there, stop, (), 1)
     self.client.send_message(mavlink.MAVLink_command_long_message(*there, stop, 0, *[0.]*7))

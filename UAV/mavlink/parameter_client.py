@@ -17,8 +17,8 @@ from ..ftp.frames import read_ftp_url
 from .protocol import Answer, Lost, NoAnswer, Unsupported, comes_from
 from .retransmission import in_progress_timeout, longest_stray, longest_work
 from .settings import *
-from .camera_asking import CAMERA_INFORMATION, CameraAsking
-from .camera_downloads import RemoteFiles
+from .camera_server import CAMERA_INFORMATION
+from .remote_video import hosts_of
 
 # %% auto #0
 __all__ = ['RemoteSettings', 'fetch']
@@ -26,7 +26,7 @@ __all__ = ['RemoteSettings', 'fetch']
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #8197db1a
 class RemoteSettings(RemoteParameters):
     "Settings of one camera: a table that follows its messages and other clients"
-    def __init__(self, camera:CameraAsking): # The camera
+    def __init__(self, camera): # The `RemoteCamera`
         super().__init__(camera.address)
         self.camera,self.client = camera,camera.client
         self._late = {}         # by name: when its last SET ended, and how many of its acks may still come
@@ -41,7 +41,7 @@ async def _find(self:RemoteSettings):
     if self.camera.component==mavlink.MAV_COMP_ID_AUTOPILOT1:
         uri = _definition_uri(await self.camera.request(CAMERA_INFORMATION))
         named = read_ftp_url(uri)[0] if uri.lower().startswith(('mftp:','mavlinkftp:')) else None
-        if named: self.camera = CameraAsking(self.client, self.camera.system, named)
+        if named: self.camera = self.client.camera(self.camera.system, named)
         self.target = self.camera.address
     self.camera._check_camera()
 
@@ -161,7 +161,7 @@ async def fetch(url:str, # http:// or https://
 @patch
 def _elsewhere(self:RemoteSettings, uri:str)->PermissionError:
     "Return the error of a definition at another address than the camera's"
-    known = ' and '.join(sorted(self.camera._own_hosts())) or 'an address that is not known'
+    known = ' and '.join(sorted(hosts_of(self.camera))) or 'an address that is not known'
     return PermissionError(f'the definition of {self.target[0]}/{self.target[1]} is at {uri}, or leads elsewhere, '
                            f'and its MAVLink comes from {known}: any_host=True allows it')
 
@@ -170,9 +170,9 @@ def _elsewhere(self:RemoteSettings, uri:str)->PermissionError:
 async def _fetch_definition(self:RemoteSettings, uri:str, any_host:bool|None=None)->list:
     "Fetch the `Parameter`s of the definition at `uri`; raises `ValueError`, `MAVError`, `PermissionError`"
     if not uri.lower().startswith(('http://','https://')):
-        return read_definition(await RemoteFiles(self.camera).fetch(uri, most=most_bytes))
+        return read_definition(await self.camera.files.fetch(uri, most=most_bytes))
     if any_host is None: any_host = self.client.any_host
-    try: return read_definition(await fetch(uri, hosts=None if any_host else self.camera._own_hosts()))
+    try: return read_definition(await fetch(uri, hosts=None if any_host else hosts_of(self.camera)))
     except PermissionError: raise self._elsewhere(uri) from None
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #12402d4a
@@ -221,7 +221,7 @@ async def _final_ack(self:RemoteSettings, request:SetRequest, wait:float):
             continue
         now = clock.monotonic()
         if ack.param_result==mavlink.PARAM_ACK_IN_PROGRESS: end,found = now+in_progress_timeout,None
-        else: found,end = ack,min(end, now+self.camera._soon())
+        else: found,end = ack,min(end, now+self.camera._follow_wait())
     return found
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #e227826a
