@@ -436,7 +436,7 @@ class _Aim(RowPart):
         info,(system,component,number) = self.row.told.newest.get(CAMERA_INFORMATION),gimbal.gimbal
         named = getattr(info, 'gimbal_device_id', 0)
         if named==0 or system!=self.row.camera.system: return False
-        return named==number or named>6 and named in (component, gimbal.client.client._device_of(gimbal.gimbal)[1])
+        return named==number or named>6 and named in (component, gimbal.client.device[1])
 
     @property
     def gimbals(self)->list:
@@ -468,7 +468,7 @@ class _Aim(RowPart):
     def can_look(self)->bool:
         "True if a click on the map can point it: needs the manager's support and the vehicle's position"
         gimbal = self.gimbal
-        able = gimbal is not None and not gimbal.lost and 'CAN_POINT_LOCATION_GLOBAL' in gimbal.remote.can
+        able = gimbal is not None and not gimbal.lost and 'CAN_POINT_LOCATION_GLOBAL' in gimbal.client.can
         return able and self.row.ground.vehicle is not None
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #8995c29c

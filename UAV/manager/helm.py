@@ -103,13 +103,13 @@ async def _turn(self:Helm, hold:_Hold, lock:bool):
     "Take control and turn, until cancelled; raises `Denied` when another takes over, and `MAVError`"
     client = self.client
     await self.seize()
-    hold.sent,gimbal = True,client.gimbal
-    client.client._turned[gimbal] = lambda: client.send_rates(0., 0., lock)
-    (await client.set_rates(*hold.rates, lock=lock)).check()
-    hold.begun.set()
-    while not client.held_by_other:
-        client.send_rates(*hold.rates, lock)
-        await hold.pause(self.refresh)
+    hold.sent = True
+    with client.stopped_at_close(lambda: client.send_rates(0., 0., lock)):
+        (await client.set_rates(*hold.rates, lock=lock)).check()
+        hold.begun.set()
+        while not client.held_by_other:
+            client.send_rates(*hold.rates, lock)
+            await hold.pause(self.refresh)
     raise _denied(client)
 
 # %% ../../nbs/api/manager/02_helm.ipynb #979b49c0
@@ -117,7 +117,6 @@ async def _turn(self:Helm, hold:_Hold, lock:bool):
 async def _stop(self:Helm, lock:bool):
     "Stop the gimbal; raises `MAVError` when it doesn't acknowledge"
     client = self.client
-    client.client._turned.pop(client.gimbal, None)
     if client.held_by_other: return
     client.send_rates(0., 0., lock)
     nothing = int(100*clock.monotonic())%10_000*1e-6     # degrees a second: a new value each 10 ms
@@ -127,7 +126,7 @@ async def _stop(self:Helm, lock:bool):
 @patch(as_prop=True)
 def locked(self:Helm)->bool:
     "True if the yaw is locked to a direction on earth"
-    return self.client._lock_now(None)
+    return self.client.locked
 
 # %% ../../nbs/api/manager/02_helm.ipynb #0e64b6d6
 @patch

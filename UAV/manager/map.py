@@ -225,7 +225,7 @@ class _CameraGround(RowPart):
     def by_gimbal(self)->tuple|None:
         "Return `(lat, lon, m above the ground, quaternion)` from gimbal and vehicle"
         gimbal,vehicle = self.row.aim.gimbal,self.vehicle
-        now = gimbal and gimbal.client._is_fresh() and gimbal.client.attitude
+        now = gimbal and gimbal.client.is_fresh and gimbal.client.attitude
         if not now or vehicle is None: return None
         if not known(now.vehicle_yaw): now = replace(now, vehicle_yaw=vehicle.heading)
         return (*vehicle.place, vehicle.above, now.earth_q) if all(map(known, now.earth_q)) else None
