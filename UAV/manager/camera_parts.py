@@ -14,7 +14,7 @@ from fastcore.basics import patch
 from ..cameras.parameters import Parameter, Parameters
 from .helm import _Hold, Helm
 from .panel import action, Btn_State, _on_or_off, RowPart
-from .told import text_of
+from .camera_status import text_of
 from ..mavlink.camera_client import CAMERA_CAPTURE_STATUS, CAMERA_INFORMATION, CAMERA_SETTINGS, STORAGE_INFORMATION
 from ..mavlink.camera_downloads import FtpFile
 from ..mavlink.camera_asking import CAMERA_TRACKING_IMAGE_STATUS, tracking_of
@@ -229,7 +229,7 @@ class _CameraSettings(RowPart):
     most,table = 100,None           # settings shown; the `RemoteParameters`
     def status(self)->dict:
         "Return whether it has settings, and groups of them as plain values; `None` until loaded"
-        info = self.row.told.newest.get(CAMERA_INFORMATION)
+        info = self.row.received.newest.get(CAMERA_INFORMATION)
         return dict(settings=self._groups(), has_settings=bool(info and text_of(info.cam_definition_uri)))
 
     def _groups(self)->list|None:
@@ -277,9 +277,9 @@ class _CameraTracking(RowPart):
     stays,rate,task = 3.,5.,None        # s without a report until hidden; reports a second; the task
     def status(self)->dict:
         "Return the target's position, as `_target_of`"
-        told,size = self.row.told,self.row.preview.newest.size
-        msg = told.newest.get(CAMERA_TRACKING_IMAGE_STATUS)
-        old = clock.monotonic()-told.came.get(CAMERA_TRACKING_IMAGE_STATUS, 0)>self.stays
+        received,size = self.row.received,self.row.preview.newest.size
+        msg = received.newest.get(CAMERA_TRACKING_IMAGE_STATUS)
+        old = clock.monotonic()-received.came.get(CAMERA_TRACKING_IMAGE_STATUS, 0)>self.stays
         return dict(target=None if msg is None or old else _target_of(msg, size[0]/size[1] if size else 4/3))
 
     async def _follow(self):
@@ -291,7 +291,7 @@ class _CameraTracking(RowPart):
 
     async def watch(self):
         "Start the stream when there is a target and a viewer"
-        msg,busy = self.row.told.newest.get(CAMERA_TRACKING_IMAGE_STATUS),self.task and not self.task.done()
+        msg,busy = self.row.received.newest.get(CAMERA_TRACKING_IMAGE_STATUS),self.task and not self.task.done()
         if msg is None or not msg.tracking_status or busy or not self.row.preview.wanted: return
         self.task = asyncio.ensure_future(self._follow())
 
@@ -377,7 +377,7 @@ class _RecordHere(RowPart):
         row,loop,news = self.row,asyncio.get_running_loop(),asyncio.Event()
         if not row.preview.streams: raise ValueError('the camera has no video streams')
         Path(self.folder).mkdir(parents=True, exist_ok=True)
-        name,tell = row.told.status()['name'],lambda: loop.call_soon_threadsafe(news.set)
+        name,tell = row.received.status()['name'],lambda: loop.call_soon_threadsafe(news.set)
         self.keeper = keeper = _HereRecorder(name, row.preview.stream, self.folder, self.reserve, tell)
         row.preview.add_sink(keeper)
         await set_within(news, self.patience)           # for the first picture
@@ -433,7 +433,7 @@ class _Aim(RowPart):
     delay = .05         # s from exposure to arrival, about
     def names(self, gimbal)->bool:
         "True if CAMERA_INFORMATION names the gimbal of this row"
-        info,(system,component,number) = self.row.told.newest.get(CAMERA_INFORMATION),gimbal.gimbal
+        info,(system,component,number) = self.row.received.newest.get(CAMERA_INFORMATION),gimbal.gimbal
         named = getattr(info, 'gimbal_device_id', 0)
         if named==0 or system!=self.row.camera.system: return False
         return named==number or named>6 and named in (component, gimbal.client.device[1])
@@ -451,10 +451,10 @@ class _Aim(RowPart):
 
     def field_of_view(self, msg=None)->tuple|None:
         "Return the horizontal and vertical field of view of `msg` or the last CAMERA_FOV_STATUS, degrees, or `None`"
-        msg,stream = msg or self.row.told.newest.get(CAMERA_FOV_STATUS),self.row.preview.stream
-        told = [(msg.hfov, msg.vfov)] if msg else []
-        if stream: told.append((stream.hfov, NAN))
-        wide,high = next(((w, h) for w,h in told if 0<w<180), (NAN,NAN))
+        msg,stream = msg or self.row.received.newest.get(CAMERA_FOV_STATUS),self.row.preview.stream
+        fields = [(msg.hfov, msg.vfov)] if msg else []
+        if stream: fields.append((stream.hfov, NAN))
+        wide,high = next(((w, h) for w,h in fields if 0<w<180), (NAN,NAN))
         size = self.row.preview.newest.size or (stream and (stream.width,stream.height))
         if not 0<high<180: high = _vertical_fov(wide, size) if size and all(size) else NAN
         return (wide,high) if 0<wide<180 and 0<high<180 else None
@@ -475,7 +475,7 @@ class _Aim(RowPart):
 @patch(as_prop=True)
 def why_not(self:_Aim)->str:
     "Reason why a click can't point it, or ''"
-    named,gimbals = getattr(self.row.told.newest.get(CAMERA_INFORMATION), 'gimbal_device_id', 0),self.gimbals
+    named,gimbals = getattr(self.row.received.newest.get(CAMERA_INFORMATION), 'gimbal_device_id', 0),self.gimbals
     if not named: return 'The camera does not say which gimbal it is on'
     if len(gimbals)>1: return f'The camera is on gimbal {named}, and {len(gimbals)} gimbals have that number'
     if not gimbals: return f'The gimbal of the camera (number {named}) was not found'

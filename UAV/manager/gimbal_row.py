@@ -11,7 +11,7 @@ from fastcore.basics import patch
 from ..gimbals.values import GimbalAttitude
 from .helm import Helm, _owner_in_words
 from .panel import action, Row
-from .told import text_of
+from .camera_status import text_of
 from ..mavlink.gimbal_flags import axis_limits
 from ..mavlink.protocol import Lost
 from ..utils import clock

@@ -126,7 +126,8 @@ async def _watch_gimbals(self:Gui):
     while client:
         await self._ask_managers(asked)
         for gimbal in client.reported():
-            if gimbal.gimbal_device_id and not client.mav_com.lost(gimbal.manager): self._row_of(GimbalRow, gimbal.gimbal)
+            if not gimbal.gimbal_device_id or client.mav_com.lost(gimbal.manager): continue
+            self._row_of(GimbalRow, gimbal.address)
         await _next_beat(client, is_new)
 
 # %% ../../nbs/api/manager/11_gui.ipynb #8c8c65b5

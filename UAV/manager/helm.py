@@ -263,14 +263,14 @@ class _Follow(RowPart):
     task,hold,usual = None,'',5.        # the loop; its hold id; reports a second otherwise
     def status(self)->dict:
         "Return whether it can follow, and does"
-        able = not self.row.aim.why_not and any(f.startswith('HAS_TRACKING') for f in self.row.told.status()['can'])
+        able = not self.row.aim.why_not and any(f.startswith('HAS_TRACKING') for f in self.row.received.status()['can'])
         return dict(can_follow=able, following=bool(self.task and not self.task.done()))
 
     def _target(self)->tuple:
         "Return the camera's last report of its target, and its time; `None`, 0 without one"
-        told = self.row.told
-        msg = told.newest.get(CAMERA_TRACKING_IMAGE_STATUS)
-        return (tracking_of(msg), told.came[CAMERA_TRACKING_IMAGE_STATUS]) if msg else (None, 0.)
+        received = self.row.received
+        msg = received.newest.get(CAMERA_TRACKING_IMAGE_STATUS)
+        return (tracking_of(msg), received.came[CAMERA_TRACKING_IMAGE_STATUS]) if msg else (None, 0.)
 
     def _ends(self, seen:float)->str:
         "Return the reason to end now, or ''; `seen`: when the target was seen last, monotonic s"

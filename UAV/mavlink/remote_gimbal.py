@@ -31,7 +31,7 @@ class RemoteGimbal:
                  system:int, component:int, # Its manager's address
                  gimbal_device_id:int=0): # Number given by the manager; 0: all its gimbals
         self.client,self.system,self.component,self.gimbal_device_id = client,system,component,gimbal_device_id
-        self.manager = system,component
+        self.manager,self.address = (system,component),(system,component,gimbal_device_id)
         self.information = None         # a `GimbalInformation`; `None`: not received
         self.manager_information = None # GIMBAL_MANAGER_INFORMATION; `None`: not received
         self.messages = {}              # `{message id: the newest one}` with this address
@@ -55,17 +55,18 @@ class RemoteGimbal:
     @refresh.setter
     def refresh(self, seconds): self._refresh = inside('refresh (s)', seconds, .02, 2)
 
-    @property
-    def name(self)->str:
-        "Vendor and model"
-        info = self.information
-        return ' '.join(filter(None, (info.vendor, info.model))) if info else 'unknown'
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #cb748120
+@patch(as_prop=True)
+def name(self:RemoteGimbal)->str:
+    "Vendor and model"
+    info = self.information
+    return ' '.join(filter(None, (info.vendor, info.model))) if info else 'unknown'
 
-    @property
-    def can(self)->tuple:
-        "Names of its GIMBAL_MANAGER_CAP_FLAGS"
-        info = self.manager_information
-        return flag_names('GIMBAL_MANAGER_CAP_FLAGS', capabilities_in(info)) if info else ()
+@patch(as_prop=True)
+def can(self:RemoteGimbal)->tuple:
+    "Names of its GIMBAL_MANAGER_CAP_FLAGS"
+    info = self.manager_information
+    return flag_names('GIMBAL_MANAGER_CAP_FLAGS', capabilities_in(info)) if info else ()
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #534ed481
 _of_manager = GIMBAL_MANAGER_INFORMATION,GIMBAL_MANAGER_STATUS
@@ -91,7 +92,7 @@ def _first(self:RemoteGimbal)->RemoteGimbal:
 @patch(as_prop=True)
 def gimbal(self:RemoteGimbal)->tuple:
     "Address `(system, component, gimbal_device_id)`; id 0 becomes the lowest one seen"
-    return (*self.manager, self._first.gimbal_device_id)
+    return self.address if self.gimbal_device_id else (*self.manager, self._first.gimbal_device_id)
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #789522a7
 _gimbal_components = mavlink.MAV_COMP_ID_GIMBAL,*range(mavlink.MAV_COMP_ID_GIMBAL2, mavlink.MAV_COMP_ID_GIMBAL6+1)
@@ -164,23 +165,28 @@ class GimbalAck(Ack):
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #60fec077
 @patch(as_prop=True)
-def status(self:RemoteGimbal)->GimbalStatus|None:
-    "Clients in control of it; `None` if not received"
+def _primary(self:RemoteGimbal)->tuple|None:
+    "Client in control, 0/0 if there is none; `None`: not received"
     m = self.newest(GIMBAL_MANAGER_STATUS)
-    if m is None: return None
-    primary = m.primary_control_sysid,m.primary_control_compid
-    secondary = m.secondary_control_sysid,m.secondary_control_compid
-    return GimbalStatus(primary if any(primary) else None, secondary if any(secondary) else None, m.flags)
+    return m and (m.primary_control_sysid,m.primary_control_compid)
 
 @patch(as_prop=True)
 def in_control(self:RemoteGimbal)->bool:
     "True if we are in control, by its manager's status"
-    return (self.status or GimbalStatus()).primary==self.client.us
+    return self._primary==self.client.us
 
 @patch(as_prop=True)
 def held_by_other(self:RemoteGimbal)->bool:
     "True if another client is in control, by its manager's status"
-    return (self.status or GimbalStatus()).primary not in (None, self.client.us)
+    return self._primary not in (None, (0,0), self.client.us)
+
+@patch(as_prop=True)
+def status(self:RemoteGimbal)->GimbalStatus|None:
+    "Clients in control of it; `None` if not received"
+    m = self.newest(GIMBAL_MANAGER_STATUS)
+    if m is None: return None
+    pairs = self._primary,(m.secondary_control_sysid,m.secondary_control_compid)
+    return GimbalStatus(*(pair if any(pair) else None for pair in pairs), m.flags)
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #56e822df
 @patch
@@ -270,7 +276,7 @@ async def _get_heading(self:RemoteGimbal):
 
 @patch
 async def current_attitude(self:RemoteGimbal, heading:bool=False)->GimbalAttitude|None:
-    "Return the attitude of this second, with the vehicle's `heading`, requesting a stream if needed; `None` without answer"
+    "Return a fresh attitude, with the vehicle's `heading`; requests a stream if needed. `None` without answer"
     if not self.is_fresh: await self._get(GIMBAL_DEVICE_ATTITUDE_STATUS, lambda: self.is_fresh)
     if heading: await self._get_heading()
     return self.attitude
@@ -420,9 +426,8 @@ async def _sent(self:RemoteGimbal)->Sent:
     return Sent(Ack(result, self.manager), self.status, why='' if self.in_control else repr(self.status))
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #39af93ed
-def _pointing_flags(frame:str='vehicle', lock:bool|None=None)->int:
-    "Return GIMBAL_MANAGER_FLAGS; `lock=None` locks a yaw from north. Raises `ValueError`"
-    earth = one_of('frame', frame, ('vehicle','earth'))=='earth'
+def _pointing_flags(earth:bool=False, lock:bool|None=None)->int:
+    "Return GIMBAL_MANAGER_FLAGS, for a yaw from north if `earth`; `lock=None` locks that one"
     lock = earth if lock is None else lock
     return LEVEL | (YAW_LOCK if lock else 0) | (EARTH_FRAME if earth else VEHICLE_FRAME)
 
@@ -431,15 +436,9 @@ _PITCHYAW = mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #add5d421
 @patch
-def _set_goal(self:RemoteGimbal, goal:tuple|None):
-    "Set pitch, yaw and frame that `reached` waits for; `None`: none"
-    for handle in (self.client.at(*self.manager), self._first): handle._goal = None
-    self._first._goal = goal
-
-@patch
 def _forget_orders(self:RemoteGimbal):
     "Forget the angles and the lock that were requested last"
-    self._set_goal(None)
+    for handle in (self._first, self.client.at(*self.manager)): handle._goal = None
     self._lock = False,-math.inf
 
 @patch
@@ -492,9 +491,9 @@ async def set_angles(self:RemoteGimbal,
     pitch_rate:float=NAN, yaw_rate:float=NAN, # Degrees per second; NaN: its choice. ArduPilot ignores them
 )->Ack:
     "Point there; raises `HeadingUnknown` or `NoAnswer` if an autopilot as manager needs the attitude"
-    flags = _pointing_flags(frame, lock)
+    flags = _pointing_flags(one_of('frame', frame, ('vehicle','earth'))=='earth', lock)
     ack = await self._pitchyaw(await self._for_manager(pitch, yaw, flags), (pitch_rate, yaw_rate), flags)
-    if ack: self._set_goal(self._goal_of(pitch, yaw, flags))
+    if ack: self._first._goal = self._goal_of(pitch, yaw, flags)
     return ack
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #c3e9d1b4
@@ -528,7 +527,7 @@ async def reached(self:RemoteGimbal, timeout:float=10., # Seconds
 async def center(self:RemoteGimbal)->Ack:
     "Look straight ahead"
     ack = await self._pitchyaw((NAN,NAN), (NAN,NAN), LEVEL|NEUTRAL|VEHICLE_FRAME)
-    if ack: self._set_goal((0., 0., 'vehicle'))
+    if ack: self._first._goal = 0.,0.,'vehicle'
     return ack
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ad916b62
@@ -550,14 +549,14 @@ async def _keep(self:RemoteGimbal, flags:int)->Ack:
 @sends(_PITCHYAW)
 async def lock(self:RemoteGimbal)->Ack:
     "Lock yaw to its direction on earth"
-    return await self._keep(_pointing_flags('earth', True))
+    return await self._keep(_pointing_flags(earth=True))
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ba599253
 @patch
 @sends(_PITCHYAW)
 async def follow(self:RemoteGimbal)->Ack:
     "Let yaw follow the vehicle's nose"
-    return await self._keep(_pointing_flags('vehicle', False))
+    return await self._keep(_pointing_flags(lock=False))
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #0fbfa335
 @patch(as_prop=True)
@@ -569,10 +568,6 @@ def locked(self:RemoteGimbal)->bool:
     msg = device.messages.get(GIMBAL_DEVICE_ATTITUDE_STATUS)
     return msg is not None and bool(msg.flags&YAW_LOCK)
 
-@patch
-async def _turn(self:RemoteGimbal, pitch:float, yaw:float, lock:bool)->Ack:
-    return await self._pitchyaw((NAN,NAN), (pitch,yaw), _pointing_flags('vehicle', lock))
-
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #1efe5f34
 @patch
 @sends(_PITCHYAW)
@@ -580,14 +575,15 @@ async def set_rates(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees p
                     lock:bool|None=None, # True: yaw holds its direction on earth; `None`: unchanged
                    )->Ack:
     "Turn; most gimbals stop after two or three seconds without another call. PX4's `Ack` is a `Sent`"
-    return await self._turn(pitch, yaw, self.locked if lock is None else lock)
+    lock = self.locked if lock is None else lock
+    return await self._pitchyaw((NAN,NAN), (pitch,yaw), _pointing_flags(lock=lock))
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #fa3816db
 @patch
 def _send_rates(self:RemoteGimbal, pitch:float, yaw:float, lock:bool):
     "Send GIMBAL_MANAGER_SET_ATTITUDE with rates"
     _pitchyaw_numbers((NAN,NAN), (pitch,yaw))
-    self._send_setpoint(NAN, NAN, pitch, yaw, _pointing_flags('vehicle', lock))
+    self._send_setpoint(NAN, NAN, pitch, yaw, _pointing_flags(lock=lock))
 
 @patch
 def _warn_of_control(self:RemoteGimbal):
@@ -626,7 +622,7 @@ def _stop_now(self:RemoteGimbal, lock:bool):
 async def _stop(self:RemoteGimbal, lock:bool):
     "Stop turning, by a message at once, then by a command with its ack"
     self._stop_now(lock)
-    try: (await self._turn(0., 0., lock)).check()
+    try: (await self.set_rates(0., 0., lock)).check()
     except MAVError as e: self.client.log.warning('the gimbal was not stopped: %s', e)
 
 @patch
@@ -650,7 +646,7 @@ async def keep_turning(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degree
                        lock:bool|None=None): # True: yaw holds its direction on earth; `None`: unchanged
     "Turn during an `async with`; raises as `Ack.check`, and `Denied` at its end if another client took over"
     lock = self.locked if lock is None else lock
-    try: (await self._turn(pitch, yaw, lock)).check()
+    try: (await self.set_rates(pitch, yaw, lock)).check()
     except asyncio.CancelledError:
         await self._stop(lock)
         raise
