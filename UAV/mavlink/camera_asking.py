@@ -18,8 +18,8 @@ from ..cameras.tracker import TrackingStatus
 from ..cameras.values import Pose, StorageInformation
 from ..utils.general import for_async, inside, known, NAN, one_of, Value
 from ..utils.geo import euler
-from ..utils.sockets import host_in, plain_host
-from ..video.senders import is_group, is_loopback
+from ..utils.sockets import host_in, is_loopback, plain_host
+from ..video.senders import is_group
 from ..wire.dialect import Ack, enum_name, enum_value, LinkError, MAVError
 from .protocol import Lost, NoAnswer, comes_from
 from .mavcom import ends, own_host
