@@ -119,7 +119,8 @@ class _Fetching:
     def __init__(self, camera, path:str):
         self.sink = tempfile.TemporaryFile(buffering=0)
         self.file = FtpFile(camera.files, path, self.sink)
-        self.have,self.given,self.task,self.news = 0,0,None,asyncio.Event()
+        self.have,self.given = 0,0      # bytes at the start of the file: received, and returned by `next`
+        self.task,self.arrived = None,asyncio.Event()
     size = property(lambda self: self.file.parts.size, doc="Bytes; known when it is open")
 
     async def open(self):
@@ -130,9 +131,9 @@ class _Fetching:
         def progress(done, size):
             if self.file.parts is not parts: raise MAVError('the file has changed on its way')
             self.have = parts.prefix
-            self.news.set()
+            self.arrived.set()
         self.task = asyncio.ensure_future(self.file.fetch_checked(progress))
-        self.task.add_done_callback(lambda _: self.news.set())
+        self.task.add_done_callback(lambda _: self.arrived.set())
 
     async def next(self)->bytes:
         "Return the next bytes, or none at the end; the last byte waits for the checksum. Raises `MAVError`"
@@ -140,17 +141,16 @@ class _Fetching:
             whole = self.task.done() and not self.task.result()
             ready = self.size if whole else min(self.have, self.size-1)
             if ready>self.given or whole: break
-            self.news.clear()
-            await self.news.wait()
+            self.arrived.clear()
+            await self.arrived.wait()
         data = os.pread(self.sink.fileno(), min(self.piece, ready-self.given), self.given)
         self.given += len(data)
         return data
 
     async def close(self):
         "Cancel the download"
-        if self.task:
-            self.task.cancel()
-            await asyncio.wait([self.task])
+        if self.task: self.task.cancel()
+        if self.task: await asyncio.wait([self.task])
         self.sink.close()
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #47ae2ae4

@@ -43,27 +43,6 @@ class CameraMessages:
         if msg_id==STORAGE_INFORMATION: self.storages[msg.storage_id] = msg
         if msg_id==STATUSTEXT: self.texts.add(msg)
 
-    def has_picture(self, msg)->bool:
-        "True if this CAMERA_IMAGE_CAPTURED came before"
-        def which(m): return m.image_index,m.time_utc,m.time_boot_ms
-        return which(msg) in (which(old) for old,_ in self.pictures)
-
-    def add_picture(self, msg, # A new CAMERA_IMAGE_CAPTURED
-                    key:int=-1): # Key of its thumbnail; -1: none
-        "Store a picture among the last ones"
-        self.pictures = [*self.pictures, (msg, key)][-self.most:]
-
-    def restarts(self, msg)->bool:
-        "True if the camera restarted since the last message of this kind"
-        old,now = self.newest.get(msg.get_msgId()),getattr(msg, 'time_boot_ms', 0)
-        return old is not None and msg.get_msgId()!=CAMERA_IMAGE_CAPTURED and now+5000<getattr(old, 'time_boot_ms', 0)
-
-    def is_other(self, msg)->bool:
-        "True if this CAMERA_INFORMATION describes another kind of camera than the last"
-        def kind(m): return text_of(m.vendor_name),text_of(m.model_name),m.flags,m.firmware_version
-        old = self.newest.get(CAMERA_INFORMATION)
-        return old is not None and kind(msg)!=kind(old)
-
 # %% ../../nbs/api/manager/03_camera_status.ipynb #1c788b1a
 @patch
 def status(self:CameraMessages)->dict:
@@ -165,3 +144,29 @@ def picture_of(msg, key:int=-1)->dict:
     "Return number, file name and thumbnail key (-1: none) of a CAMERA_IMAGE_CAPTURED"
     name = text_of(msg.file_url).replace('\\', '/').rpartition('/')[2]
     return dict(n=msg.image_index, name=name if msg.capture_result==1 else 'failed', key=key)
+
+# %% ../../nbs/api/manager/03_camera_status.ipynb #7e1d0005
+@patch
+def has_picture(self:CameraMessages, msg)->bool:
+    "True if this CAMERA_IMAGE_CAPTURED came before"
+    def which(m): return m.image_index,m.time_utc,m.time_boot_ms
+    return which(msg) in (which(old) for old,_ in self.pictures)
+
+@patch
+def add_picture(self:CameraMessages, msg, # A new CAMERA_IMAGE_CAPTURED
+                key:int=-1): # Key of its thumbnail; -1: none
+    "Store a picture among the last ones"
+    self.pictures = [*self.pictures, (msg, key)][-self.most:]
+
+@patch
+def restarts(self:CameraMessages, msg)->bool:
+    "True if the camera restarted since the last message of this kind"
+    old,now = self.newest.get(msg.get_msgId()),getattr(msg, 'time_boot_ms', 0)
+    return old is not None and msg.get_msgId()!=CAMERA_IMAGE_CAPTURED and now+5000<getattr(old, 'time_boot_ms', 0)
+
+@patch
+def is_other(self:CameraMessages, msg)->bool:
+    "True if this CAMERA_INFORMATION describes another kind of camera than the last"
+    def kind(m): return text_of(m.vendor_name),text_of(m.model_name),m.flags,m.firmware_version
+    old = self.newest.get(CAMERA_INFORMATION)
+    return old is not None and kind(msg)!=kind(old)

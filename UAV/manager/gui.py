@@ -189,7 +189,7 @@ async def gimbal_control(self:Gui):
                     seen[row.id] = row
                     try: await row.helm.seize()
                     except MAVError as e: self.logger.warning('%s', e)
-                await self.news.wait(1.)
+                await self.feed.wait(1.)
         finally:
             for row in seen.values(): await row.helm.close()
     await self.loop.ask(control())

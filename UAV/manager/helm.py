@@ -88,14 +88,15 @@ class _Hold:
         store_attr()
         self.n,self.until = -1,0.       # number of its newest message; end of the hold, s on the loop's clock
         self.sent,self.why,self.error = False,'let go',None     # command sent?; reason and error of its end
-        self.begun,self.news,self.task = asyncio.Event(),asyncio.Event(),None   # it turns, or never will; new rates
+        self.begun = asyncio.Event()                            # it turns, or never will
+        self.changed,self.task = asyncio.Event(),None           # the rates changed
 
     def __repr__(self): return 'pitch {:g}, yaw {:g} °/s'.format(*self.rates)
 
     async def pause(self, seconds:float):
         "Wait `seconds`, or until the rates change"
-        self.news.clear()
-        await set_within(self.news, seconds)
+        self.changed.clear()
+        await set_within(self.changed, seconds)
 
 # %% ../../nbs/api/manager/02_helm.ipynb #e4cd1e1f
 @patch
@@ -191,7 +192,7 @@ async def hold(self:Helm, pitch:float, yaw:float, # Degrees a second
     first = self.held is None or self.held.id!=id
     now = self._grab(id, rates) if first else self.held
     if n>now.n:                             # ignore an older message
-        if rates!=now.rates: now.news.set()
+        if rates!=now.rates: now.changed.set()
         now.n,now.rates,now.until = n,rates,asyncio.get_running_loop().time()+self.patience
     if first:
         self._watch(now)
