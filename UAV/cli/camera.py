@@ -20,7 +20,7 @@ from ..cameras.values import StorageInformation
 from .common import (between, disk_errors, number, Program, Result, seconds, Visit, visit_groups,
                             visit_options, Visitor)
 from ..ftp.frames import FtpError
-from ..manager.told import (about_camera, capture_of, flags_of, printable, settings_of, size_of, STATUSTEXT,
+from UAV.manager.camera_status import (about_camera, capture_of, flags_of, printable, settings_of, size_of, STATUSTEXT,
     storage_of as room_of)
 from ..mavlink import CameraClient
 from UAV.mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_INFORMATION, CAMERA_SETTINGS, mavlink,

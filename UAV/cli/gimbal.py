@@ -32,7 +32,7 @@ class Steering(Visit):
 
     def is_meant(self, gimbal)->bool:
         "True if the options match this gimbal"
-        o,components = self.options,(None,gimbal.component,self.client._device_of(gimbal.gimbal)[1])
+        o,components = self.options,(None,gimbal.component,gimbal.device[1])
         there = o.system in (None,gimbal.system) and o.component in components
         return there and o.gimbal in (None,gimbal.gimbal_device_id)
 
@@ -83,7 +83,7 @@ async def acting(self:Steering):
 async def newest(self:Steering):
     "Return the attitude after a command took effect; `None` if it doesn't come in time"
     async def told():
-        await self.device._see()           # request a stream, if needed
+        await self.device.current_attitude()           # request a stream, if needed
         return await anext(attitudes)
     await asyncio.sleep(self.effect)
     async with aclosing(self.device.attitudes()) as attitudes:

@@ -14,7 +14,7 @@ from fastcore.basics import patch
 from ..cameras.parameters import Parameter, Parameters
 from .helm import _Hold, Helm
 from .panel import action, Btn_State, _on_or_off, RowPart
-from .told import text_of
+from .camera_status import text_of
 from ..mavlink.camera_client import CAMERA_CAPTURE_STATUS, CAMERA_INFORMATION, CAMERA_SETTINGS, STORAGE_INFORMATION
 from ..mavlink.camera_downloads import FtpFile
 from ..mavlink.remote_video import CAMERA_TRACKING_IMAGE_STATUS, tracking_of
@@ -119,7 +119,8 @@ class _Fetching:
     def __init__(self, camera, path:str):
         self.sink = tempfile.TemporaryFile(buffering=0)
         self.file = FtpFile(camera.files, path, self.sink)
-        self.have,self.given,self.task,self.news = 0,0,None,asyncio.Event()
+        self.have,self.given = 0,0      # bytes at the start of the file: received, and returned by `next`
+        self.task,self.arrived = None,asyncio.Event()
     size = property(lambda self: self.file.parts.size, doc="Bytes; known when it is open")
 
     async def open(self):
@@ -130,9 +131,9 @@ class _Fetching:
         def progress(done, size):
             if self.file.parts is not parts: raise MAVError('the file has changed on its way')
             self.have = parts.prefix
-            self.news.set()
+            self.arrived.set()
         self.task = asyncio.ensure_future(self.file.fetch_checked(progress))
-        self.task.add_done_callback(lambda _: self.news.set())
+        self.task.add_done_callback(lambda _: self.arrived.set())
 
     async def next(self)->bytes:
         "Return the next bytes, or none at the end; the last byte waits for the checksum. Raises `MAVError`"
@@ -140,17 +141,16 @@ class _Fetching:
             whole = self.task.done() and not self.task.result()
             ready = self.size if whole else min(self.have, self.size-1)
             if ready>self.given or whole: break
-            self.news.clear()
-            await self.news.wait()
+            self.arrived.clear()
+            await self.arrived.wait()
         data = os.pread(self.sink.fileno(), min(self.piece, ready-self.given), self.given)
         self.given += len(data)
         return data
 
     async def close(self):
         "Cancel the download"
-        if self.task:
-            self.task.cancel()
-            await asyncio.wait([self.task])
+        if self.task: self.task.cancel()
+        if self.task: await asyncio.wait([self.task])
         self.sink.close()
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #47ae2ae4
@@ -229,7 +229,7 @@ class _CameraSettings(RowPart):
     most,table = 100,None           # settings shown; the `RemoteParameters`
     def status(self)->dict:
         "Return whether it has settings, and groups of them as plain values; `None` until loaded"
-        info = self.row.told.newest.get(CAMERA_INFORMATION)
+        info = self.row.received.newest.get(CAMERA_INFORMATION)
         return dict(settings=self._groups(), has_settings=bool(info and text_of(info.cam_definition_uri)))
 
     def _groups(self)->list|None:
@@ -277,9 +277,9 @@ class _CameraTracking(RowPart):
     stays,rate,task = 3.,5.,None        # s without a report until hidden; reports a second; the task
     def status(self)->dict:
         "Return the target's position, as `_target_of`"
-        told,size = self.row.told,self.row.preview.newest.size
-        msg = told.newest.get(CAMERA_TRACKING_IMAGE_STATUS)
-        old = clock.monotonic()-told.came.get(CAMERA_TRACKING_IMAGE_STATUS, 0)>self.stays
+        received,size = self.row.received,self.row.preview.newest.size
+        msg = received.newest.get(CAMERA_TRACKING_IMAGE_STATUS)
+        old = clock.monotonic()-received.came.get(CAMERA_TRACKING_IMAGE_STATUS, 0)>self.stays
         return dict(target=None if msg is None or old else _target_of(msg, size[0]/size[1] if size else 4/3))
 
     async def _follow(self):
@@ -291,7 +291,7 @@ class _CameraTracking(RowPart):
 
     async def watch(self):
         "Start the stream when there is a target and a viewer"
-        msg,busy = self.row.told.newest.get(CAMERA_TRACKING_IMAGE_STATUS),self.task and not self.task.done()
+        msg,busy = self.row.received.newest.get(CAMERA_TRACKING_IMAGE_STATUS),self.task and not self.task.done()
         if msg is None or not msg.tracking_status or busy or not self.row.preview.wanted: return
         self.task = asyncio.ensure_future(self._follow())
 
@@ -377,7 +377,7 @@ class _RecordHere(RowPart):
         row,loop,news = self.row,asyncio.get_running_loop(),asyncio.Event()
         if not row.preview.streams: raise ValueError('the camera has no video streams')
         Path(self.folder).mkdir(parents=True, exist_ok=True)
-        name,tell = row.told.status()['name'],lambda: loop.call_soon_threadsafe(news.set)
+        name,tell = row.received.status()['name'],lambda: loop.call_soon_threadsafe(news.set)
         self.keeper = keeper = _HereRecorder(name, row.preview.stream, self.folder, self.reserve, tell)
         row.preview.add_sink(keeper)
         await set_within(news, self.patience)           # for the first picture
@@ -433,10 +433,10 @@ class _Aim(RowPart):
     delay = .05         # s from exposure to arrival, about
     def names(self, gimbal)->bool:
         "True if CAMERA_INFORMATION names the gimbal of this row"
-        info,(system,component,number) = self.row.told.newest.get(CAMERA_INFORMATION),gimbal.gimbal
+        info,(system,component,number) = self.row.received.newest.get(CAMERA_INFORMATION),gimbal.gimbal
         named = getattr(info, 'gimbal_device_id', 0)
         if named==0 or system!=self.row.camera.system: return False
-        return named==number or named>6 and named in (component, gimbal.client.client._device_of(gimbal.gimbal)[1])
+        return named==number or named>6 and named in (component, gimbal.client.device[1])
 
     @property
     def gimbals(self)->list:
@@ -451,10 +451,10 @@ class _Aim(RowPart):
 
     def field_of_view(self, msg=None)->tuple|None:
         "Return the horizontal and vertical field of view of `msg` or the last CAMERA_FOV_STATUS, degrees, or `None`"
-        msg,stream = msg or self.row.told.newest.get(CAMERA_FOV_STATUS),self.row.preview.stream
-        told = [(msg.hfov, msg.vfov)] if msg else []
-        if stream: told.append((stream.hfov, NAN))
-        wide,high = next(((w, h) for w,h in told if 0<w<180), (NAN,NAN))
+        msg,stream = msg or self.row.received.newest.get(CAMERA_FOV_STATUS),self.row.preview.stream
+        fields = [(msg.hfov, msg.vfov)] if msg else []
+        if stream: fields.append((stream.hfov, NAN))
+        wide,high = next(((w, h) for w,h in fields if 0<w<180), (NAN,NAN))
         size = self.row.preview.newest.size or (stream and (stream.width,stream.height))
         if not 0<high<180: high = _vertical_fov(wide, size) if size and all(size) else NAN
         return (wide,high) if 0<wide<180 and 0<high<180 else None
@@ -468,14 +468,14 @@ class _Aim(RowPart):
     def can_look(self)->bool:
         "True if a click on the map can point it: needs the manager's support and the vehicle's position"
         gimbal = self.gimbal
-        able = gimbal is not None and not gimbal.lost and 'CAN_POINT_LOCATION_GLOBAL' in gimbal.remote.can
+        able = gimbal is not None and not gimbal.lost and 'CAN_POINT_LOCATION_GLOBAL' in gimbal.client.can
         return able and self.row.ground.vehicle is not None
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #8995c29c
 @patch(as_prop=True)
 def why_not(self:_Aim)->str:
     "Reason why a click can't point it, or ''"
-    named,gimbals = getattr(self.row.told.newest.get(CAMERA_INFORMATION), 'gimbal_device_id', 0),self.gimbals
+    named,gimbals = getattr(self.row.received.newest.get(CAMERA_INFORMATION), 'gimbal_device_id', 0),self.gimbals
     if not named: return 'The camera does not say which gimbal it is on'
     if len(gimbals)>1: return f'The camera is on gimbal {named}, and {len(gimbals)} gimbals have that number'
     if not gimbals: return f'The gimbal of the camera (number {named}) was not found'

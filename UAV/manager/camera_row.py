@@ -13,7 +13,7 @@ from .helm import _Follow
 from .map import _CameraGround, _Signal
 from .panel import action, _on_or_off, Row
 from .preview import Preview
-from .told import BATTERY_STATUS, CameraTold, _picture_of, STATUSTEXT, text_of
+from .camera_status import BATTERY_STATUS, CameraMessages, picture_of, STATUSTEXT, text_of
 from ..mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
     CAMERA_SETTINGS, STORAGE_INFORMATION)
 from ..mavlink.remote_video import stream_of, VIDEO_STREAM_INFORMATION
@@ -37,7 +37,7 @@ class CameraRow(Row):
     most,longest = 12,60.           # thumbnails kept; longest s between two requests
     def __init__(self, gui, # The `Panel`; its `camera_client` is on a link
                  target:tuple): # `(system, component)`
-        self.camera,self.told = gui.camera_client.camera(*target),CameraTold()
+        self.camera,self.received = gui.camera_client.camera(*target),CameraMessages()
         self.preview = Preview(self.camera, gui.wake)
         self.due,self.tries,self._wake = {},{},asyncio.Event()  # by message id: time of the next request; failures
         self.was_lost,self.thumbnails,self.streams = False,{},{}    # `{key: JPEG}`; `{id: Stream}` as received
@@ -51,7 +51,7 @@ class CameraRow(Row):
         self.hears |= {CAMERA_IMAGE_CAPTURED:self._on_picture, CAMERA_INFORMATION:self._on_information,
                        VIDEO_STREAM_INFORMATION:self._on_stream}      # called before the message is stored
 
-    def __repr__(self): return f'{self.id} {self.told.status()["name"]}{", lost" if self.lost else ""}'
+    def __repr__(self): return f'{self.id} {self.received.status()["name"]}{", lost" if self.lost else ""}'
 
     async def picture(self, after:int)->tuple|None:
         "Return `(number, JPEG)` of the live picture, if it is later than `after`"
@@ -67,13 +67,13 @@ class CameraRow(Row):
 @patch
 def _on_picture(self:CameraRow, msg):
     "Store an announced picture, with its thumbnail"
-    if self.told.knows(msg): return
+    if self.received.has_picture(msg): return
     key = -1
     if self.preview.live and msg.capture_result==1:
         key = max(self.thumbnails, default=0)+1
         self.thumbnails[key] = self.preview.newest.thumbnail()
         self.thumbnails.pop(key-self.most, None)
-    self.told.add_picture(msg, key)
+    self.received.add_picture(msg, key)
     self.ground.add(msg)
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #dae38c59
@@ -87,8 +87,8 @@ def thumbnail(self:CameraRow, key:int, # Key, as in `status`
 @patch
 def _on_information(self:CameraRow, msg):
     "Check for another camera at this address, and forget the old one"
-    if not self.told.is_other(msg): return
-    self.told,self.streams,self.preview.streams,self.preview.chosen = CameraTold(),{},None,None
+    if not self.received.is_other(msg): return
+    self.received,self.streams,self.preview.streams,self.preview.chosen = CameraMessages(),{},None,None
     self.preview.reopen()
     self._ask_anew()
 
@@ -107,11 +107,11 @@ def _on_stream(self:CameraRow, msg):
 def take(self:CameraRow, msg):
     "Store a message of the camera, on the panel's loop"
     msg_id = msg.get_msgId()
-    if self.told.restarts(msg): self._ask_anew()
+    if self.received.restarts(msg): self._ask_anew()
     self.tries.pop(msg_id, None)
     self._put_off(msg_id)
     if first := self.hears[msg_id]: first(msg)
-    self.told.add(msg)
+    self.received.add(msg)
     self.gui.changed()
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #fab38aa5
@@ -132,7 +132,7 @@ async def _ask(self:CameraRow, question:int):
     ask = self.preview.find() if question==VIDEO_STREAM_INFORMATION else self.camera.request(question)
     with suppress(MAVError): await ask
     await asyncio.sleep(0)                      # the answer may be coming from the link's thread
-    if self.told.came.get(question, 0)>=began: self.tries.pop(question, None)
+    if self.received.came.get(question, 0)>=began: self.tries.pop(question, None)
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #f1a67207
 @patch
@@ -209,7 +209,7 @@ def status(self:CameraRow)->dict:
     lost,remote,preview = self.lost,self.camera.client.remotes.get(self.camera.address),self.preview
     age = int(clock.monotonic()-remote.heard) if remote and remote.heard else None
     streams = [dict(id=s.id, text=text_of(repr(s).replace(s.uri, '').rstrip(', '))) for s in preview.streams or []]
-    return dict(Row.status(self), state='lost' if lost else 'alive', age=age, why=lost, **self.told.status(),
+    return dict(Row.status(self), state='lost' if lost else 'alive', age=age, why=lost, **self.received.status(),
         picture=preview.status(), streams=streams, stream=preview.stream and preview.stream.id)
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #2152f797
@@ -220,7 +220,7 @@ async def snapshot(self:CameraRow)->str:
     async for msg in self.camera.capture():
         self.soon(STORAGE_INFORMATION, CAMERA_CAPTURE_STATUS)
         if msg.capture_result!=1: raise Failed(f'picture {msg.image_index} failed')
-        return f'picture {msg.image_index} {_picture_of(msg)["name"]}'.strip()
+        return f'picture {msg.image_index} {picture_of(msg)["name"]}'.strip()
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #2cc5221f
 @patch
@@ -270,7 +270,7 @@ async def record(self:CameraRow, on:bool, # Start, or stop
 async def mode(self:CameraRow, mode:str, # One of the camera's modes
               )->Ack:
     "Set the mode: image, video or survey"
-    there = self.told.status()['modes'] or ['image','video','image_survey']
+    there = self.received.status()['modes'] or ['image','video','image_survey']
     return await self.commanded(self.camera.mode(one_of('mode', mode, there)), CAMERA_SETTINGS)
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #679bfae0

@@ -11,8 +11,7 @@ from fastcore.basics import patch
 from ..gimbals.values import GimbalAttitude
 from .helm import Helm, _owner_in_words
 from .panel import action, Row
-from .told import text_of
-from ..mavlink.remote_gimbal import about, GIMBAL_DEVICE_ATTITUDE_STATUS
+from .camera_status import text_of
 from ..mavlink.gimbal_flags import axis_limits
 from ..mavlink.protocol import Lost
 from ..utils import clock
@@ -64,10 +63,10 @@ class GimbalRow(Row):
         super().__init__(gui, '/'.join(map(str, gimbal)))
         self.gimbal,self.client = gimbal,gui.gimbal_client.at(*gimbal)
         self.helm = Helm(self.client, self.id, gui.log, gui.changed)
-        self.remote,self.missing = self.client,''     # its information; what is missing
-        self.history,self.frame = _History(),''      # its attitudes, and the frame of their yaw
+        self.missing = ''                           # what it has not answered
+        self.history,self.frame = _History(),''     # its attitudes, and the frame of their yaw
 
-    def __repr__(self): return f'{self.id} {self.remote.name}{", lost" if self.lost else ""}'
+    def __repr__(self): return f'{self.id} {self.client.name}{", lost" if self.lost else ""}'
 
     async def close(self):
         "Stop, and return the control that we took"
@@ -78,7 +77,7 @@ class GimbalRow(Row):
         "Reason why the gimbal is lost, or ''"
         com = self.client.client.mav_com
         if self.gimbal[:2] not in com.remotes: return f'{self.id} was not heard'
-        return com.lost(self.gimbal[:2]) or com.lost(self.client.client._device_of(self.gimbal)[:2])
+        return com.lost(self.gimbal[:2]) or com.lost(self.client.device[:2])
 
     def note(self, now:GimbalAttitude): # The newest attitude
         "Store an attitude"
@@ -94,30 +93,21 @@ async def learn(self:GimbalRow):
     self.missing = ''
     try: await self.client.wait_ready()
     except MAVError as e: self.missing = str(e)
-    self.remote = await self.client._learn()
+    await self.client.request_information()
     self.gui.changed()
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #622e9fe7
 @patch
 async def listen(self:GimbalRow):
     "Store attitudes until none comes for a while, and request what is missing; raises `Lost`"
-    client,device = self.client,self.client.client._device_of(self.gimbal)
     learned = clock.monotonic()
-    with client.client._news.add(GIMBAL_DEVICE_ATTITUDE_STATUS, lambda msg: about(msg)==device, device[:2]) as told:
-        while await told.wait(self.patience) is not None:
-            told.renew()
-            if (now := client.attitude) is not None: self.note(now)
+    with self.client.expecting_attitude() as expected:
+        while await expected.wait(self.patience) is not None:
+            expected.renew()
+            if (now := self.client.attitude) is not None: self.note(now)
             if self.missing and clock.monotonic()-learned>self.learns_again:
                 await self.learn()
                 learned = clock.monotonic()
-
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #1c803708
-@patch
-def forget(self:GimbalRow):
-    "Forget all that was received from the gimbal"
-    both = self.gimbal,self.client.client._device_of(self.gimbal)
-    for of in list(self.client.client._heard.values()):
-        for address in both: of.pop(address, None)
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #e1e054dd
 @patch
@@ -128,14 +118,14 @@ async def run(self:GimbalRow):
             await self.learn()
             await self.listen()
         except MAVError as e: self.missing = str(e)
-        self.forget()
+        self.client.forget()
         await asyncio.sleep(1)
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #fcf58d52
 @patch
 def limits(self:GimbalRow)->dict:
     "Return the limits of pitch and yaw, degrees; `None` if unknown or there is no such axis"
-    info = self.remote.information
+    info = self.client.information
     ends = {axis:axis_limits(info, axis) if info and getattr(info, axis) else () for axis in ('pitch','yaw')}
     return {axis:list(both) if both and all(map(known, both)) else None for axis,both in ends.items()}
 
@@ -153,7 +143,7 @@ def pointing(self:GimbalRow)->dict:
 def owner(self:GimbalRow)->dict:
     "Return the client in control, and whether it is us"
     primary = self.client.status and self.client.status.primary
-    return dict(owner=primary and '{}/{}'.format(*primary), ours=primary==self.client.client._us,
+    return dict(owner=primary and '{}/{}'.format(*primary), ours=primary==self.client.client.us,
                 owner_name=_owner_in_words(self.client))
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #42533ffd
@@ -162,8 +152,8 @@ def status(self:GimbalRow)->dict:
     "Return all that a viewer shows, as plain values"
     lost,remote = self.lost,self.client.client.remotes.get(self.gimbal[:2])
     age = int(clock.monotonic()-remote.heard) if remote and remote.heard else None
-    return dict(id=self.id, name=text_of(self.remote.name), state='lost' if lost else 'alive', age=age,
-        why=lost or self.missing, can=list(self.remote.can), limits=self.limits(), **self.pointing(), **self.owner(),
+    return dict(id=self.id, name=text_of(self.client.name), state='lost' if lost else 'alive', age=age,
+        why=lost or self.missing, can=list(self.client.can), limits=self.limits(), **self.pointing(), **self.owner(),
         turning=self.helm.held is not None, buttons=self.buttons())
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #014a9c79
@@ -211,7 +201,7 @@ async def aim_at(self:GimbalRow, pitch:float, yaw:float): # Degrees, yaw in the 
 @patch
 def beyond(self:GimbalRow, pitch:float, yaw:float)->str:
     "Return a note if the gimbal can't reach this direction, or ''"
-    info,now = self.remote.information,self.client.attitude
+    info,now = self.client.information,self.client.attitude
     if info is None or now is None: return ''
     if self.frame=='earth': yaw = wrap(yaw-now.vehicle_yaw)
     off = max(abs(wrap(info.limited(axis, angle)-angle)) for axis,angle in (('pitch',pitch), ('yaw',yaw)))
@@ -246,10 +236,8 @@ async def retract(self:GimbalRow)->Ack:
 async def sees(self:GimbalRow, test, # A function without arguments
                seconds:float=1.): # Longest wait
     "Wait until an attitude report makes `test()` true"
-    device = self.client.client._device_of(self.gimbal)
-    def fits(msg): return about(msg)==device and test()
-    with self.client.client._news.add(GIMBAL_DEVICE_ATTITUDE_STATUS, fits, device[:2]) as told:
-        try: test() or await told.wait(seconds)
+    with self.client.expecting_attitude(lambda msg: test()) as expected:
+        try: test() or await expected.wait(seconds)
         except Lost: pass
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #eeee346b

@@ -16,9 +16,9 @@ from .panel import Panel, Row
 from .server import PanelServer
 from .widget import _card_of, _Shown, _this_kernel
 from ..mavlink.remote_camera import cameras_heard, is_camera
-from ..mavlink.remote_gimbal import _of_manager, GIMBAL_MANAGER_INFORMATION
 from ..utils import clock
 from ..wire.dialect import address, MAVError
+from ..mavlink.gimbal_flags import GIMBAL_MANAGER_INFORMATION
 
 # %% auto #0
 __all__ = ['Gui']
@@ -102,9 +102,9 @@ async def _watch_cameras(self:Gui):
 def _due(self:Gui, asked:dict)->list:
     "Return the addresses to ask now, and drop lost ones from `asked`, `{address: (times, next time)}`"
     there,now = self._may_manage(),clock.monotonic()
-    told = {g[:2] for g in list(self.gimbal_client._heard.get(GIMBAL_MANAGER_INFORMATION, ()))}
+    answered = {g.manager for g in self.gimbal_client.reported(kinds=[GIMBAL_MANAGER_INFORMATION])}
     for gone in set(asked)-there: del asked[gone]
-    return sorted(a for a in there if a not in asked or a not in told and asked[a][1]<=now)[:16]
+    return sorted(a for a in there if a not in asked or a not in answered and asked[a][1]<=now)[:16]
 
 # %% ../../nbs/api/manager/11_gui.ipynb #e8cfa48d
 @patch
@@ -114,7 +114,7 @@ async def _ask_managers(self:Gui, asked:dict):
     for a in due:
         times = asked.get(a, (0, 0))[0]
         asked[a] = times+1,clock.monotonic()+min(first*2**min(times, 9), last)
-    ask = self.gimbal_client._ask
+    ask = self.gimbal_client.ask
     await asyncio.gather(*(ask(a, GIMBAL_MANAGER_INFORMATION) for a in due), return_exceptions=True)
 
 # %% ../../nbs/api/manager/11_gui.ipynb #446ac36f
@@ -125,9 +125,9 @@ async def _watch_gimbals(self:Gui):
     def is_new(source, mav_type): return source not in asked and mav_type!=mavlink.MAV_TYPE_GCS
     while client:
         await self._ask_managers(asked)
-        told = {gimbal for kind in _of_manager for gimbal in list(client._heard.get(kind, ()))}
-        for gimbal in sorted(told):
-            if gimbal[2] and not client.mav_com.lost(gimbal[:2]): self._row_of(GimbalRow, gimbal)
+        for gimbal in client.reported():
+            if not gimbal.gimbal_device_id or client.mav_com.lost(gimbal.manager): continue
+            self._row_of(GimbalRow, gimbal.address)
         await _next_beat(client, is_new)
 
 # %% ../../nbs/api/manager/11_gui.ipynb #8c8c65b5
@@ -189,7 +189,7 @@ async def gimbal_control(self:Gui):
                     seen[row.id] = row
                     try: await row.helm.seize()
                     except MAVError as e: self.logger.warning('%s', e)
-                await self.news.wait(1.)
+                await self.feed.wait(1.)
         finally:
             for row in seen.values(): await row.helm.close()
     await self.loop.ask(control())

@@ -88,14 +88,15 @@ class _Hold:
         store_attr()
         self.n,self.until = -1,0.       # number of its newest message; end of the hold, s on the loop's clock
         self.sent,self.why,self.error = False,'let go',None     # command sent?; reason and error of its end
-        self.begun,self.news,self.task = asyncio.Event(),asyncio.Event(),None   # it turns, or never will; new rates
+        self.begun = asyncio.Event()                            # it turns, or never will
+        self.changed,self.task = asyncio.Event(),None           # the rates changed
 
     def __repr__(self): return 'pitch {:g}, yaw {:g} °/s'.format(*self.rates)
 
     async def pause(self, seconds:float):
         "Wait `seconds`, or until the rates change"
-        self.news.clear()
-        await set_within(self.news, seconds)
+        self.changed.clear()
+        await set_within(self.changed, seconds)
 
 # %% ../../nbs/api/manager/02_helm.ipynb #e4cd1e1f
 @patch
@@ -103,13 +104,13 @@ async def _turn(self:Helm, hold:_Hold, lock:bool):
     "Take control and turn, until cancelled; raises `Denied` when another takes over, and `MAVError`"
     client = self.client
     await self.seize()
-    hold.sent,gimbal = True,client.gimbal
-    client.client._turned[gimbal] = lambda: client.send_rates(0., 0., lock)
-    (await client.set_rates(*hold.rates, lock=lock)).check()
-    hold.begun.set()
-    while not client.held_by_other:
-        client.send_rates(*hold.rates, lock)
-        await hold.pause(self.refresh)
+    hold.sent = True
+    with client.stopped_at_close(lambda: client.send_rates(0., 0., lock)):
+        (await client.set_rates(*hold.rates, lock=lock)).check()
+        hold.begun.set()
+        while not client.held_by_other:
+            client.send_rates(*hold.rates, lock)
+            await hold.pause(self.refresh)
     raise _denied(client)
 
 # %% ../../nbs/api/manager/02_helm.ipynb #979b49c0
@@ -117,7 +118,6 @@ async def _turn(self:Helm, hold:_Hold, lock:bool):
 async def _stop(self:Helm, lock:bool):
     "Stop the gimbal; raises `MAVError` when it doesn't acknowledge"
     client = self.client
-    client.client._turned.pop(client.gimbal, None)
     if client.held_by_other: return
     client.send_rates(0., 0., lock)
     nothing = int(100*clock.monotonic())%10_000*1e-6     # degrees a second: a new value each 10 ms
@@ -127,7 +127,7 @@ async def _stop(self:Helm, lock:bool):
 @patch(as_prop=True)
 def locked(self:Helm)->bool:
     "True if the yaw is locked to a direction on earth"
-    return self.client._lock_now(None)
+    return self.client.locked
 
 # %% ../../nbs/api/manager/02_helm.ipynb #0e64b6d6
 @patch
@@ -192,7 +192,7 @@ async def hold(self:Helm, pitch:float, yaw:float, # Degrees a second
     first = self.held is None or self.held.id!=id
     now = self._grab(id, rates) if first else self.held
     if n>now.n:                             # ignore an older message
-        if rates!=now.rates: now.news.set()
+        if rates!=now.rates: now.changed.set()
         now.n,now.rates,now.until = n,rates,asyncio.get_running_loop().time()+self.patience
     if first:
         self._watch(now)
@@ -264,14 +264,14 @@ class _Follow(RowPart):
     task,hold,usual = None,'',5.        # the loop; its hold id; reports a second otherwise
     def status(self)->dict:
         "Return whether it can follow, and does"
-        able = not self.row.aim.why_not and any(f.startswith('HAS_TRACKING') for f in self.row.told.status()['can'])
+        able = not self.row.aim.why_not and any(f.startswith('HAS_TRACKING') for f in self.row.received.status()['can'])
         return dict(can_follow=able, following=bool(self.task and not self.task.done()))
 
     def _target(self)->tuple:
         "Return the camera's last report of its target, and its time; `None`, 0 without one"
-        told = self.row.told
-        msg = told.newest.get(CAMERA_TRACKING_IMAGE_STATUS)
-        return (tracking_of(msg), told.came[CAMERA_TRACKING_IMAGE_STATUS]) if msg else (None, 0.)
+        received = self.row.received
+        msg = received.newest.get(CAMERA_TRACKING_IMAGE_STATUS)
+        return (tracking_of(msg), received.came[CAMERA_TRACKING_IMAGE_STATUS]) if msg else (None, 0.)
 
     def _ends(self, seen:float)->str:
         "Return the reason to end now, or ''; `seen`: when the target was seen last, monotonic s"

@@ -14,7 +14,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_BATTERY_STATUS as BATTERY_STATUS,
     MAVLINK_MSG_ID_GLOBAL_POSITION_INT as POSITION, MAVLINK_MSG_ID_SYS_STATUS as SYS_STATUS)
 from .panel import RowPart
-from .told import _battery_of, _picture_of
+from .camera_status import battery_of, picture_of
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS, from_int32
 from ..utils import clock
 from ..utils.values import known, NAN
@@ -73,8 +73,8 @@ class _Vehicle:
     def take(self, msg):
         "Store a message"
         self.source,self.heard = address(msg),clock.monotonic()
-        if msg.get_msgId()==BATTERY_STATUS and msg.id==0: self.battery = _battery_of(msg)
-        if msg.get_msgId()==SYS_STATUS: self.battery = _battery_of(msg)
+        if msg.get_msgId()==BATTERY_STATUS and msg.id==0: self.battery = battery_of(msg)
+        if msg.get_msgId()==SYS_STATUS: self.battery = battery_of(msg)
         if msg.get_msgId()!=POSITION or not (msg.lat or msg.lon): return
         lat,lon = msg.lat/1e7,msg.lon/1e7
         if abs(lat)>90 or abs(lon)>180: return
@@ -154,8 +154,8 @@ def _silent(self:Fleet, client)->list:
     "Return the autopilots that are due for a request"
     now,found = clock.monotonic(),[]
     for a,r in client.remotes.items():
-        told = a[0] in self.vehicles and self.vehicles[a[0]].is_fresh(self.patience)
-        if not r.heard or r.lost or told or not self._is_pilot(a): self._asked.pop(a, None)
+        fresh = a[0] in self.vehicles and self.vehicles[a[0]].is_fresh(self.patience)
+        if not r.heard or r.lost or fresh or not self._is_pilot(a): self._asked.pop(a, None)
         elif self._asked.setdefault(a, (0, now+self.patience))[1]<=now: found.append(a)
     return found[:self.most]
 
@@ -225,16 +225,16 @@ class _CameraGround(RowPart):
     def by_gimbal(self)->tuple|None:
         "Return `(lat, lon, m above the ground, quaternion)` from gimbal and vehicle"
         gimbal,vehicle = self.row.aim.gimbal,self.vehicle
-        now = gimbal and gimbal.client._is_fresh() and gimbal.client.attitude
+        now = gimbal and gimbal.client.is_fresh and gimbal.client.attitude
         if not now or vehicle is None: return None
         if not known(now.vehicle_yaw): now = replace(now, vehicle_yaw=vehicle.heading)
         return (*vehicle.place, vehicle.above, now.earth_q) if all(map(known, now.earth_q)) else None
 
     def by_camera(self)->tuple|None:
         "Return the same from CAMERA_FOV_STATUS"
-        told,vehicle = self.row.told,self.vehicle
-        msg = told.newest.get(CAMERA_FOV_STATUS)
-        if msg is None or clock.monotonic()-told.came[CAMERA_FOV_STATUS]>self.lasts: return None
+        received,vehicle = self.row.received,self.vehicle
+        msg = received.newest.get(CAMERA_FOV_STATUS)
+        if msg is None or clock.monotonic()-received.came[CAMERA_FOV_STATUS]>self.lasts: return None
         lat,lon = (from_int32(n, 1e7) for n in (msg.lat_camera, msg.lon_camera))
         alt,ground = (from_int32(n, 1e3) for n in (msg.alt_camera, msg.alt_image))
         measured = known(alt) and known(ground) and ground<alt<math.inf
@@ -244,7 +244,7 @@ class _CameraGround(RowPart):
 
     async def watch(self):
         "Request CAMERA_FOV_STATUS while a map is open, if the camera has sent its position before"
-        msg = self.row.told.newest.get(CAMERA_FOV_STATUS)
+        msg = self.row.received.newest.get(CAMERA_FOV_STATUS)
         knows,is_open = msg and known(from_int32(msg.lat_camera, 1e7)),clock.monotonic()-self.looked<self.open_for
         if knows and is_open and not self.by_gimbal(): self.row.soon(CAMERA_FOV_STATUS, now=False)
 
@@ -268,7 +268,7 @@ def add(self:_CameraGround, msg): # CAMERA_IMAGE_CAPTURED
     "Add a picture's position"
     lat,lon = (from_int32(n, 1e7) for n in (msg.lat, msg.lon))
     if not (lat or lon) or not (abs(lat)<=90 and abs(lon)<=180): return
-    about = dict(n=msg.image_index, name=_picture_of(msg)['name'], time=round(msg.time_utc/1e6, 3) or None)
+    about = dict(n=msg.image_index, name=picture_of(msg)['name'], time=round(msg.time_utc/1e6, 3) or None)
     self.pictures.append(_feature('picture', 'Point', _place(lat, lon), camera=self.row.id, **about))
 
 # %% ../../nbs/api/manager/05_map.ipynb #358db191

@@ -22,29 +22,57 @@ from ..utils.sockets import LoopThread
 from ..wire.dialect import Ack, MAVError
 
 # %% auto #0
-__all__ = ['call', 'Btn_State', 'Press', 'CommandLog', 'action', 'Row', 'RowPart', 'Panel']
+__all__ = ['Panel', 'Btn_State', 'Press', 'CommandLog', 'action', 'Row', 'RowPart', 'call']
 
-# %% ../../nbs/api/manager/00_panel.ipynb #5307cf8d
-def _as_error(e:BaseException)->Exception:
-    "Return `e`, or a `RuntimeError` in place of one that would end a thread or loop"
-    odd = not isinstance(e, Exception) or isinstance(e, StopIteration)
-    return RuntimeError(f'your function has raised {e!r}') if odd else e
+# %% ../../nbs/api/manager/00_panel.ipynb #18c0383b
+_all_ = ['Btn_State', 'Row', 'RowPart', 'action']
 
-# %% ../../nbs/api/manager/00_panel.ipynb #d55ca677
-async def call(f, # Function or coroutine function
-               name:str='call'): # Name of the thread
-    "Return the result of `f`; a coroutine runs on the caller's loop. Raises the errors of `f`, as `_as_error`"
-    answer = Future()
-    answer.set_running_or_notify_cancel()       # so a cancelled waiter doesn't cancel it
-    def live():
-        try: answer.set_result(f())
-        except BaseException as e: answer.set_exception(_as_error(e))
-    here = inspect.iscoroutinefunction(f)
-    if not here: clock.Thread(target=live, name=name, daemon=True).start()
-    try:
-        found = await (f() if here else asyncio.wrap_future(answer))
-        return await found if inspect.isawaitable(found) else found
-    except (SystemExit,KeyboardInterrupt) as e: raise _as_error(e) from e
+# %% ../../nbs/api/manager/00_panel.ipynb #316f452f
+class Panel(Closes):
+    "A control panel for cameras and gimbals"
+    id,kind,lives = '','',()        # `lives`: names of coroutine methods that run all the time
+    fleet = None                    # a `Fleet`, with vehicles and links
+    def __init__(self, camera_client=None, # A `CameraClient` that is on a link
+                 gimbal_client=None, # A `GimbalClient` that is on a link
+                 auto=None, reset=None, pause=None, # Functions or coroutine functions, each with a button
+                 title:str='UAV'): # Shown above the panel
+        for client,verb,kind in ((camera_client,'find_cameras','Camera'), (gimbal_client,'find_gimbals','Gimbal')):
+            is_class = isinstance(client, type)
+            finds = hasattr(client, verb) and not hasattr(client, 'add_component')      # a `MAVCom` has both
+            if client is None or finds and not is_class: continue
+            name,cls = f'{kind.lower()}_client',f'{kind}Client'
+            got = f'the class {client.__name__}' if is_class else f'a {type(client).__name__}'
+            write = f'write {type(self).__name__}({name}=com.add_component({cls}(…)))'
+            raise TypeError(f'{name} is a {cls}, not {got}: {write}')
+        store_attr('camera_client,gimbal_client,title')
+        self.functions = {n:f for n,f in dict(auto=auto, reset=reset, pause=pause).items() if f is not None}
+        self.calling = set()            # names of those under way
+        self.rows = {}                  # `{id: Row}`
+        self.log,self.actions = CommandLog(),_actions(self)
+        self.hosts = []                 # views, which have `close()`
+        self.last_pictures = {}         # `{camera id: JPEG}`
+        self.logger,self.exit_event,self.closed = get_logger('manager'),clock.Event(),False
+        self.loop,self.feed = LoopThread('panel'),_StatusFeed(lambda: self.status())
+        atexit.register(self.close)
+        for name in self.lives: self.loop.run(self._keep(getattr(self, name)))
+
+# %% ../../nbs/api/manager/00_panel.ipynb #7e1d0104
+@patch
+def __repr__(self:Panel):
+    kinds = [row.kind for row in list(self.rows.values())]
+    return f'{type(self).__name__}: {kinds.count("camera")} cameras, {kinds.count("gimbal")} gimbals'
+
+@patch
+def _there(self:Panel, f):
+    "Call a function on the panel's loop, if it still runs"
+    if self.loop.inside: return f()
+    with suppress(RuntimeError): self.loop.loop.call_soon_threadsafe(f)
+
+@patch
+def wake(self:Panel): "Send viewers the new picture"; self._there(self.feed.wake)
+
+@patch
+def changed(self:Panel): "Send viewers the new status"; self._there(self.feed.changed)
 
 # %% ../../nbs/api/manager/00_panel.ipynb #c3ec49b8
 class Btn_State(Enum):
@@ -109,17 +137,19 @@ class CommandLog:
         with self._lock: self._last = {k:e for k,e in self._last.items() if k[0]!=who}
 
 # %% ../../nbs/api/manager/00_panel.ipynb #d13b73f8
-class _News:
+class _StatusFeed:
     "The newest result of the function `status`, and the viewers that wait for a newer one; on one event loop"
     period = .1                     # s between two calls of `status`
     def __init__(self, status):
         self.status,self.run,self.number = status,token_hex(3),0
-        self.newest,self._due,self._come = None,0.,None         # `_come`: the future that all wait for
+        self.newest = None
+        self._due = 0.              # time of the next call of `status`, monotonic s
+        self._awaited = None        # the future that all wait for
 
     tag = property(lambda self: f'{self.run}-{self.number}', doc="Tag of the newest status")
 
-    def look(self):
-        "Call `status` again, if it is time"
+    def refresh(self):
+        "Call `status` again, if it is due"
         now = clock.monotonic()
         if now<self._due: return
         self._due,status = now+self.period,self.status()
@@ -127,8 +157,8 @@ class _News:
 
     def wake(self):
         "Wake the viewers that wait"
-        come,self._come = self._come,None
-        if come: come.set_result(None)
+        awaited,self._awaited = self._awaited,None
+        if awaited: awaited.set_result(None)
 
     def changed(self):
         "Wake the viewers, and have `status` called at once"
@@ -136,13 +166,13 @@ class _News:
         self.wake()
 
     async def wait(self, timeout:float):
-        "Wait for news, or for the next `look`; `timeout` s at most"
-        self._come = self._come or asyncio.get_running_loop().create_future()
-        await asyncio.wait([self._come], timeout=min(timeout, self.period))     # `wait_for` may swallow a cancellation
+        "Wait to be woken, or until the next `refresh` is due; `timeout` s at most"
+        self._awaited = self._awaited or asyncio.get_running_loop().create_future()
+        await asyncio.wait([self._awaited], timeout=min(timeout, self.period))  # `wait_for` may swallow a cancellation
 
 # %% ../../nbs/api/manager/00_panel.ipynb #16d95f57
 class _Update:
-    "News for one viewer: a status and its tag, and `(camera id, number, JPEG)` of each picture"
+    "Update for one viewer: a status and its tag, and `(camera id, number, JPEG)` of each picture"
     def __init__(self, tag:str, status:dict|None, pictures:list=()): store_attr()
     def __repr__(self): return f'Update: {"a status and " if self.status else ""}{len(self.pictures)} pictures'
 
@@ -213,48 +243,6 @@ class RowPart:
     async def watch(self): "Update the part, twice a second"
     async def close(self): "Leave the device in order"
 
-# %% ../../nbs/api/manager/00_panel.ipynb #18c0383b
-_all_ = ['Btn_State', 'Row', 'RowPart', 'action']
-
-# %% ../../nbs/api/manager/00_panel.ipynb #316f452f
-class Panel(Closes):
-    "A control panel for cameras and gimbals"
-    id,kind,lives = '','',()        # `lives`: names of coroutine methods that run all the time
-    fleet = None                    # a `Fleet`, with vehicles and links
-    def __init__(self, camera_client=None, # A `CameraClient` that is on a link
-                 gimbal_client=None, # A `GimbalClient` that is on a link
-                 auto=None, reset=None, pause=None, # Functions or coroutine functions, each with a button
-                 title:str='UAV'): # Shown above the panel
-        for client,verb,kind in ((camera_client,'find_cameras','Camera'), (gimbal_client,'find_gimbals','Gimbal')):
-            is_class = isinstance(client, type)
-            finds = hasattr(client, verb) and not hasattr(client, 'add_component')      # a `MAVCom` has both
-            if client is None or finds and not is_class: continue
-            name,cls = f'{kind.lower()}_client',f'{kind}Client'
-            got = f'the class {client.__name__}' if is_class else f'a {type(client).__name__}'
-            write = f'write {type(self).__name__}({name}=com.add_component({cls}(…)))'
-            raise TypeError(f'{name} is a {cls}, not {got}: {write}')
-        store_attr('camera_client,gimbal_client,title')
-        self.functions = {n:f for n,f in dict(auto=auto, reset=reset, pause=pause).items() if f is not None}
-        self.rows,self.log,self.hosts = {},CommandLog(),[]     # `{id: Row}`; presses; views, which have `close()`
-        self.actions,self.last_pictures,self.calling = _actions(self),{},set()  # JPEGs, by camera; functions under way
-        self.logger,self.exit_event,self.closed = get_logger('manager'),clock.Event(),False
-        self.loop,self.news = LoopThread('panel'),_News(lambda: self.status())
-        atexit.register(self.close)
-        for name in self.lives: self.loop.run(self._keep(getattr(self, name)))
-
-    def __repr__(self):
-        kinds = [row.kind for row in list(self.rows.values())]
-        return f'{type(self).__name__}: {kinds.count("camera")} cameras, {kinds.count("gimbal")} gimbals'
-
-    def _there(self, f):
-        "Call a function on the panel's loop, if it still runs"
-        if self.loop.inside: return f()
-        with suppress(RuntimeError): self.loop.loop.call_soon_threadsafe(f)
-
-    def wake(self): "Send viewers the new picture"; self._there(self.news.wake)
-
-    def changed(self): "Send viewers the new status"; self._there(self.news.changed)
-
 # %% ../../nbs/api/manager/00_panel.ipynb #7db6ca60
 @patch
 def close(self:Panel):
@@ -294,7 +282,7 @@ def status(self:Panel)->dict:
     "Return all that a viewer shows, as plain values; `None` where unknown"
     rows = list(self.rows.values())
     of_kind = {f'{kind}s':[row.status() for row in rows if row.kind==kind] for kind in ('camera','gimbal')}
-    return plain(dict(title=self.title, us=self.us, run=self.news.run, closed=self.exit_event.is_set(),
+    return plain(dict(title=self.title, us=self.us, run=self.feed.run, closed=self.exit_event.is_set(),
         buttons=self.buttons(), **of_kind, **self._around(), log=[entry.status() for entry in self.log.entries]))
 
 @patch
@@ -394,24 +382,24 @@ async def _pictures(self:Panel, after:dict)->list:
 # %% ../../nbs/api/manager/00_panel.ipynb #db8305aa
 @patch
 async def _poll(self:Panel, seen:str, after:dict, timeout:float)->_Update:
-    "Wait for news, on the panel's loop"
+    "Wait for feed, on the panel's loop"
     end = clock.monotonic()+timeout
-    if seen.partition('-')[0]!=self.news.run: after = dict.fromkeys(after, -1)
+    if seen.partition('-')[0]!=self.feed.run: after = dict.fromkeys(after, -1)
     while True:
         pictures = await self._pictures(after)
-        self.news.look()
-        tag,left = self.news.tag,end-clock.monotonic()
-        if pictures or tag!=seen or left<=0: return _Update(tag, None if tag==seen else self.news.newest, pictures)
-        await self.news.wait(left)
+        self.feed.refresh()
+        tag,left = self.feed.tag,end-clock.monotonic()
+        if pictures or tag!=seen or left<=0: return _Update(tag, None if tag==seen else self.feed.newest, pictures)
+        await self.feed.wait(left)
 
 # %% ../../nbs/api/manager/00_panel.ipynb #7791c492
 @patch
 async def poll(self:Panel,
     seen:str='', # Tag of the viewer's status
     after:dict|None=None, # `{camera id: number of its last picture}` of the cameras shown; -1: none yet
-    timeout:float=1., # Seconds to wait for news
+    timeout:float=1., # Seconds to wait for a change
 )->_Update:
-    "Return the news for a viewer, from any event loop"
+    "Return the update for a viewer, from any event loop"
     return await self.loop.ask(self._poll(seen, after or {}, timeout))
 
 # %% ../../nbs/api/manager/00_panel.ipynb #789c7ee6
@@ -421,7 +409,7 @@ async def next_picture(self:Panel, of:str|None=None, after:int=-1, timeout:float
     of = of or next((id for id,row in self.rows.items() if row.kind=='camera'), '')
     end = clock.monotonic()+timeout
     while not (found := await self._pictures({of:after})) and (left := end-clock.monotonic())>0:
-        await self.news.wait(left)
+        await self.feed.wait(left)
     return found[0][1:] if found else None
 
 # %% ../../nbs/api/manager/00_panel.ipynb #19bfc3a9
@@ -433,6 +421,28 @@ def frame(self:Panel, of:str|None=None, # Id of a camera; `None`: the first
     "Return the newest picture as a JPEG; `None` if none comes in time. Not for the panel's own loop"
     found = self.loop.run(self.next_picture(of, after, timeout)).result()
     return found and found[1]
+
+# %% ../../nbs/api/manager/00_panel.ipynb #5307cf8d
+def _as_error(e:BaseException)->Exception:
+    "Return `e`, or a `RuntimeError` in place of one that would end a thread or loop"
+    odd = not isinstance(e, Exception) or isinstance(e, StopIteration)
+    return RuntimeError(f'your function has raised {e!r}') if odd else e
+
+# %% ../../nbs/api/manager/00_panel.ipynb #d55ca677
+async def call(f, # Function or coroutine function
+               name:str='call'): # Name of the thread
+    "Return the result of `f`; a coroutine runs on the caller's loop. Raises the errors of `f`, as `_as_error`"
+    answer = Future()
+    answer.set_running_or_notify_cancel()       # so a cancelled waiter doesn't cancel it
+    def live():
+        try: answer.set_result(f())
+        except BaseException as e: answer.set_exception(_as_error(e))
+    here = inspect.iscoroutinefunction(f)
+    if not here: clock.Thread(target=live, name=name, daemon=True).start()
+    try:
+        found = await (f() if here else asyncio.wrap_future(answer))
+        return await found if inspect.isawaitable(found) else found
+    except (SystemExit,KeyboardInterrupt) as e: raise _as_error(e) from e
 
 # %% ../../nbs/api/manager/00_panel.ipynb #f533b184
 @patch
@@ -468,5 +478,5 @@ async def exit(self:Panel):
 async def until_exit(self:Panel):
     "Wait for `exit_event`, on any event loop"
     async def wait():
-        while not self.exit_event.is_set(): await self.news.wait(1.)
+        while not self.exit_event.is_set(): await self.feed.wait(1.)
     await self.loop.ask(wait())

@@ -10,17 +10,16 @@ from html import escape
 from http import HTTPStatus
 from importlib.resources import files
 import asyncio, hmac, ipaddress, json, re, secrets, socket
-
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.files import local_name
 from ..utils.threads import Closes
-from ..utils.sockets import listen_tcp, url_host, _Guesses
+from ..utils.sockets import listen_tcp, url_host, _Guesses, is_loopback
 from ..wire.dialect import MAVError
 
 # %% auto #0
-__all__ = ['log', 'modules', 'panel_css', 'panel_js', 'Refused', 'is_loopback', 'Door', 'bundle', 'Site', 'PanelServer']
+__all__ = ['log', 'modules', 'panel_css', 'panel_js', 'Refused', 'Door', 'bundle', 'Site', 'PanelServer']
 
 # %% ../../nbs/api/manager/09_server.ipynb #a6ed9cc8
 log = get_logger('manager.server')
@@ -38,14 +37,6 @@ def _name_of(place:str|None)->str:
     "Return the host of a `Host` header in lower case; empty if it is neither a name nor an address"
     found = re.fullmatch(r'(\[[0-9a-f:.%]+\]|[0-9a-z._-]+)(:\d{1,5})?', (place or '').lower())
     return found[1].strip('[]') if found else ''
-
-# %% ../../nbs/api/manager/09_server.ipynb #455727b3
-def is_loopback(name:str, # Host name or address
-               )->bool:
-    "True if it always means this computer"
-    if name=='localhost' or name.endswith('.localhost'): return True
-    try: return ipaddress.ip_address(name).is_loopback
-    except ValueError: return False
 
 # %% ../../nbs/api/manager/09_server.ipynb #fa7bcfe7
 def _is_address(name:str)->bool:

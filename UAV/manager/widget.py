@@ -165,7 +165,7 @@ async def _shown(gui, timeout:float)->tuple:
         wanted = [id for id in missing if id not in found and states[id] not in ('none','lost')]
         left = end-clock.monotonic()
         if not wanted or left<=0: return gui.status(),found
-        await gui.news.wait(left)
+        await gui.feed.wait(left)
 
 # %% ../../nbs/api/manager/10_widget.ipynb #52728855
 def _card_of(gui, timeout:float=2.)->str:

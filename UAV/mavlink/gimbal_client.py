@@ -11,11 +11,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import LogLevels
 from .component import Component, sends
 from .gimbal_flags import *
-from .gimbal_flags import _ways
-from UAV.mavlink.protocol import (check_count, check_seconds, check_which, comes_from, Expectations, Found, Lost,
-    NoAnswer, receives)
-from UAV.mavlink.remote_gimbal import (about, _device_address, _of_device, _of_manager, ATTITUDE, HOME_POSITION,
-    RemoteGimbal)
+from .protocol import (check_count, check_seconds, check_which, comes_from, Expectations, Expected, Found,
+    Lost, NoAnswer, receives)
+from .remote_gimbal import about, _of_manager, ATTITUDE, HOME_POSITION, RemoteGimbal
 from ..utils import clock
 from ..utils.values import inside, NAN
 from ..wire.dialect import Ack, address
@@ -24,22 +22,23 @@ from ..wire.dialect import Ack, address
 __all__ = ['GimbalClient']
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #82b305ff
+_stored = {*_of_manager, GIMBAL_DEVICE_INFORMATION, GIMBAL_DEVICE_ATTITUDE_STATUS, ATTITUDE, HOME_POSITION}
+
 class GimbalClient(Component):
-    "A client that finds MAVLink gimbals and stores their messages"
-    _most_gimbals = 64      # whose messages are stored
+    "A client that finds MAVLink gimbals and gives each its messages"
+    _most_gimbals = 256     # with messages
     def __init__(self, source_component:int, # Our component id, for example `MAV_COMP_ID_MISSIONPLANNER` (190)
                  mav_type:int=mavlink.MAV_TYPE_GCS, loglevel:int=LogLevels.INFO):
         super().__init__(source_component, mav_type, loglevel)
         self.gimbal_device_id = 0       # of our target; 0: all that its manager has
-        self._gimbals = {}  # `{(system, component, gimbal_device_id): RemoteGimbal}`
-        self._heard = {}    # `{message id: {gimbal: message}}`: the newest of each kind
-        self._news = Expectations()     # waits for messages about a gimbal, after they are stored
-        self._came = {}     # `{device: when}`: its newest GIMBAL_DEVICE_ATTITUDE_STATUS, monotonic s
-        self._homes = {}    # `{system: m above the sea}`: takeoff altitudes, from HOME_POSITION
-        self._headings = {} # `{system: (degrees, when)}`: headings of vehicles, from ATTITUDE
-        self._asked = {}    # `{gimbal: (pitch, yaw, frame)}`: the angles requested last
-        self._turned = {}   # `{gimbal: a function that stops it}`: those that we turn
-        self._holds = {}    # `{gimbal: how often}` we are inside of `control`
+        self._gimbals = {}              # `{(system, component, gimbal_device_id): RemoteGimbal}`
+        self._vehicles = {}             # `{(system, message id): (message, arrival in monotonic s)}`
+        self._after_storing = Expectations()
+
+    @property
+    def us(self)->tuple:
+        "Our address, `(system, component)`"
+        return self.source_system,self.source_component
 
     def set_target(self, target_system:int, target_component:int,
                    gimbal_device_id:int=0): # Number given by the manager; 0: all its gimbals
@@ -50,110 +49,18 @@ class GimbalClient(Component):
     def _lose(self, source:tuple, why:str):
         "Drop a lost peer, and end the waits for its messages"
         super()._lose(source, why)
-        self._news.lose(source, why)
+        self._after_storing.lose(source, why)
 
     def _farewell(self):
         "Stop turning gimbals; the `MAVCom` calls this while it still has a link"
         super()._farewell()
-        for stop in list(self._turned.values()): stop()
+        for gimbal in list(self._gimbals.values()): gimbal.close()
 
     def close(self):
         "Stop turning gimbals, end all waits, and leave the link"
         self._farewell()
         super().close()
-        self._news.lose(None, f'{self!r} was closed')
-
-# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #0f4fa4b4
-@patch
-def _about(self:GimbalClient, source:tuple, kinds=_of_manager)->set:
-    "Return the gimbals of `source` in messages of these kinds"
-    return {g for i in kinds for g in list(self._heard.get(i, ())) if g[:2]==source}
-
-@patch
-@receives(GIMBAL_MANAGER_INFORMATION)
-@receives(GIMBAL_MANAGER_STATUS)
-@receives(GIMBAL_DEVICE_INFORMATION)
-@receives(GIMBAL_DEVICE_ATTITUDE_STATUS)
-def _on_gimbal_message(self:GimbalClient, msg):
-    "Store a message about a gimbal"
-    msg_id,gimbal = msg.get_msgId(),about(msg)
-    of = self._heard.setdefault(msg_id, {})
-    if gimbal in of or len(of)<self._most_gimbals: of[gimbal] = msg
-    if msg_id==GIMBAL_DEVICE_ATTITUDE_STATUS and gimbal in of: self._came[gimbal] = clock.monotonic()
-    if msg_id in _of_manager and any(g[2] for g in self._about(gimbal[:2])):
-        for i in _of_manager: self._heard.get(i, {}).pop((*gimbal[:2], 0), None)
-    self._news.offer(msg)
-
-# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #39b27713
-@patch
-def _least(self:GimbalClient, gimbal:tuple)->tuple:
-    "Return `(system, component, gimbal_device_id)`; id 0 becomes the lowest one seen of its manager"
-    if gimbal[2]: return gimbal
-    return min(self._about(gimbal[:2]) or self._about(gimbal[:2], _of_device), default=gimbal)
-
-@patch
-def _ways_of(self:GimbalClient, gimbal:tuple)->ManagerWays:
-    "Return the conventions of a gimbal's manager, by its heartbeat"
-    remote = self.remotes.get(gimbal[:2])
-    return _ways.get(remote and remote.autopilot) or _ways[None]
-
-# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #9c0f1d04
-_gimbal_components = mavlink.MAV_COMP_ID_GIMBAL,*range(mavlink.MAV_COMP_ID_GIMBAL2, mavlink.MAV_COMP_ID_GIMBAL6+1)
-
-@patch
-def _device_of(self:GimbalClient, gimbal:tuple)->tuple:
-    "Return the device address of `(system, component, gimbal_device_id)`, as in the keys of its messages"
-    system,_,number = gimbal = self._least(gimbal)
-    if self._ways_of(gimbal).numbers_devices and 1<=number<=len(_gimbal_components):
-        there = system,_gimbal_components[number-1]
-        beats = there in self.remotes and self.remotes[there].type==mavlink.MAV_TYPE_GIMBAL
-        if beats and not self._about(there): return *there,0
-    return _device_address(*gimbal)
-
-@patch
-def _newest(self:GimbalClient, msg_id:int, gimbal:tuple):
-    "Return the newest message of a kind about `(system, component, gimbal_device_id)`, or `None`"
-    return self._heard.get(msg_id, {}).get(self._least(gimbal) if msg_id in _of_manager else self._device_of(gimbal))
-
-# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #fe023e76
-_request = mavlink.MAV_CMD_REQUEST_MESSAGE
-
-@patch
-async def _ask(self:GimbalClient, source:tuple, msg_id:int, fits=lambda m: True, command_id:int=_request, *more):
-    "Request a message of `source` by `command_id` with `msg_id` and `more`; return it, or `None`"
-    def ours(msg): return comes_from(msg, *source) and fits(msg)
-    with self._news.add(msg_id, ours, source) as wanted:
-        try: await self._ask_until(wanted, command_id, [msg_id, *more], source, .5, tries=1, retries=1)
-        except Lost: pass
-        return None if isinstance(wanted.value, Lost) else wanted.value
-
-# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #74c06c19
-@patch
-@receives(ATTITUDE)
-def _on_attitude(self:GimbalClient, msg):
-    "Store the heading of a vehicle"
-    system = address(msg)[0]
-    if system in self._headings or len(self._headings)<self._most_gimbals:
-        self._headings[system] = math.degrees(msg.yaw),clock.monotonic()
-    self._news.offer(msg)
-
-@patch
-@receives(HOME_POSITION)
-def _on_home(self:GimbalClient, msg):
-    "Store the takeoff altitude of a vehicle"
-    system = address(msg)[0]
-    if system in self._homes or len(self._homes)<self._most_gimbals: self._homes[system] = msg.altitude/1e3
-    self._news.offer(msg)
-
-@patch
-def _heading_of(self:GimbalClient, system:int)->float:
-    "Return the heading of a vehicle, degrees from north; NaN if older than a second"
-    yaw,when = self._headings.get(system, (NAN,-math.inf))
-    return yaw if clock.monotonic()-when<1 else NAN
-
-# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #e6c54bab
-@patch(as_prop=True)
-def _us(self:GimbalClient)->tuple: return self.source_system,self.source_component
+        self._after_storing.lose(None, f'{self!r} was closed')
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #47583476
 @patch
@@ -161,38 +68,104 @@ def at(self:GimbalClient, system:int|None=None, component:int|None=None, # The g
        gimbal_device_id:int=0, # Number given by the manager; 0: all its gimbals
       )->RemoteGimbal:
     "Return the handle of a gimbal, without a request; raises `MAVError` without a target"
-    gimbal = (*self.target(), self.gimbal_device_id) if system is None else (system, component, gimbal_device_id)
-    return self._gimbals.setdefault(gimbal, RemoteGimbal(self, *gimbal))
+    if system is None: system,component,gimbal_device_id = *self.target(),self.gimbal_device_id
+    gimbal = system,component,gimbal_device_id
+    return self._gimbals.get(gimbal) or self._gimbals.setdefault(gimbal, RemoteGimbal(self, *gimbal))
+
+# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #0f4fa4b4
+@patch
+@receives(GIMBAL_MANAGER_INFORMATION)
+@receives(GIMBAL_MANAGER_STATUS)
+@receives(GIMBAL_DEVICE_INFORMATION)
+@receives(GIMBAL_DEVICE_ATTITUDE_STATUS)
+def _on_gimbal_message(self:GimbalClient, msg):
+    "Store a message at the gimbal that it is about"
+    gimbal = about(msg)
+    if gimbal in self._gimbals or len(self._gimbals)<self._most_gimbals: self.at(*gimbal).store(msg)
+    self._after_storing.offer(msg)
+
+@patch
+@receives(ATTITUDE)
+@receives(HOME_POSITION)
+def _on_vehicle_message(self:GimbalClient, msg):
+    "Store the newest heading or takeoff altitude of a vehicle"
+    key = address(msg)[0],msg.get_msgId()
+    if key in self._vehicles or len(self._vehicles)<self._most_gimbals: self._vehicles[key] = msg,clock.monotonic()
+    self._after_storing.offer(msg)
+
+@patch
+def expecting(self:GimbalClient, msg_id:int, # MAVLINK_MSG_ID
+              fits=lambda msg: True, # Returns true for the right message
+              source:tuple|None=None, # `(system, component)`: stop waiting when it falls silent
+             )->Expected:
+    "Expect the next message of a kind, in a `with`; `await` its `wait(timeout)` there"
+    if msg_id in _stored: return self._after_storing.add(msg_id, fits, source)
+    return self._expectations.add(msg_id, fits, source)
+
+# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #39b27713
+@patch
+def of_vehicle(self:GimbalClient, system:int, msg_id:int, # ATTITUDE or HOME_POSITION
+               age:float=math.inf): # s
+    "Return the newest message of a vehicle unless it is older than `age`, or `None`"
+    msg,came = self._vehicles.get((system, msg_id), (None,-math.inf))
+    return msg if clock.monotonic()-came<=age else None
+
+@patch
+def reported(self:GimbalClient, source:tuple|None=None, # `(system, component)`; `None`: of all
+             kinds=_of_manager, # MAVLINK_MSG_IDs
+            )->list[RemoteGimbal]:
+    "Return the gimbals with messages of these kinds, by address; those with an id, or else those without"
+    def fits(g): return source in (None,g.manager) and not g.messages.keys().isdisjoint(kinds)
+    found = sorted(filter(fits, list(self._gimbals.values())), key=lambda g: (*g.manager, g.gimbal_device_id))
+    return [g for g in found if g.gimbal_device_id] or found
+
+# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #fe023e76
+@patch
+async def ask(self:GimbalClient, source:tuple, # `(system, component)`
+              msg_id:int, # MAVLINK_MSG_ID
+              fits=lambda msg: True, # Returns true for the right message
+              interval:int|None=None): # Request a stream, with so many µs between two; `None`: once
+    "Request a message that we store; return it, or `None`"
+    def ours(msg): return comes_from(msg, *source) and fits(msg)
+    command_id,params = mavlink.MAV_CMD_REQUEST_MESSAGE,[msg_id]
+    if interval is not None: command_id,params = mavlink.MAV_CMD_SET_MESSAGE_INTERVAL,[msg_id, interval]
+    with self.expecting(msg_id, ours, source) as wanted:
+        try: await self._ask_until(wanted, command_id, params, source, .5, tries=1, retries=1)
+        except Lost: pass
+        return None if isinstance(wanted.value, Lost) else wanted.value
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #50053b8a
 @patch
 def _to_ask(self:GimbalClient, since:float, asked:dict)->list:
     "Return the components to ask: each with a heartbeat after `since`, and silent ones again at each heartbeat"
-    beat = {s: r.heard for s,r in self.remotes.items() if r.heard>=since and r.type!=mavlink.MAV_TYPE_GCS}
-    def told(source): return self._about(source, [GIMBAL_MANAGER_INFORMATION])
-    return sorted(s for s,heard in beat.items() if s not in asked or heard>asked[s] and not told(s))
+    def is_due(source, heard):
+        if source not in asked: return True
+        return heard>asked[source] and not self.reported(source, [GIMBAL_MANAGER_INFORMATION])
+    beats = {s: r.heard for s,r in self.remotes.items() if r.heard>=since and r.type!=mavlink.MAV_TYPE_GCS}
+    return sorted(s for s,heard in beats.items() if is_due(s, heard))
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #09c5ed8c
 @patch
-async def _meet(self:GimbalClient, count:int|None, timeout:float)->list:
-    "Ask all components for gimbals, until there are `count` or the time is over; id 0 is no gimbal"
+async def _meet(self:GimbalClient, count:int|None, timeout:float)->list[RemoteGimbal]:
+    "Ask all components for gimbals, until there are `count` or the time is over"
     start,asked = clock.monotonic(),{}       # `{address: when it was asked}`
     def new(): return self._to_ask(start-1.5, asked)
+    def left(): return start+timeout-clock.monotonic()
+    def is_one(gimbal): return gimbal.gimbal_device_id or GIMBAL_MANAGER_INFORMATION in gimbal.messages
     while True:
         asking = new()
         asked.update(dict.fromkeys(asking, clock.monotonic()))
-        answers = asyncio.gather(*(self._ask(s, GIMBAL_MANAGER_INFORMATION) for s in asking))
-        try: await asyncio.wait_for(answers, max(start+timeout-clock.monotonic(), .5))
+        answers = asyncio.gather(*(self.ask(s, GIMBAL_MANAGER_INFORMATION) for s in asking))
+        try: await asyncio.wait_for(answers, max(left(), .5))
         except asyncio.TimeoutError: pass
-        told,left = self._heard.get(GIMBAL_MANAGER_INFORMATION, ()),start+timeout-clock.monotonic()
-        found = sorted(g for s in asked for g in self._about(s) if g[2] or g in told)
-        if left<=0 or count is not None and len(found)>=count: return found
+        found = [g for source in sorted(asked) for g in self.reported(source) if is_one(g)]
+        if left()<=0 or count is not None and len(found)>=count: return found
         with self.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT) as beat:
-            if not new(): await beat.wait(left)
+            if not new(): await beat.wait(left())
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #583795b6
 @patch
-def _heard_instead_of_managers(self:GimbalClient)->str:
+def _who_answers_instead(self:GimbalClient)->str:
     "List the components that were received; a gimbal device without a manager is pointed out"
     devices = [self.mav_com.name_of(s) for s,r in self.remotes.items()
                if r.type==mavlink.MAV_TYPE_GIMBAL and not r.lost]
@@ -208,8 +181,8 @@ async def find_gimbals(self:GimbalClient, count:int|None=None, # Return as soon 
     check_count(count)
     check_seconds('timeout', timeout)
     found = await self._meet(count, timeout)
-    why = f'no gimbal in {timeout:g} s; {self._heard_instead_of_managers()}'
-    return Found(await asyncio.gather(*(self.at(*gimbal)._learn() for gimbal in found)), why)
+    why = f'no gimbal in {timeout:g} s; {self._who_answers_instead()}'
+    return Found(await asyncio.gather(*(gimbal.request_information() for gimbal in found)), why)
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #d1dc4360
 @patch
@@ -221,18 +194,18 @@ async def find_gimbal(self:GimbalClient, name:str|None=None, # Part of its vendo
     "Return the first gimbal that answers; raises `NoAnswer` with the components seen instead"
     check_seconds('timeout', timeout)
     check_which(name, system, component)
-    end,found = clock.monotonic()+timeout,[]
     def fits(g):
-        components = None,g.component,self._device_of(g.gimbal)[1]
-        return system in (None,g.system) and component in components and (name or '').lower() in g.name.lower()
+        if system not in (None,g.system) or component not in (None,g.component,g.device[1]): return False
+        return (name or '').lower() in g.name.lower()
+    end,found = clock.monotonic()+timeout,[]
     while (left := end-clock.monotonic())>0 or not found:
         found = await self.find_gimbals(len(found)+1, max(left, 0.))
         if fitting := next(filter(fits, found), None): return fitting
         if left<=0: break
     asked = dict(name=name, system=system, component=component)
     which = ', '.join(f'{k}={v!r}' for k,v in asked.items() if v is not None)
-    heard = ', '.join(map(str, found)) or self._heard_instead_of_managers()
-    raise NoAnswer(f'no gimbal{which and f" with {which}"} in {timeout:g} s; {heard}')
+    instead = ', '.join(map(str, found)) or self._who_answers_instead()
+    raise NoAnswer(f'no gimbal{which and f" with {which}"} in {timeout:g} s; {instead}')
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #c7b76c63
 @patch
@@ -243,11 +216,6 @@ async def set_attitude(self:GimbalClient, pitch:float=NAN, yaw:float=NAN, # Degr
     "Point there"
     return await self.at().set_angles(pitch, yaw, pitch_rate=pitchspeed, yaw_rate=yawspeed)
 
-# %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #42bdc2e7
-@patch
-async def _camera(self:GimbalClient, camera:tuple|None, command_id:int, params)->Ack:
-    return await self.send_command(*(camera or self.target()), command_id, params)
-
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #080ed61c
 @patch
 @sends(mavlink.MAV_CMD_SET_CAMERA_ZOOM)
@@ -256,7 +224,7 @@ async def set_zoom(self:GimbalClient, value:float, # %: 0 is wide, 100 is full z
                   )->Ack:
     "Zoom the camera"
     params = [mavlink.ZOOM_TYPE_RANGE, inside('value', value, 0, 100)]
-    return await self._camera(camera, mavlink.MAV_CMD_SET_CAMERA_ZOOM, params)
+    return await self.send_command(*(camera or self.target()), mavlink.MAV_CMD_SET_CAMERA_ZOOM, params)
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #a3a3613e
 @patch
@@ -267,7 +235,8 @@ async def start_capture(self:GimbalClient, interval:float=0., # Seconds between 
                        )->Ack:
     "Take pictures"
     number = random.randrange(1, 2**24) if count==1 else 0      # so that a duplicate takes no second picture
-    return await self._camera(camera, mavlink.MAV_CMD_IMAGE_START_CAPTURE, [0, interval, count, number])
+    params = [0, interval, count, number]
+    return await self.send_command(*(camera or self.target()), mavlink.MAV_CMD_IMAGE_START_CAPTURE, params)
 
 # %% ../../nbs/api/mavlink/21_gimbal_client.ipynb #cb37ce59
 @patch
@@ -275,4 +244,4 @@ async def start_capture(self:GimbalClient, interval:float=0., # Seconds between 
 async def stop_capture(self:GimbalClient, camera:tuple|None=None, # `(system, component)`; `None`: the gimbal itself
                       )->Ack:
     "Stop taking pictures"
-    return await self._camera(camera, mavlink.MAV_CMD_IMAGE_STOP_CAPTURE, [])
+    return await self.send_command(*(camera or self.target()), mavlink.MAV_CMD_IMAGE_STOP_CAPTURE, [])

@@ -27,9 +27,9 @@ _all_ = ['GIMBAL_DEVICE_ATTITUDE_STATUS', 'GIMBAL_DEVICE_INFORMATION', 'GIMBAL_M
 
 # %% auto #0
 __all__ = ['RETRACT', 'NEUTRAL', 'ROLL_LOCK', 'PITCH_LOCK', 'YAW_LOCK', 'VEHICLE_FRAME', 'EARTH_FRAME', 'ACCEPTS_EARTH', 'RC',
-           'LEVEL', 'axis_limits', 'flag_names', 'information_of', 'attitude_of', 'ManagerWays', 'GimbalOptions',
-           'Control', 'GIMBAL_DEVICE_ATTITUDE_STATUS', 'GIMBAL_DEVICE_INFORMATION', 'GIMBAL_MANAGER_INFORMATION',
-           'GIMBAL_MANAGER_STATUS']
+           'LEVEL', 'axis_limits', 'flag_names', 'capabilities_in', 'information_of', 'attitude_of', 'ManagerWays',
+           'ways_of', 'GimbalOptions', 'Control', 'GIMBAL_DEVICE_ATTITUDE_STATUS', 'GIMBAL_DEVICE_INFORMATION',
+           'GIMBAL_MANAGER_INFORMATION', 'GIMBAL_MANAGER_STATUS']
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #5f81ebc3
 (RETRACT,NEUTRAL,ROLL_LOCK,PITCH_LOCK,YAW_LOCK,VEHICLE_FRAME,EARTH_FRAME,ACCEPTS_EARTH) = (
@@ -149,7 +149,9 @@ def _limits(information:GimbalInformation)->list:
 def _packed(version:tuple)->int: return sum((v&0xff)<<8*n for n,v in enumerate(version))
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #8bbd0122
-def _caps(msg)->int: return getattr(msg, 'cap_flags2', 0) or msg.cap_flags
+def capabilities_in(msg)->int:
+    "Return GIMBAL_DEVICE_CAP_FLAGS, or GIMBAL_MANAGER_CAP_FLAGS, of an information message"
+    return getattr(msg, 'cap_flags2', 0) or msg.cap_flags
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #efd6eb73
 def _reach(msg, axis:str, has:bool)->tuple|None:
@@ -164,7 +166,7 @@ def _text(field)->str:
 
 def information_of(msg)->GimbalInformation:
     "Decode GIMBAL_DEVICE_INFORMATION"
-    names = flag_names('GIMBAL_DEVICE_CAP_FLAGS', _caps(msg))
+    names = flag_names('GIMBAL_DEVICE_CAP_FLAGS', capabilities_in(msg))
     vendor,model,custom = map(_text, (msg.vendor_name, msg.model_name, msg.custom_name))
     reach = {a: _reach(msg, a, f'HAS_{a.upper()}_AXIS' in names) for a in axes}
     if 'SUPPORTS_INFINITE_YAW' in names: reach['yaw'] = -math.inf,math.inf
@@ -225,9 +227,14 @@ class ManagerWays:
     relative_alt:bool=True # True if it reads an altitude from home in such a frame
     numbers_devices:bool=False # True if components 154, 171, … are its gimbals 1, 2, …
 
-_ways = {None: ManagerWays(),           # no autopilot, or not identified yet
-         mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA: ManagerWays(reads_frame=False, keeps_nan=False, numbers_devices=True),
-         mavlink.MAV_AUTOPILOT_PX4: ManagerWays(False, False, False, False, False)}
+_autopilots = {
+    mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA: ManagerWays(reads_frame=False, keeps_nan=False, numbers_devices=True),
+    mavlink.MAV_AUTOPILOT_PX4: ManagerWays(False, False, False, False, False)}
+_others = ManagerWays()
+
+def ways_of(autopilot:int|None)->ManagerWays: # MAV_AUTOPILOT of its heartbeat; `None`: not received
+    "Return the conventions of a manager"
+    return _autopilots.get(autopilot, _others)
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #6806fc44
 _results = {HeadingUnknown:mavlink.MAV_RESULT_TEMPORARILY_REJECTED,

@@ -4,7 +4,7 @@
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #1bf447e4
 from __future__ import annotations
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, contextmanager
 from dataclasses import dataclass
 import asyncio, math
 
@@ -15,7 +15,6 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_ATTITUDE as ATT
 from ..gimbals.values import GimbalAttitude, PositionUnknown, yaw_in
 from .component import message_name, sends
 from .gimbal_flags import *
-from .gimbal_flags import _caps
 from .protocol import Denied, NoAnswer
 from ..utils import clock
 from ..utils.docs import for_async
@@ -24,21 +23,118 @@ from ..utils.geo import quaternion, wrap
 from ..wire.dialect import Ack, address, MAVError
 
 # %% auto #0
-__all__ = ['about', 'GimbalStatus', 'GimbalAck', 'RemoteGimbal', 'Sent']
+__all__ = ['RemoteGimbal', 'about', 'GimbalStatus', 'GimbalAck', 'Sent']
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #8dc9bf30
+class RemoteGimbal:
+    "A remote gimbal: its verbs, attitude and status"
+    def __init__(self, client, # The `GimbalClient` that found it
+                 system:int, component:int, # Its manager's address
+                 gimbal_device_id:int=0): # Number given by the manager; 0: all its gimbals
+        self.client,self.system,self.component,self.gimbal_device_id = client,system,component,gimbal_device_id
+        self.manager,self.address = (system,component),(system,component,gimbal_device_id)
+        self.information = None         # a `GimbalInformation`; `None`: not received
+        self.manager_information = None # GIMBAL_MANAGER_INFORMATION; `None`: not received
+        self.messages = {}              # `{message id: the newest one}` with this address
+        self._attitude_came = -math.inf # arrival of the newest attitude, monotonic s
+        self._goal = None               # pitch, yaw and frame that `reached` waits for
+        self._lock = False,-math.inf    # the lock requested last, and when, monotonic s
+        self._holds = 0                 # `control` blocks under way
+        self._at_close = None           # function that stops it; `None`: it isn't turning
+        self._warned_of = None          # the primary control that `send_rates` warned of
+        self._refresh = .5
+
+    def __repr__(self):
+        can = f': {" ".join(self.can)}' if self.can else ''
+        return f'{self.system}/{self.component} gimbal {self.gimbal[2]}, {self.name}{can}'
+
+    @property
+    def refresh(self)->float:
+        "Seconds between two messages of `keep_turning`"
+        return self._refresh
+
+    @refresh.setter
+    def refresh(self, seconds): self._refresh = inside('refresh (s)', seconds, .02, 2)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #cb748120
+@patch(as_prop=True)
+def name(self:RemoteGimbal)->str:
+    "Vendor and model"
+    info = self.information
+    return ' '.join(filter(None, (info.vendor, info.model))) if info else 'unknown'
+
+@patch(as_prop=True)
+def can(self:RemoteGimbal)->tuple:
+    "Names of its GIMBAL_MANAGER_CAP_FLAGS"
+    info = self.manager_information
+    return flag_names('GIMBAL_MANAGER_CAP_FLAGS', capabilities_in(info)) if info else ()
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #534ed481
+_of_manager = GIMBAL_MANAGER_INFORMATION,GIMBAL_MANAGER_STATUS
+_of_device = GIMBAL_DEVICE_INFORMATION,GIMBAL_DEVICE_ATTITUDE_STATUS
+
 def _device_address(system:int, component:int, gimbal_device_id:int)->tuple:
     "Return `(system, component, gimbal_device_id)` of a gimbal device, with 0 for a component of its own"
     return (system, gimbal_device_id, 0) if gimbal_device_id>6 else (system, component, gimbal_device_id)
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ef3f82e5
-_of_manager = GIMBAL_MANAGER_INFORMATION,GIMBAL_MANAGER_STATUS
-_of_device = GIMBAL_DEVICE_INFORMATION,GIMBAL_DEVICE_ATTITUDE_STATUS
 
 def about(msg)->tuple:
     "Return the gimbal in a manager's `msg`, or the address of the device that sent it"
     gimbal = *address(msg),msg.gimbal_device_id
     return gimbal if msg.get_msgId() in _of_manager else _device_address(*gimbal)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #7998fd98
+@patch(as_prop=True)
+def _first(self:RemoteGimbal)->RemoteGimbal:
+    "This handle, or for id 0 the one with the lowest id seen"
+    if self.gimbal_device_id: return self
+    seen = self.client.reported(self.manager) or self.client.reported(self.manager, _of_device)
+    return seen[0] if seen else self
+
+@patch(as_prop=True)
+def gimbal(self:RemoteGimbal)->tuple:
+    "Address `(system, component, gimbal_device_id)`; id 0 becomes the lowest one seen"
+    return self.address if self.gimbal_device_id else (*self.manager, self._first.gimbal_device_id)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #789522a7
+_gimbal_components = mavlink.MAV_COMP_ID_GIMBAL,*range(mavlink.MAV_COMP_ID_GIMBAL2, mavlink.MAV_COMP_ID_GIMBAL6+1)
+
+@patch(as_prop=True)
+def ways(self:RemoteGimbal)->ManagerWays:
+    "Conventions of its manager, by the heartbeat"
+    remote = self.client.remotes.get(self.manager)
+    return ways_of(remote.autopilot if remote else None)
+
+@patch(as_prop=True)
+def device(self:RemoteGimbal)->tuple:
+    "Address of its device, as in the device's messages"
+    system,component,number = self.gimbal
+    if self.ways.numbers_devices and 1<=number<=len(_gimbal_components):
+        there = system,_gimbal_components[number-1]
+        remote = self.client.remotes.get(there)
+        is_device = remote is not None and remote.type==mavlink.MAV_TYPE_GIMBAL
+        if is_device and not self.client.reported(there): return *there,0
+    return _device_address(system, component, number)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #fc31d8e5
+@patch
+def store(self:RemoteGimbal, msg):
+    "Store a message with this address"
+    msg_id = msg.get_msgId()
+    self.messages[msg_id] = msg
+    if msg_id==GIMBAL_DEVICE_ATTITUDE_STATUS: self._attitude_came = clock.monotonic()
+
+@patch(as_prop=True)
+def _device(self:RemoteGimbal)->RemoteGimbal: return self.client.at(*self.device)
+
+@patch
+def newest(self:RemoteGimbal, msg_id:int):
+    "Return the newest message of a kind from its manager or device, or `None`"
+    return (self._first if msg_id in _of_manager else self._device).messages.get(msg_id)
+
+@patch
+def forget(self:RemoteGimbal):
+    "Drop all messages about it, for another gimbal may be in its place"
+    for handle in (self, self._first, self._device): handle.messages.clear()
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #79a8a206
 @dataclass(frozen=True, repr=False, eq=False)
@@ -68,121 +164,96 @@ class GimbalAck(Ack):
         "Client in control, or the dialect's text of `result`"
         return self.why or (repr(self.status) if self.status else super().reason)
 
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #8dc9bf30
-class RemoteGimbal:
-    "A remote gimbal: its verbs, attitude and status"
-    _interval = 200_000     # µs between two messages of a requested stream
-    refresh = .5            # s between two messages of `keep_turning`
-    def __init__(self, client, # The `GimbalClient` that found it
-                 system:int, component:int, # Its manager's address
-                 gimbal_device_id:int=0): # Number given by the manager; 0: all its gimbals
-        self.client,self.system,self.component,self.gimbal_device_id = client,system,component,gimbal_device_id
-        self._manager,self._key = (system,component),(system,component,gimbal_device_id)
-        self._locked = None             # (lock, monotonic s) last requested; `None`: as the device reports
-        self._warned_of = None          # the primary control that `send_rates` warned of
-        self.information = None         # a `GimbalInformation`; `None`: not received
-        self.manager_information = None # GIMBAL_MANAGER_INFORMATION; `None`: not received
-
-    def __setattr__(self, name, value):
-        if name=='refresh': inside('refresh (s)', value, .02, 2)        # rare enough, and before a gimbal stops
-        super().__setattr__(name, value)
-
-    def __repr__(self):
-        can = f': {" ".join(self.can)}' if self.can else ''
-        return f'{self.system}/{self.component} gimbal {self.gimbal[2]}, {self.name}{can}'
-
-    @property
-    def gimbal(self)->tuple:
-        "Address `(system, component, gimbal_device_id)`; id 0 becomes the lowest one seen"
-        return self.client._least(self._key)
-
-    @property
-    def _device(self)->tuple: return self.client._device_of(self._key)
-
-    def close(self):
-        "Stop turning this gimbal; the client stays on its link"
-        if stop := self.client._turned.get(self.gimbal): stop()
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #cb748120
-@patch(as_prop=True)
-def name(self:RemoteGimbal)->str:
-    "Vendor and model"
-    return ' '.join(filter(None, (self.information.vendor, self.information.model))) if self.information else 'unknown'
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #82677f6d
-@patch(as_prop=True)
-def can(self:RemoteGimbal)->tuple:
-    "Names of its GIMBAL_MANAGER_CAP_FLAGS"
-    return flag_names('GIMBAL_MANAGER_CAP_FLAGS', _caps(self.manager_information)) if self.manager_information else ()
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #054ca2a4
-@patch(as_prop=True)
-def attitude(self:RemoteGimbal)->GimbalAttitude|None:
-    "Newest attitude received; `None` if there is none, or the gimbal is lost"
-    msg = self.client._newest(GIMBAL_DEVICE_ATTITUDE_STATUS, self._key)
-    if msg is None or self.client.mav_com.lost(address(msg)): return None
-    try: return attitude_of(msg, self.client._heading_of(address(msg)[0]), msg.time_boot_ms/1000)
-    except ValueError: return None      # it claims two frames
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #863cbdc6
-@patch
-@for_async
-async def attitudes(self:RemoteGimbal):
-    "Yield each new attitude for `async for`, skipping those that arrive while you work; raises `Lost`"
-    def ours(msg): return about(msg)==self._device          # its id may come later
-    with self.client._news.add(GIMBAL_DEVICE_ATTITUDE_STATUS, ours, self._device[:2]) as told:
-        while True:
-            await told.wait()
-            told.renew()
-            if (now := self.attitude) is not None: yield now
-
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #60fec077
 @patch(as_prop=True)
-def status(self:RemoteGimbal)->GimbalStatus|None:
-    "Clients in control of it; `None` if not received"
-    m = self.client._newest(GIMBAL_MANAGER_STATUS, self._key)
-    if m is None: return None
-    pairs = (m.primary_control_sysid, m.primary_control_compid),(m.secondary_control_sysid, m.secondary_control_compid)
-    return GimbalStatus(*(pair if any(pair) else None for pair in pairs), m.flags)
+def _primary(self:RemoteGimbal)->tuple|None:
+    "Client in control, 0/0 if there is none; `None`: not received"
+    m = self.newest(GIMBAL_MANAGER_STATUS)
+    return m and (m.primary_control_sysid,m.primary_control_compid)
 
 @patch(as_prop=True)
 def in_control(self:RemoteGimbal)->bool:
     "True if we are in control, by its manager's status"
-    return (self.status or GimbalStatus()).primary==self.client._us
+    return self._primary==self.client.us
 
 @patch(as_prop=True)
 def held_by_other(self:RemoteGimbal)->bool:
     "True if another client is in control, by its manager's status"
-    return (self.status or GimbalStatus()).primary not in (None, self.client._us)
+    return self._primary not in (None, (0,0), self.client.us)
+
+@patch(as_prop=True)
+def status(self:RemoteGimbal)->GimbalStatus|None:
+    "Clients in control of it; `None` if not received"
+    m = self.newest(GIMBAL_MANAGER_STATUS)
+    if m is None: return None
+    pairs = self._primary,(m.secondary_control_sysid,m.secondary_control_compid)
+    return GimbalStatus(*(pair if any(pair) else None for pair in pairs), m.flags)
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #56e822df
 @patch
 async def _command(self:RemoteGimbal, command_id:int, params, frame:int|None=None)->GimbalAck:
     "Send a repeatable command to its manager, as a COMMAND_INT if a MAV_FRAME is given"
     retries = None if frame is None else 5          # a COMMAND_INT is sent once, unless we say else
-    ack = await self.client.send_command(*self._manager, command_id, params, frame=frame, retries=retries)
+    ack = await self.client.send_command(*self.manager, command_id, params, frame=frame, retries=retries)
     if ack.result not in (mavlink.MAV_RESULT_DENIED, _not_in_control): return GimbalAck(ack)
-    if not self.held_by_other: await self.client._ask(self._manager, GIMBAL_MANAGER_STATUS)
+    if not self.held_by_other: await self.client.ask(self.manager, GIMBAL_MANAGER_STATUS)
     return GimbalAck(ack, self.status if self.held_by_other else None)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #054ca2a4
+@patch(as_prop=True)
+def attitude(self:RemoteGimbal)->GimbalAttitude|None:
+    "Newest attitude received; `None` if there is none, or the gimbal is lost"
+    msg = self.newest(GIMBAL_DEVICE_ATTITUDE_STATUS)
+    if msg is None or self.client.mav_com.lost(address(msg)): return None
+    try: return attitude_of(msg, self._heading, msg.time_boot_ms/1000)
+    except ValueError: return None      # it claims two frames
+
+@patch(as_prop=True)
+def _heading(self:RemoteGimbal)->float:
+    "Heading of its vehicle, degrees from north; NaN if older than a second"
+    msg = self.client.of_vehicle(self.system, ATTITUDE, age=1.)
+    return math.degrees(msg.yaw) if msg else NAN
+
+@patch(as_prop=True)
+def is_fresh(self:RemoteGimbal)->bool:
+    "True if an attitude came within the last second"
+    return clock.monotonic()-self._device._attitude_came<1
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #863cbdc6
+@patch
+def expecting_attitude(self:RemoteGimbal, fits=lambda msg: True): # Returns true for the right message
+    "Expect its next attitude message, in a `with`; `await` its `wait(timeout)` there"
+    def ours(msg): return about(msg)==self.device and fits(msg)        # its id may come later
+    return self.client.expecting(GIMBAL_DEVICE_ATTITUDE_STATUS, ours, self.device[:2])
+
+@patch
+@for_async
+async def attitudes(self:RemoteGimbal):
+    "Yield each new attitude for `async for`, skipping those that arrive while you work; raises `Lost`"
+    with self.expecting_attitude() as expected:
+        while True:
+            await expected.wait()
+            expected.renew()
+            if (now := self.attitude) is not None: yield now
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #49af7d0b
 _streamed = GIMBAL_MANAGER_STATUS,GIMBAL_DEVICE_ATTITUDE_STATUS
 _needed = GIMBAL_MANAGER_INFORMATION,*_streamed
+_interval = 200_000     # µs between two messages of a requested stream
 
 @patch
-def _missing(self:RemoteGimbal)->list: return [i for i in _needed if self.client._newest(i, self._key) is None]
+def _missing(self:RemoteGimbal)->list: return [i for i in _needed if self.newest(i) is None]
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #a3a3644a
 @patch
 async def _get(self:RemoteGimbal, msg_id:int, there=None):
     "Get a message about the gimbal, until `there()` if given: listen, request a stream, request it once"
-    def came(msg=None): return there() if there else self.client._newest(msg_id, self._key) is not None
-    source = self._manager if msg_id in _of_manager else self._device[:2]
+    def came(msg=None): return there() if there else self.newest(msg_id) is not None
+    source = self.manager if msg_id in _of_manager else self.device[:2]
     if msg_id in _streamed:
-        with self.client._news.add(msg_id, came) as told: came() or await told.wait(.6)
-        stream = mavlink.MAV_CMD_SET_MESSAGE_INTERVAL,self._interval
-        if not came(): await self.client._ask(source, msg_id, came, *stream)
-    if not came(): await self.client._ask(source, msg_id, came)
+        with self.client.expecting(msg_id, came) as expected: came() or await expected.wait(.6)
+        if not came(): await self.client.ask(source, msg_id, came, interval=_interval)
+    if not came(): await self.client.ask(source, msg_id, came)
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #20a495d8
 @patch
@@ -191,7 +262,7 @@ async def _complete(self:RemoteGimbal):
     while missing := self._missing():
         await asyncio.gather(*map(self._get, missing))
         if not self._missing(): break
-        with self.client.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: address(m)==self._manager) as beat:
+        with self.client.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda m: address(m)==self.manager) as beat:
             await beat.wait(1)
     await self._get_heading()
 
@@ -200,47 +271,43 @@ async def _complete(self:RemoteGimbal):
 async def _get_heading(self:RemoteGimbal):
     "Request the autopilot's ATTITUDE if the heading is unknown"
     now,autopilot = self.attitude,(self.system,mavlink.MAV_COMP_ID_AUTOPILOT1)
-    if now and known(now.vehicle_yaw) or known(self.client._heading_of(self.system)): return
+    if now and known(now.vehicle_yaw) or known(self._heading): return
     if autopilot not in self.client.remotes or self.client.mav_com.lost(autopilot): return
-    await self.client._ask(autopilot, ATTITUDE, lambda m: True, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, self._interval)
+    await self.client.ask(autopilot, ATTITUDE, interval=_interval)
 
 @patch
-def _is_fresh(self:RemoteGimbal)->bool: return clock.monotonic()-self.client._came.get(self._device, -1.)<1
-
-@patch
-async def _see(self:RemoteGimbal, heading:bool=False)->GimbalAttitude|None:
-    "Return its current attitude, with the vehicle's `heading`, requesting a stream if needed; `None` without answer"
-    if not self._is_fresh(): await self._get(GIMBAL_DEVICE_ATTITUDE_STATUS, self._is_fresh)
+async def current_attitude(self:RemoteGimbal, heading:bool=False)->GimbalAttitude|None:
+    "Return a fresh attitude, with the vehicle's `heading`; requests a stream if needed. `None` without answer"
+    if not self.is_fresh: await self._get(GIMBAL_DEVICE_ATTITUDE_STATUS, lambda: self.is_fresh)
     if heading: await self._get_heading()
     return self.attitude
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #9c0f2d04
 @patch
-async def _ways(self:RemoteGimbal)->ManagerWays:
-    "Return the conventions of its manager"
+async def _sure_ways(self:RemoteGimbal)->ManagerWays:
+    "Return the conventions of its manager, after the heartbeat of one that may be an autopilot"
     if self.component==mavlink.MAV_COMP_ID_AUTOPILOT1:
-        remote = self.client.remotes.get(self._manager)
-        if remote is None or remote.type is None: await self.client.wait_heartbeat(None, *self._manager, 1.5)
-    return self.client._ways_of(self._manager)
+        remote = self.client.remotes.get(self.manager)
+        if remote is None or remote.type is None: await self.client.wait_heartbeat(None, *self.manager, 1.5)
+    return self.ways
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #9c0f2d07
 @patch
 async def _amsl(self:RemoteGimbal, alt:float)->float:
     "Convert an altitude above home to one above the sea, m; raises `PositionUnknown`"
-    await self.client._ask(self._manager, HOME_POSITION)        # it may have changed
-    if self.system in self.client._homes: return self.client._homes[self.system]+alt
-    who = self.client.mav_com.name_of(self._manager)
+    await self.client.ask(self.manager, HOME_POSITION)        # it may have changed
+    if home := self.client.of_vehicle(self.system, HOME_POSITION): return home.altitude/1e3+alt
+    who = self.client.mav_com.name_of(self.manager)
     raise PositionUnknown(f'{who} reads altitudes as above the sea, and has no HOME_POSITION to count from')
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #f52e6492
 @patch
-async def _learn(self:RemoteGimbal)->RemoteGimbal:
+async def request_information(self:RemoteGimbal)->RemoteGimbal:
     "Store the gimbal's information, requested from its device if missing"
-    client,device = self.client,self._device
-    info = client._newest(GIMBAL_DEVICE_INFORMATION, self._key)
-    if info is None: info = await client._ask(device[:2], GIMBAL_DEVICE_INFORMATION, lambda m: about(m)==device)
+    device,info = self.device,self.newest(GIMBAL_DEVICE_INFORMATION)
+    if info is None: info = await self.client.ask(device[:2], GIMBAL_DEVICE_INFORMATION, lambda m: about(m)==device)
     self.information = info and information_of(info)
-    self.manager_information = client._newest(GIMBAL_MANAGER_INFORMATION, self._key)
+    self.manager_information = self.newest(GIMBAL_MANAGER_INFORMATION)
     return self
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #d584ea6e
@@ -251,8 +318,8 @@ async def wait_ready(self:RemoteGimbal, timeout:float=5., # Seconds
     try: await asyncio.wait_for(self._complete(), max(timeout, .1))
     except asyncio.TimeoutError: pass
     missing = ' and no '.join(f'{message_name(i)} ({i})' for i in self._missing())
-    if not missing: return await self._learn()
-    name,number = self.client.mav_com.name_of(self._manager),self.gimbal[2]
+    if not missing: return await self.request_information()
+    name,number = self.client.mav_com.name_of(self.manager),self.gimbal[2]
     raise NoAnswer(f'gimbal {number} of {name}: no {missing}; {self.client.mav_com.who_was_heard()}')
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #6ffff135
@@ -267,16 +334,16 @@ async def _configure(self:RemoteGimbal, system:int, component:int)->GimbalAck:
 async def _wait_status(self:RemoteGimbal, test)->bool:
     "Wait until the gimbal's status passes `test`, requesting it if it does not come; return whether it passes"
     def fits(msg=None): return test(self.status)
-    with self.client._news.add(GIMBAL_MANAGER_STATUS, fits, self._manager) as told:
-        if fits() or await told.wait(.5) is not None: return fits()
-    await self.client._ask(self._manager, GIMBAL_MANAGER_STATUS, fits)
+    with self.client.expecting(GIMBAL_MANAGER_STATUS, fits, self.manager) as expected:
+        if fits() or await expected.wait(.5) is not None: return fits()
+    await self.client.ask(self.manager, GIMBAL_MANAGER_STATUS, fits)
     return fits()
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #a67c9f4b
 @patch
 def _holder(self:RemoteGimbal)->str:
     "Return the client in control, as text"
-    return f'gimbal {self.gimbal[2]} of {self.client.mav_com.name_of(self._manager)}: {self.status}'
+    return f'gimbal {self.gimbal[2]} of {self.client.mav_com.name_of(self.manager)}: {self.status}'
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #62b91266
 @patch
@@ -290,18 +357,18 @@ async def _check_free(self:RemoteGimbal, take_over:bool=False):
 async def _take(self:RemoteGimbal):
     "Take control; raises as `Ack.check`, and `Denied` if the manager accepts but shows another client, or twice none"
     for _ in range(2):
-        (await self._configure(*self.client._us)).check()
-        if await self._wait_status(lambda status: status is not None and status.primary==self.client._us): return
+        (await self._configure(*self.client.us)).check()
+        if await self._wait_status(lambda status: status is not None and status.primary==self.client.us): return
         if self.status is None or self.held_by_other: break
     if self.status is not None: raise Denied(self._holder())
-    self.client.log.warning('gimbal %s of %s/%s does not say who is in control', self.gimbal[2], *self._manager)
+    self.client.log.warning('gimbal %s of %s/%s does not say who is in control', self.gimbal[2], *self.manager)
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #000c624d
 @patch
 async def give_back(self:RemoteGimbal)->GimbalAck:
     "Give control back, if it is ours"
     ack = await self._configure(-3, -3)
-    if ack: await self._wait_status(lambda status: status is None or status.primary!=self.client._us)
+    if ack: await self._wait_status(lambda status: status is None or status.primary!=self.client.us)
     return ack
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #77178022
@@ -319,14 +386,14 @@ async def control(self:RemoteGimbal, take_over:bool=False, # True: take it from 
                   keep:bool=False): # True: stay in control at the end
     "Hold control of the gimbal for `async with`, nestable; raises `Denied` if another client has it, and `NoAnswer`"
     await self._check_free(take_over)
-    holds,gimbal = self.client._holds,self.gimbal       # with the id that its manager tells
-    holds[gimbal] = holds.get(gimbal, 0)+1
+    held = self._first          # by now its manager has reported its id
+    held._holds += 1
     try:
-        if holds[gimbal]==1 or not self.in_control: await self._take()
+        if held._holds==1 or not self.in_control: await self._take()
         yield self
     finally:
-        holds[gimbal] -= 1
-        if not holds[gimbal] and not keep: await self._let_go()
+        held._holds -= 1
+        if not held._holds and not keep: await self._let_go()
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #9c0f3d04
 def _pitchyaw_numbers(angles:tuple, rates:tuple)->list:
@@ -335,13 +402,12 @@ def _pitchyaw_numbers(angles:tuple, rates:tuple)->list:
     return [v if v!=v else inside(name, v) for name,v in zip(names, (*angles,*rates))]
 
 @patch
-def _send_setpoint(self:RemoteGimbal, angles:tuple, rates:tuple, flags:int):
+def _send_setpoint(self:RemoteGimbal, pitch:float, yaw:float, pitch_rate:float, yaw_rate:float, flags:int):
     "Send GIMBAL_MANAGER_SET_ATTITUDE, which has no ack: both angles or none, GIMBAL_MANAGER_FLAGS"
-    pitch,yaw,*turning = _pitchyaw_numbers(angles, rates)
-    q = quaternion(0., pitch, yaw) if known(pitch) and known(yaw) else [NAN]*4
-    roll_rate = NAN if known(q[0]) else 0.
-    msg = self.client.mav.gimbal_manager_set_attitude_encode(*self._manager, flags, self.gimbal[2], q, roll_rate,
-                                                             *map(math.radians, turning))
+    has_angles = known(pitch) and known(yaw)
+    q = quaternion(0., pitch, yaw) if has_angles else [NAN]*4
+    rates = NAN if has_angles else 0.,math.radians(pitch_rate),math.radians(yaw_rate)
+    msg = self.client.mav.gimbal_manager_set_attitude_encode(*self.manager, flags, self.gimbal[2], q, *rates)
     self.client.send_message(msg)
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #9c0f3d02
@@ -355,15 +421,14 @@ class Sent(GimbalAck):
 @patch
 async def _sent(self:RemoteGimbal)->Sent:
     "Return a `Sent`, true if we are in control after a message to the manager"
-    told = await self.client._ask(self._manager, GIMBAL_MANAGER_STATUS)
-    if told is None: return Sent(Ack(None, target=self._manager))
+    status = await self.client.ask(self.manager, GIMBAL_MANAGER_STATUS)
+    if status is None: return Sent(Ack(None, target=self.manager))
     result = mavlink.MAV_RESULT_ACCEPTED if self.in_control else mavlink.MAV_RESULT_DENIED
-    return Sent(Ack(result, self._manager), self.status, why='' if self.in_control else repr(self.status))
+    return Sent(Ack(result, self.manager), self.status, why='' if self.in_control else repr(self.status))
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #39af93ed
-def _pointing_flags(frame:str='vehicle', lock:bool|None=None)->int:
-    "Return GIMBAL_MANAGER_FLAGS; `lock=None` locks a yaw from north. Raises `ValueError`"
-    earth = one_of('frame', frame, ('vehicle','earth'))=='earth'
+def _pointing_flags(earth:bool=False, lock:bool|None=None)->int:
+    "Return GIMBAL_MANAGER_FLAGS, for a yaw from north if `earth`; `lock=None` locks that one"
     lock = earth if lock is None else lock
     return LEVEL | (YAW_LOCK if lock else 0) | (EARTH_FRAME if earth else VEHICLE_FRAME)
 
@@ -372,45 +437,47 @@ _PITCHYAW = mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #add5d421
 @patch
-def _forget_angles(self:RemoteGimbal):
-    "Forget the angles that `reached` waits for"
-    for g in (self.gimbal, (*self._manager, 0)): self.client._asked.pop(g, None)
-    self._locked = None
+def _forget_orders(self:RemoteGimbal):
+    "Forget the angles and the lock that were requested last"
+    for handle in (self._first, self.client.at(*self.manager)): handle._goal = None
+    self._lock = False,-math.inf
 
 @patch
 async def _pitchyaw(self:RemoteGimbal, angles:tuple, rates:tuple, flags:int)->Ack:
     "Send the command, or the message without an ack if the manager reads no rates in it; raises `ValueError`"
     numbers = _pitchyaw_numbers(angles, rates)
-    self._forget_angles()
-    if not any(map(known, rates)) or (await self._ways()).rates_by_command:
+    self._forget_orders()
+    if not any(map(known, rates)) or (await self._sure_ways()).rates_by_command:
         ack = await self._command(_PITCHYAW, [*numbers, flags, NAN, self.gimbal[2]])
     else:
-        self._send_setpoint(angles, rates, flags)
+        self._send_setpoint(*numbers, flags)
         ack = await self._sent()
-    if ack: self._locked = bool(flags&YAW_LOCK),clock.monotonic()
+    if ack: self._lock = bool(flags&YAW_LOCK),clock.monotonic()
     return ack
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #e699afa0
 @patch
 async def _for_manager(self:RemoteGimbal, pitch:float, yaw:float, flags:int)->tuple:
     "Convert pitch and yaw to the manager's conventions; raises `HeadingUnknown`, `NoAnswer`"
-    ways,lock,earth = await self._ways(),bool(flags&YAW_LOCK),bool(flags&EARTH_FRAME)
+    ways = await self._sure_ways()
+    lock,earth = bool(flags&YAW_LOCK),bool(flags&EARTH_FRAME)
     turn = not ways.reads_frame and known(yaw) and earth!=lock
     fill = not ways.keeps_nan and not (known(pitch) and known(yaw))
     if not (turn or fill): return pitch,yaw
-    now = await self._see(heading=lock or turn)
+    now = await self.current_attitude(heading=lock or turn)
     if fill and (now is None or not known(now.pitch)):
-        raise NoAnswer(f'{self.client.mav_com.name_of(self._device[:2])} does not say where it points')
-    heading = now.vehicle_yaw if now else self.client._heading_of(self.system)
+        raise NoAnswer(f'{self.client.mav_com.name_of(self.device[:2])} does not say where it points')
+    heading = now.vehicle_yaw if now else self._heading
     if turn: yaw = yaw_in('earth' if lock else 'vehicle', yaw, heading)
     elif not known(yaw): yaw = yaw_in('earth', now.yaw, heading) if lock else now.yaw
     return (pitch if known(pitch) else now.pitch),yaw
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #b6ffce9c
 @patch
-def _goal(self:RemoteGimbal, pitch:float, yaw:float, flags:int)->tuple:
+def _goal_of(self:RemoteGimbal, pitch:float, yaw:float, flags:int)->tuple:
     "Return pitch, yaw and frame for `reached`: a locked yaw from north, another from the nose"
-    frame,now = 'earth' if flags&YAW_LOCK else 'vehicle',self.attitude
+    now = self.attitude
+    frame = 'earth' if flags&YAW_LOCK else 'vehicle'
     asked = 'earth' if flags&EARTH_FRAME else 'vehicle'
     if not known(yaw) or frame==asked or now is None or not known(now.vehicle_yaw): return pitch,yaw,asked
     return pitch,yaw_in(frame, yaw, now.vehicle_yaw),frame
@@ -425,20 +492,20 @@ async def set_angles(self:RemoteGimbal,
     pitch_rate:float=NAN, yaw_rate:float=NAN, # Degrees per second; NaN: its choice. ArduPilot ignores them
 )->Ack:
     "Point there; raises `HeadingUnknown` or `NoAnswer` if an autopilot as manager needs the attitude"
-    flags = _pointing_flags(frame, lock)
+    flags = _pointing_flags(one_of('frame', frame, ('vehicle','earth'))=='earth', lock)
     ack = await self._pitchyaw(await self._for_manager(pitch, yaw, flags), (pitch_rate, yaw_rate), flags)
-    if ack: self.client._asked[self.gimbal] = self._goal(pitch, yaw, flags)
+    if ack: self._first._goal = self._goal_of(pitch, yaw, flags)
     return ack
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #c3e9d1b4
 @patch
-def _off(self:RemoteGimbal, asked:tuple)->float:
-    "Return degrees to the requested angles; `inf` without an attitude in the last second"
-    now,(pitch,yaw,frame) = self.attitude,asked
-    if now is None or not self._is_fresh(): return math.inf
-    there = now.pitch,now.earth_yaw if frame=='earth' else now.yaw
-    off = [abs(wrap(is_-wanted)) for is_,wanted in zip(there, (pitch,yaw)) if known(wanted)]
-    return max(o if known(o) else math.inf for o in off) if off else 0.
+def _off(self:RemoteGimbal, pitch:float, yaw:float, frame:str)->float:
+    "Return degrees to these angles; `inf` without an attitude in the last second"
+    now = self.attitude
+    if now is None or not self.is_fresh: return math.inf
+    pairs = (now.pitch, pitch),(now.earth_yaw if frame=='earth' else now.yaw, yaw)
+    off = [abs(wrap(is_-wanted)) for is_,wanted in pairs if known(wanted)]
+    return max((o if known(o) else math.inf for o in off), default=0.)
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #e6fbfc5b
 @patch
@@ -446,14 +513,14 @@ async def reached(self:RemoteGimbal, timeout:float=10., # Seconds
                   tolerance:float=1., # Degrees
                  )->GimbalAttitude|None:
     "Wait for the requested angles; return the attitude, `None` if not reached in time. Raises `Lost`"
-    asked_of,end = self.client._asked,clock.monotonic()+timeout
-    def asked(): return asked_of.get(self.gimbal) or asked_of.get((*self._manager, 0))      # before its id was known
-    if asked() is None: raise ValueError('no angles were asked for: call set_angles or center first')
-    def there(msg=None): return asked() is not None and self._off(asked())<=tolerance
-    with self.client._news.add(GIMBAL_DEVICE_ATTITUDE_STATUS, there, self._device[:2]) as told:
-        try: await asyncio.wait_for(self._see(asked()[2]=='earth'), timeout)     # request it if it does not come
+    end,open_id = clock.monotonic()+timeout,self.client.at(*self.manager)
+    def goal(): return self._first._goal or open_id._goal          # requested before its id was known
+    if goal() is None: raise ValueError('no angles were asked for: call set_angles or center first')
+    def there(msg=None): return goal() is not None and self._off(*goal())<=tolerance
+    with self.expecting_attitude(there) as expected:
+        try: await asyncio.wait_for(self.current_attitude(heading=goal()[2]=='earth'), timeout)
         except asyncio.TimeoutError: return None
-        return self.attitude if there() or await told.wait(max(end-clock.monotonic(), 0)) else None
+        return self.attitude if there() or await expected.wait(max(end-clock.monotonic(), 0)) else None
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #8efcac59
 @patch
@@ -461,7 +528,7 @@ async def reached(self:RemoteGimbal, timeout:float=10., # Seconds
 async def center(self:RemoteGimbal)->Ack:
     "Look straight ahead"
     ack = await self._pitchyaw((NAN,NAN), (NAN,NAN), LEVEL|NEUTRAL|VEHICLE_FRAME)
-    if ack: self.client._asked[self.gimbal] = 0.,0.,'vehicle'
+    if ack: self._first._goal = 0.,0.,'vehicle'
     return ack
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ad916b62
@@ -469,13 +536,13 @@ async def center(self:RemoteGimbal)->Ack:
 @sends(_PITCHYAW)
 async def retract(self:RemoteGimbal)->Ack:
     "Retract the gimbal; its motors may be off then"
-    if (await self._ways()).retracts: return await self._pitchyaw((NAN,NAN), (NAN,NAN), RETRACT)
-    why = 'the autopilot {}/{} would accept it, and do nothing'.format(*self._manager)
+    if (await self._sure_ways()).retracts: return await self._pitchyaw((NAN,NAN), (NAN,NAN), RETRACT)
+    why = 'the autopilot {}/{} would accept it, and do nothing'.format(*self.manager)
     return GimbalAck(Ack(mavlink.MAV_RESULT_UNSUPPORTED, None, _PITCHYAW), why=why)
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #1734a848
 @patch
-async def _hold(self:RemoteGimbal, flags:int)->Ack:
+async def _keep(self:RemoteGimbal, flags:int)->Ack:
     "Keep the current direction, with these flags"
     return await self._pitchyaw(await self._for_manager(NAN, NAN, flags), (NAN,NAN), flags)
 
@@ -483,28 +550,24 @@ async def _hold(self:RemoteGimbal, flags:int)->Ack:
 @sends(_PITCHYAW)
 async def lock(self:RemoteGimbal)->Ack:
     "Lock yaw to its direction on earth"
-    return await self._hold(_pointing_flags('earth', True))
+    return await self._keep(_pointing_flags(earth=True))
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ba599253
 @patch
 @sends(_PITCHYAW)
 async def follow(self:RemoteGimbal)->Ack:
     "Let yaw follow the vehicle's nose"
-    return await self._hold(_pointing_flags('vehicle', False))
+    return await self._keep(_pointing_flags(lock=False))
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #0fbfa335
-@patch
-def _lock_now(self:RemoteGimbal, lock:bool|None)->bool:
-    "Return `lock`, or the present lock: as requested last, until the device reports it"
-    if lock is not None: return lock
-    asked,when = self._locked or (False,-math.inf)
-    if self.client._came.get(self._device, -math.inf)<when+.5: return asked
-    msg = self.client._newest(GIMBAL_DEVICE_ATTITUDE_STATUS, self._key)
+@patch(as_prop=True)
+def locked(self:RemoteGimbal)->bool:
+    "True if yaw holds its direction on earth: as requested last, until the device reports it"
+    lock,when = self._lock
+    device = self._device
+    if device._attitude_came<when+.5: return lock
+    msg = device.messages.get(GIMBAL_DEVICE_ATTITUDE_STATUS)
     return msg is not None and bool(msg.flags&YAW_LOCK)
-
-@patch
-async def _turn(self:RemoteGimbal, pitch:float, yaw:float, lock:bool)->Ack:
-    return await self._pitchyaw((NAN,NAN), (pitch,yaw), _pointing_flags('vehicle', lock))
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #1efe5f34
 @patch
@@ -513,13 +576,15 @@ async def set_rates(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees p
                     lock:bool|None=None, # True: yaw holds its direction on earth; `None`: unchanged
                    )->Ack:
     "Turn; most gimbals stop after two or three seconds without another call. PX4's `Ack` is a `Sent`"
-    return await self._turn(pitch, yaw, self._lock_now(lock))
+    lock = self.locked if lock is None else lock
+    return await self._pitchyaw((NAN,NAN), (pitch,yaw), _pointing_flags(lock=lock))
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #fa3816db
 @patch
 def _send_rates(self:RemoteGimbal, pitch:float, yaw:float, lock:bool):
     "Send GIMBAL_MANAGER_SET_ATTITUDE with rates"
-    self._send_setpoint((NAN,NAN), (pitch,yaw), _pointing_flags('vehicle', lock))
+    _pitchyaw_numbers((NAN,NAN), (pitch,yaw))
+    self._send_setpoint(NAN, NAN, pitch, yaw, _pointing_flags(lock=lock))
 
 @patch
 def _warn_of_control(self:RemoteGimbal):
@@ -536,8 +601,8 @@ def send_rates(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees per se
                lock:bool|None=None): # True: yaw holds its direction on earth; `None`: unchanged
     "Send rates once, without an ack; a loop sends them with each picture, more than once in 3 s"
     if pitch or yaw: self._warn_of_control()
-    self._send_rates(pitch, yaw, self._lock_now(lock))
-    if lock is not None: self._locked = lock,clock.monotonic()
+    self._send_rates(pitch, yaw, self.locked if lock is None else lock)
+    if lock is not None: self._lock = lock,clock.monotonic()
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #cbd77c07
 @patch
@@ -558,8 +623,22 @@ def _stop_now(self:RemoteGimbal, lock:bool):
 async def _stop(self:RemoteGimbal, lock:bool):
     "Stop turning, by a message at once, then by a command with its ack"
     self._stop_now(lock)
-    try: (await self._turn(0., 0., lock)).check()
+    try: (await self.set_rates(0., 0., lock)).check()
     except MAVError as e: self.client.log.warning('the gimbal was not stopped: %s', e)
+
+@patch
+@contextmanager
+def stopped_at_close(self:RemoteGimbal, stop):
+    "Have `stop()` called if the handle or its client is closed within the `with`"
+    turning = self._first
+    turning._at_close = stop
+    try: yield
+    finally: turning._at_close = None
+
+@patch
+def close(self:RemoteGimbal):
+    "Stop turning this gimbal; the client stays on its link"
+    if stop := self._first._at_close: stop()
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #44ac505c
 @patch
@@ -567,8 +646,8 @@ async def _stop(self:RemoteGimbal, lock:bool):
 async def keep_turning(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees per second
                        lock:bool|None=None): # True: yaw holds its direction on earth; `None`: unchanged
     "Turn during an `async with`; raises as `Ack.check`, and `Denied` at its end if another client took over"
-    lock = self._lock_now(lock)
-    try: (await self._turn(pitch, yaw, lock)).check()
+    lock = self.locked if lock is None else lock
+    try: (await self.set_rates(pitch, yaw, lock)).check()
     except asyncio.CancelledError:
         await self._stop(lock)
         raise
@@ -576,19 +655,17 @@ async def keep_turning(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degree
         self._stop_now(lock)
         raise
     sending = asyncio.create_task(self._keep_sending(pitch, yaw, lock))
-    self.client._turned[self.gimbal] = lambda: sending.done() or self._stop_now(lock)
-    try: yield self
+    try:
+        with self.stopped_at_close(lambda: sending.done() or self._stop_now(lock)): yield self
     finally:
         taken = sending.done()
         sending.cancel()
-        self.client._turned.pop(self.gimbal, None)
         if not taken: await self._stop(lock)
     if taken: raise Denied(sending.result())
 
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #d1fdc073
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #49d731ec
 _altitude_frames = dict(amsl=mavlink.MAV_FRAME_GLOBAL, relative=mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT)
 
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #49d731ec
 @patch
 @sends(mavlink.MAV_CMD_DO_SET_ROI_LOCATION)
 async def point_at(self:RemoteGimbal, lat:float, lon:float, # Degrees
@@ -597,10 +674,11 @@ async def point_at(self:RemoteGimbal, lat:float, lon:float, # Degrees
                   )->Ack:
     "Look at a place until the next order; raises `ValueError`, and `PositionUnknown` if PX4 has no home"
     one_of('alt_frame', alt_frame, _altitude_frames)
-    x,y = (round(inside(what, v, -most, most)*1e7) for what,v,most in (('lat',lat,90), ('lon',lon,180)))
+    x,y = round(inside('lat', lat, -90, 90)*1e7),round(inside('lon', lon, -180, 180)*1e7)
     alt = inside('alt', alt)
-    if alt_frame=='relative' and not (await self._ways()).relative_alt: alt,alt_frame = await self._amsl(alt),'amsl'
-    self._forget_angles()
+    if alt_frame=='relative' and not (await self._sure_ways()).relative_alt:
+        alt,alt_frame = await self._amsl(alt),'amsl'
+    self._forget_orders()
     params = [self.gimbal[2], NAN, NAN, NAN, x, y, alt]
     return await self._command(mavlink.MAV_CMD_DO_SET_ROI_LOCATION, params, _altitude_frames[alt_frame])
 
@@ -617,5 +695,5 @@ async def point_at_none(self:RemoteGimbal)->Ack:
 async def follow_system(self:RemoteGimbal, sysid:int, # Its system id
                        )->Ack:
     "Look at another vehicle, wherever it goes"
-    self._forget_angles()
+    self._forget_orders()
     return await self._command(mavlink.MAV_CMD_DO_SET_ROI_SYSID, [sysid, self.gimbal[2]])

@@ -16,8 +16,8 @@ from ..cameras.tracker import TrackingStatus
 from ..cameras.values import Pose
 from ..utils.docs import for_async
 from ..utils.values import inside, known
-from ..utils.sockets import host_in, plain_host
-from ..video.senders import is_group, is_loopback
+from ..utils.sockets import host_in, is_loopback, plain_host
+from ..video.senders import is_group
 from ..wire.dialect import Ack, enum_name, LinkError
 from .protocol import comes_from
 from .mavcom import ends, own_host

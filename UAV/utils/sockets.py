@@ -16,8 +16,8 @@ from .threads import _begin_thread, Closes, timers
 from .values import inside
 
 # %% auto #0
-__all__ = ['log', 'Loop', 'listen_tcp', 'url_host', 'host_in', 'plain_host', 'get_web', 'TCPClient', 'LoopThread', 'LoopClosed',
-           'set_within']
+__all__ = ['log', 'Loop', 'listen_tcp', 'url_host', 'host_in', 'plain_host', 'is_loopback', 'get_web', 'TCPClient', 'LoopThread',
+           'LoopClosed', 'set_within']
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #0dce5f49
 log = get_logger('sockets')
@@ -130,6 +130,13 @@ def plain_host(host:str, # An address, or a name
     try: address = ipaddress.ip_address(host.partition('%')[0])
     except ValueError: return host
     return str(getattr(address, 'ipv4_mapped', None) or address)
+
+def is_loopback(host:str, # An address, or a name
+               )->bool:
+    "True if it always means this computer; other names are not looked up"
+    if host=='localhost' or host.endswith('.localhost'): return True
+    try: return ipaddress.ip_address(plain_host(host)).is_loopback
+    except ValueError: return False
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #0d5e7c92
 class _Guesses:

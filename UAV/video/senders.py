@@ -18,7 +18,7 @@ from ..utils.sockets import _shut, listen_tcp, Loop, plain_host
 from .units import AccessUnit, clock_rate, Sink
 
 # %% auto #0
-__all__ = ['log', 'is_group', 'is_loopback', 'UDPSink', 'TSMuxer', 'TSSender', 'TSServer', 'Loop', 'listen_tcp', 'plain_host']
+__all__ = ['log', 'is_group', 'UDPSink', 'TSMuxer', 'TSSender', 'TSServer', 'Loop', 'listen_tcp', 'plain_host']
 
 # %% ../../nbs/api/video/02_senders.ipynb #719bb2d1
 _all_ = ['Loop', 'listen_tcp', 'plain_host']
@@ -78,13 +78,6 @@ def is_group(host:str, # An address, or a name
             )->bool:
     "Whether this is a multicast address"
     try: return ipaddress.ip_address(host.partition('%')[0]).is_multicast
-    except ValueError: return False
-
-# %% ../../nbs/api/video/02_senders.ipynb #cd5f7be2
-def is_loopback(host:str, # An address
-               )->bool:
-    "True if this computer alone can reach the address"
-    try: return ipaddress.ip_address(plain_host(host)).is_loopback
     except ValueError: return False
 
 # %% ../../nbs/api/video/02_senders.ipynb #5901bf39

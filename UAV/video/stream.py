@@ -6,15 +6,14 @@
 from __future__ import annotations
 from contextlib import suppress
 import math, os, re
-
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.threads import Closes, in_child
-from ..utils.sockets import url_host
+from ..utils.sockets import url_host, is_loopback
 from .rtsp import RTPSender
 from .rtsp_server import RTSPServer
-from .senders import is_group, is_loopback, TSSender, TSServer
+from .senders import is_group, TSSender, TSServer
 from .units import _even, sensible_bitrate, VideoFormat
 
 # %% auto #0
