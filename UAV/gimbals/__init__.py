@@ -2,7 +2,7 @@
 _rooms = {'UAV.gimbals.values': 'Axis GimbalAttitude GimbalError GimbalInformation HeadingUnknown PositionUnknown Setpoint VehicleState',
           'UAV.gimbals.gimbal': 'Gimbal Location RegionOfInterest direction', 'UAV.gimbals.contract': 'check_gimbal', 'UAV.gimbals.vehicle': 'FixedMount SimVehicle circle hover line strips',
           'UAV.gimbals.sim': 'SimGimbal', 'UAV.gimbals.viewsheen': 'Viewsheen ViewsheenSetup',
-          'UAV.gimbals.gimbal_camera': 'CardCamera GimbalCamera gimbal_camera',
+          'UAV.gimbals.driver': 'CardCamera GimbalCamera GimbalDriver gimbal_camera',
           'UAV.gimbals.topotek': 'Topotek',
           'UAV.gimbals.onvif': 'Onvif OnvifCamera',
           'UAV.gimbals.siyi_link': 'SiyiLink',

@@ -6,15 +6,15 @@
 from __future__ import annotations
 import math, struct
 
-from fastcore.basics import patch, store_attr
+from fastcore.basics import patch
 from ..cameras.values import Pose
-from .gimbal import Gimbal
+from .driver import GimbalDriver, open_camera
 from .siyi_camera import SiyiCamera
-from .siyi_link import Cmd, rate_data, angle_data, read_attitude, read_config, MODELS, SiyiAttitude, SiyiLink
+from UAV.gimbals.siyi_link import (angle_data, Cmd, rate_data, read_attitude, read_config, SiyiAttitude, SiyiConfig,
+    SiyiLink)
 from .values import *
 from ..utils import clock
 from ..utils.devices import DeviceURL
-from ..utils.geo import quaternion
 
 # %% auto #0
 __all__ = ['number_rate', 'rate_number', 'Siyi']
@@ -34,10 +34,10 @@ def rate_number(rate:float, # Degrees a second
     return int(math.copysign(min(n, 100), rate)) if n>_dead else 0
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #ab901043
-class Siyi(Gimbal):
+class Siyi(GimbalDriver):
     "A SIYI gimbal camera; `camera` is its camera"
-    locks,follows = ('pitch','yaw'),('yaw',)
-    pace,gain,dead_band = .05,2.,.3    # s between two rates; degrees a second for each degree that it is off; degrees
+    near = .3
+    pace = .05                          # s between two rates
     stale = .3                          # s after which an attitude is too old to steer by
     def __init__(self, link:SiyiLink, # To the device; `close` closes it
                  camera=None, # Its camera; `close` closes it
@@ -48,22 +48,17 @@ class Siyi(Gimbal):
         self._next,self._steps = clock(),0
         self._owed = dict(pitch=0., yaw=0.)             # degrees that the numbers sent were short of
         self._zeros,self._quiet = 0,True                # how many zeros were sent; has it stood since?
-        self._asked,self._told_mode = None,-math.inf    # angles that the device was sent to, and when; when a mode
+        self._asked = None                              # angles that the device was sent to, and when
+        self._mode_sent = -math.inf                     # when lock or follow was sent
         self._utc_left = 5                              # how often it still gets the time
-        self._forget()
+        self.hold_still()
         self._wake(self._next)
-
-    def _forget(self): self.setpoint = Setpoint(Axis(), Axis(), Axis(), self.setpoint.lock)
-
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #0ca94f8e
-@patch
-def _age(self:Siyi)->float: return self.clock()-self.link.newest.get(Cmd.attitude, (-math.inf,))[0]
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #0c8c14b2
 @patch(as_prop=True)
 def fault(self:Siyi)->str|None:
     "Return a sentence while the device is silent; `None`: it works"
-    return self.link.fault or (None if self._age()<=1 else 'no attitude for 1 s')
+    return self.link.fault or (None if self.link.age(Cmd.attitude)<=1 else 'no attitude for 1 s')
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #a4d606da
 @patch(as_prop=True)
@@ -76,21 +71,21 @@ def information(self:Siyi)->GimbalInformation:
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #f14cef67
 @patch
-def _config(self:Siyi):
-    "Return when its last configuration came, and that"
-    when,data = self.link.newest.get(Cmd.config, (-math.inf, bytes(5)))
-    return when,read_config(data if len(data)>=5 else bytes(5))
+def _config(self:Siyi)->SiyiConfig:
+    "Return its last configuration"
+    data = self.link.data(Cmd.config)
+    return read_config(data if len(data)>=5 else bytes(5))
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #5813ed2a
 @patch
 def _there(self:Siyi)->SiyiAttitude:
     "Return the last attitude, carried on to now"
-    _,data = self.link.newest.get(Cmd.attitude, (0, b''))
+    data = self.link.data(Cmd.attitude)
     if len(data)<12: return SiyiAttitude(NAN, NAN, NAN)
-    said = read_attitude(data, self._config()[1].mount==2)
-    dt = min(self._age(), .2)
-    angles = wrap(said.yaw+said.yaw_rate*dt), said.pitch+said.pitch_rate*dt, said.roll
-    return SiyiAttitude(*angles, said.yaw_rate, said.pitch_rate, said.roll_rate)
+    last = read_attitude(data, self._config().mount==2)
+    dt = min(self.link.age(Cmd.attitude), .2)
+    angles = wrap(last.yaw+last.yaw_rate*dt), last.pitch+last.pitch_rate*dt, last.roll
+    return SiyiAttitude(*angles, last.yaw_rate, last.pitch_rate, last.roll_rate)
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #8bce7501
 @patch
@@ -104,26 +99,13 @@ def _is_beyond(self:Siyi, axis:str, goal:float)->bool:
     "True if an axis cannot reach this angle"
     return known(goal) and abs(wrap(goal-self.information.limited(axis, goal)))>.1
 
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #6fbe93af
-@patch
-def _failures(self:Siyi, there:SiyiAttitude):
-    "Yield the names of GIMBAL_DEVICE_ERROR_FLAGS that are set"
-    if self.fault: yield 'COMMS_ERROR'
-    for axis in ('pitch','yaw'):
-        limits,target,angle = getattr(self.information, axis),getattr(self.setpoint, axis),getattr(there, axis)
-        if not limits: continue
-        (low,high),goal = limits,self._goal(axis)
-        pressing = target.turning and (target.rate<0 and angle<=low+.5 or target.rate>0 and angle>=high-.5)
-        if pressing or self._is_beyond(axis, goal): yield f'AT_{axis.upper()}_LIMIT'
-
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #02dd525a
 @patch
 def attitude(self:Siyi)->GimbalAttitude:
     "Return where it points now"
-    there,vehicle,wanted = self._there(),self.vehicle,self.setpoint
-    rates,turns = (there.roll_rate, there.pitch_rate, there.yaw_rate),vehicle.yaw_rate if vehicle else NAN
-    return GimbalAttitude(quaternion(there.roll, there.pitch, there.yaw), rates, self.heading, turns, wanted.lock,
-                          wanted.mode, tuple(self._failures(there)), self.clock())
+    there = self._there()
+    rates = there.roll_rate,there.pitch_rate,there.yaw_rate
+    return self.held(there.roll, there.pitch, there.yaw, rates, goals={a: self._goal(a) for a in ('pitch','yaw')})
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #8fb37ab4
 @patch
@@ -136,12 +118,9 @@ def _pose(self:Siyi)->Pose:
 @patch
 def _rate(self:Siyi, axis:str, there:SiyiAttitude)->float:
     "Return the rate for an axis now, degrees a second"
-    target,goal = getattr(self.setpoint, axis),self._goal(axis)
-    if target.turning: return target.rate
-    off = self.information.limited(axis, goal)-getattr(there, axis) if known(goal) else 0.
-    if not abs(off)>self.dead_band: return 0.
-    most = abs(target.rate) if known(target.rate) and target.rate else math.inf
-    return min(max(self.gain*off, -most), most)
+    goal = self._goal(axis)
+    off = self.information.limited(axis, goal)-getattr(there, axis) if known(goal) else NAN
+    return self.rate_toward(getattr(self.setpoint, axis), off)
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #8b6c370a
 @patch
@@ -180,39 +159,41 @@ def _steer(self:Siyi, fresh:bool):
 @patch
 def _leaves_angles(self:Siyi)->bool:
     "True if the device can go to the target by itself"
+    if self.angles!='device' or self._config().mount==2 or self.setpoint.turning: return False
     targets = self.setpoint.pitch,self.setpoint.yaw
-    return self.angles=='device' and self._config()[1].mount!=2 and not self.setpoint.turning \
-        and not any(known(t.rate) and t.rate for t in targets) and any(known(t.angle) for t in targets)
+    at_a_rate = any(known(target.rate) and target.rate for target in targets)
+    return not at_a_rate and any(known(target.angle) for target in targets)
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #674cc603
 @patch
 def _send_angles(self:Siyi):
+    "Send the target when it has moved, or when there was no answer"
     now,info = self.clock(),self.information
-    goals = {axis: info.limited(axis, goal) for axis in ('pitch','yaw')
-             if getattr(info, axis) and known(goal := self._goal(axis))}
+    goals = {axis: self._goal(axis) for axis in ('pitch','yaw') if getattr(info, axis)}
+    goals = {axis: info.limited(axis, goal) for axis,goal in goals.items() if known(goal)}
     before,when = self._asked or ({}, -math.inf)
-    answered = self.link.newest.get(Cmd.angles if len(goals)==2 else Cmd.angle, (-math.inf,))[0]>=when
-    moved = goals.keys()!=before.keys() or any(abs(wrap(goals[a]-before[a]))>.5 for a in goals)
+    answered = self.link.age(Cmd.angles if len(goals)==2 else Cmd.angle)<=now-when
+    moved = goals.keys()!=before.keys() or any(abs(wrap(goals[axis]-before[axis]))>.5 for axis in goals)
     if not goals or not moved and (answered or now-when<.5): return
     if not self._quiet and not before: self._stand()
     if len(goals)==2: self.link.send(Cmd.angles, angle_data(goals['yaw'], goals['pitch']))
-    else:
-        yaw,pitch = angle_data(goals.get('yaw', 0.), 0.)[:2],angle_data(0., goals.get('pitch', 0.))[2:]
-        self.link.send(Cmd.angle, pitch+b'\1' if 'pitch' in goals else yaw+b'\0')
+    elif 'pitch' in goals: self.link.send(Cmd.angle, angle_data(0., goals['pitch'])[2:]+b'\1')
+    else: self.link.send(Cmd.angle, angle_data(goals['yaw'], 0.)[:2]+b'\0')
     self._asked,self._quiet = (goals,now),True
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #8cca959b
 @patch
 def _send_mode(self:Siyi):
     "Send the mode, lock or follow, until the device confirms it"
-    now,yaw = self.clock(),self._goal('yaw')
-    wanted = self.setpoint
-    if not any(known(n) for t in (wanted.pitch, wanted.yaw) for n in (t.angle, t.rate)): return     # it is as it was
-    mode = 0 if wanted.lock and not self._is_beyond('yaw', yaw) else 1
-    when,config = self._config()
-    if config.mode==mode and when>self._told_mode or now-self._told_mode<.5: return
-    if config.mode!=mode: self.link.send(Cmd.photo, bytes([3+mode]))
-    self._told_mode = now
+    now,wanted = self.clock(),self.setpoint
+    targets = wanted.pitch,wanted.yaw
+    if not any(known(target.angle) or known(target.rate) for target in targets): return     # it is as it was
+    mode = 0 if wanted.lock and not self._is_beyond('yaw', self._goal('yaw')) else 1
+    right = self._config().mode==mode
+    confirmed = right and self.link.age(Cmd.config)<now-self._mode_sent
+    if confirmed or now-self._mode_sent<.5: return
+    if not right: self.link.send(Cmd.photo, bytes([3+mode]))
+    self._mode_sent = now
     self.link.send(Cmd.config)
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #3b98db3e
@@ -221,12 +202,15 @@ def _send_vehicle(self:Siyi):
     "Pass on how the vehicle is held and where it is, and the time"
     state = self.vehicle
     if not state: return
-    ms,turns = int(self.clock()*1000)&0xffffffff,(state.roll, state.pitch, state.yaw, 0., 0., state.yaw_rate)
-    angles = [math.radians(a) if known(a) else 0. for a in turns]
-    if known(state.yaw): self.link.send(Cmd.vehicle, struct.pack('<I6f', ms, *angles))
+    ms = int(self.clock()*1000)&0xffffffff
+    if known(state.yaw):
+        turns = state.roll,state.pitch,state.yaw,0.,0.,state.yaw_rate
+        angles = [math.radians(angle) if known(angle) else 0. for angle in turns]
+        self.link.send(Cmd.vehicle, struct.pack('<I6f', ms, *angles))
     if all(map(known, (state.lat, state.lon, state.alt))):
+        height = round(state.alt*100)
         velocity = [round(v*1000) if known(v) else 0 for v in state.velocity]
-        place = *(round(a*1e7) for a in (state.lat, state.lon)), *[round(state.alt*100)]*2
+        place = round(state.lat*1e7),round(state.lon*1e7),height,height
         self.link.send(Cmd.position, struct.pack('<I7i', ms, *place, *velocity))
     if self._utc_left:
         self._utc_left -= 1
@@ -236,17 +220,15 @@ def _send_vehicle(self:Siyi):
 @patch
 def drive(self:Siyi, setpoint:Setpoint):
     "Begin to move, within 50 ms; raises `HeadingUnknown`, and `ValueError` for roll, which it cannot"
-    roll = setpoint.roll
-    if roll.turning and roll.rate or known(roll.angle) and abs(roll.angle)>.05:
-        raise ValueError(f'{self.information.model} has no roll axis to point')
+    self.refuse_roll(setpoint)
     if setpoint.lock and known(setpoint.yaw.angle): yaw_in('vehicle', setpoint.yaw.angle, self.heading)
-    self._told_mode = -math.inf if setpoint.lock!=self.setpoint.lock else self._told_mode
+    if setpoint.lock!=self.setpoint.lock: self._mode_sent = -math.inf
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #36245773
 @patch
 def _held(self:Siyi, axis:str, lock:bool)->Axis:
     "Return the target that keeps an axis where it is; one that turns is stopped, and stands a little further on"
-    if not getattr(self.setpoint, axis).turning: return Gimbal._held(self, axis, lock)
+    if not getattr(self.setpoint, axis).turning: return GimbalDriver._held(self, axis, lock)
     self._stand()
     there = self._there()
     angle = getattr(there, axis)+getattr(there, f'{axis}_rate')*self.pace
@@ -256,11 +238,11 @@ def _held(self:Siyi, axis:str, lock:bool)->Axis:
 @patch
 def _step(self:Siyi):
     "Ask where it is, and send all that is due"
-    lost,fresh = self.link.fault,self._age()<=self.stale
+    lost,fresh = self.link.fault,self.link.age(Cmd.attitude)<=self.stale
     self.link.send(Cmd.attitude)
     if self._steps%2==0: self._send_vehicle()
     self._steps += 1
-    if lost and self.setpoint.turning: self._forget()
+    if lost and self.setpoint.turning: self.hold_still(self.setpoint.lock)
     if not lost: self._send_mode()
     if fresh and self._leaves_angles(): self._send_angles()
     else: self._steer(fresh)
@@ -269,7 +251,7 @@ def _step(self:Siyi):
 @patch
 def tick(self:Siyi):
     "Steer, and end rates that are over"
-    Gimbal.tick(self)
+    GimbalDriver.tick(self)
     with self._lock:
         now = self.clock()
         if self.closed: return
@@ -283,7 +265,7 @@ def tick(self:Siyi):
 @patch
 def close(self:Siyi):
     "Stop turning, and let go of the device; may be called twice"
-    Gimbal.close(self)
+    GimbalDriver.close(self)
     self.link.send(Cmd.rate, rate_data(0, 0), times=3)
     if self.camera: self.camera.close()
     self.link.close()
@@ -297,12 +279,8 @@ def open(cls:Siyi, url:DeviceURL, # siyi://HOST or siyi:///dev/ttyUSB0; options 
     angles = one_of('angles', url.option('angles', 'loop'), ('loop','device'))
     http = url.option('http', '82')
     if not http.isdecimal() or not 0<int(http)<65536: raise ValueError(f'http is a port, 1 to 65535, not {http!r}')
-    gimbal = cls(SiyiLink.open(url), angles=angles)
-    try:
+    def camera(gimbal):
         gimbal.link.wait(lambda link: link.hardware and link.firmware and Cmd.attitude in link.newest, 2.)
         how = dict(http_port=int(http), timeout=0., pose=gimbal._pose)
-        gimbal.camera = SiyiCamera(gimbal.link, url.option('video'), **how, **storage)
-    except BaseException:
-        gimbal.close()
-        raise
-    return gimbal
+        return SiyiCamera(gimbal.link, url.option('video'), **how, **storage)
+    return open_camera(cls(SiyiLink.open(url), angles=angles), camera)
