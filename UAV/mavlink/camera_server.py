@@ -220,7 +220,7 @@ def _run_command(self:CameraServer, handler, msg)->Outcome:
     "Run a command under the guard; send a status after a refused capture; answer a reset with ACCEPTED or FAILED"
     try:
         if handler.options.get('destroys'): self.check_guard(msg)
-        if msg.command in _triggers and self._is_news(msg): self.health.said = ''
+        if msg.command in _triggers and self.health.said and self._is_news(msg): self.health.said = ''
         outcome = Component._run_command(self, handler, msg)
     except Exception as e: outcome = Outcome(self._result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
     if outcome.result==mavlink.MAV_RESULT_ACCEPTED: return outcome
@@ -517,10 +517,12 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
     start = self.need('image_start_capture')
     with self.presses.lock:             # two links are two threads
         single = count==1
-        if before := single and self.presses.find(msg, number):         # the same press, as another command
+        if single and (before := self.presses.find(msg, number)):       # the same press, as another command
             if number: self._note_number(number, msg, before)
-        elif before := single and self.served.find_number(msg, number): self._tell_again(number, msg, before)
-        if before: return before.value
+            return before.value
+        if single and number and (before := self.served.find_number(msg, number)):
+            self._tell_again(number, msg, before)
+            return before.value
         try: index = start(interval, count)
         except CameraBusy as e:
             if single: self.dropped.add(msg, number, str(e))

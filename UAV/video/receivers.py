@@ -46,7 +46,7 @@ class _SenderTimes:
 
 # %% ../../nbs/api/video/03_receivers.ipynb #974a59c6
 class _UnitMaker:
-    "Makes access units of the bytes of pictures, from the first key picture on"
+    "Makes access units of the bytes of pictures, from the first key frame on"
     most = 16<<20               # bytes of one picture; a larger one is lost
     def __init__(self, codec:str='h264', headers:bytes=b'', bits:int=32): # Of a time stamp
         store_attr()
@@ -72,7 +72,7 @@ class _UnitMaker:
         return [AccessUnit(data, key, time, taken or clock.time(), self.number-1, form, self._decode_times(time))]
 
     def _keep_sets(self, nals:list, kinds:set):
-        "Remember the parameter sets that came, for key pictures without them; of a kind that didn't come, those before"
+        "Remember the parameter sets that came, for key frames without them; of a kind that didn't come, those before"
         if not kinds & _sps[self.codec]: return
         def kind(nal): return _nal_type(nal, self.codec)
         before = [nal for nal in nal_units(self.headers) if kind(nal) not in kinds]
@@ -185,7 +185,7 @@ class RTPReader:
     "RTP packets in, access units out"
     patience = 1.           # s that a sender is silent before one that it replaced is read again
     lost = property(lambda self: self._make.lost, doc="How many pictures came in part only")
-    begun = property(lambda self: self._make.begun, doc="True if there was a key picture")
+    begun = property(lambda self: self._make.begun, doc="True if there was a key frame")
     def __init__(self, codec:str='h264', # One of `UAV.video.units.codecs`
                  headers:bytes=b'', # Parameter sets, when the description of the stream has them
                  payload_type:int|None=None): # Only these packets; `None` takes all
@@ -196,7 +196,7 @@ class RTPReader:
         self._whole = True                                      # `None`: it was too large, and is counted already
         self._marked,self._sliced = False,False     # had the last packet the mark; has the picture a slice?
         self.trust = None                           # does the mark end a picture? `None`: nobody knows yet
-        self._source,self._heard,self._left = None,0.,set()     # SSRC, last heard when (monotonic s), and those before
+        self._source,self._received,self._left = None,0.,set()     # SSRC, its last packet (monotonic s), and those before
 
     def __call__(self, packet:bytes)->list:
         "The access units that this packet completes"
@@ -211,14 +211,14 @@ def _is_ours(self:RTPReader, source:bytes)->bool:
     "Whether we read this sender (SSRC): the newest, unless it had its turn and another one sends now"
     now = clock.monotonic()
     if source!=self._source:
-        if source in self._left and now-self._heard<self.patience: return False
+        if source in self._left and now-self._received<self.patience: return False
         if len(self._left)>16: self._left.clear()
         if self._source:
             self._left.add(self._source)
             self._reorder,self._last = _Reorder(),None
         self._left.discard(source)
         self._source = source
-    self._heard = now
+    self._received = now
     return True
 
 # %% ../../nbs/api/video/03_receivers.ipynb #d5a91b0e
@@ -324,7 +324,7 @@ def _is_packet(data:bytes, n:int)->bool:
 class _TSReader:
     "The bytes of an MPEG transport stream in, access units out"
     lost = property(lambda self: self._make.lost if self._make else 0, doc="How many pictures came in part only")
-    begun = property(lambda self: bool(self._make and self._make.begun), doc="True if there was a key picture")
+    begun = property(lambda self: bool(self._make and self._make.begun), doc="True if there was a key frame")
     def __init__(self):
         self.programs,self.pid,self._make = None,None,None      # PID of the program map, and of the video
         self._rest,self._pes,self._size = b'',None,None         # bytes of a packet not yet complete; the picture so far
@@ -559,14 +559,14 @@ class _OneSender:
     "Of all who send to a UDP port, the first with data that `fits`, until it is silent"
     patience = 1.           # s
     def __init__(self, fits):
-        self.fits,self.address,self._heard = fits,None,-self.patience
+        self.fits,self.address,self._received = fits,None,-self.patience
 
     def receive(self, sock)->bytes:
         "Read a packet; empty when it's from another sender. Raises `OSError`"
         data,address = sock.recvfrom(1<<16)
         now = clock.monotonic()
-        if address!=self.address and (now-self._heard<self.patience or not self.fits(data)): return b''
-        self.address,self._heard = address,now
+        if address!=self.address and (now-self._received<self.patience or not self.fits(data)): return b''
+        self.address,self._received = address,now
         return data
 
 # %% ../../nbs/api/video/03_receivers.ipynb #325e7303

@@ -136,7 +136,7 @@ class Recorder(Sink):
     "Writes access units to MP4 files that survive a crash"
     most = 300          # units that may wait, because a memory card may take seconds
     def __init__(self, name, # Function that gives the path of segment n, from 0
-                 segment:float=60., # s, then the next key picture begins a new file
+                 segment:float=60., # s, then the next key frame begins a new file
                  quota:float|None=None, # MiB that it may fill; `None` is the whole disk
                  reserve:float=100., # MiB of the disk that stay free, for pictures
                  on_end=None, # Called with the recorder when it ends by itself; `fault` says why
@@ -162,7 +162,7 @@ class Recorder(Sink):
         if free<self.reserve: raise _DiskFull(why)
 
     def _needs_file(self, unit:AccessUnit)->bool:
-        "Whether this key picture must begin a new file"
+        "Whether this key frame must begin a new file"
         last = self.videos[-1] if self.videos else None
         return not last or unit.time-last.began>=self.segment or _shape(unit.format)!=_shape(last.format)
 

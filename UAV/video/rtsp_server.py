@@ -14,7 +14,7 @@ from ..utils import clock
 from ..utils.general import Closes
 from ..utils.sockets import _Guesses, url_host
 from .receivers import _listen_pair
-from .rtsp import _Digest, _Interleaved, _is_report, _Request, _RequestReader, _Response
+from .rtsp import _Digest, _inside, _is_report, _Request, _RequestReader, _Response
 from .rtsp import _RTPStream, RTSPError, _Session
 from .senders import listen_tcp, Loop, _Outbox, plain_host, _tune
 from .units import AccessUnit, Sink
@@ -28,6 +28,7 @@ log = get_logger('video')
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #950acff7
 class _Viewer(Sink):
     "Gives one player its pictures; a subclass has `deliver(packets, report)`"
+    taken = 0.          # when the player had taken all, monotonic s; by UDP that is not known
     def __init__(self, rtp:_RTPStream, name:str, on_end=lambda: None):
         super().__init__(name)
         self.rtp,self.end = rtp,on_end          # `end`: called on our thread when nothing more will come
@@ -65,16 +66,17 @@ class _UDPViewer(_Viewer):
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #1a0a1ee5
 class _InsideViewer(_Viewer):
     "Inside the RTSP connection"
-    def __init__(self, rtp, name, on_end, outbox:_Outbox, channels:tuple, alive=lambda now: None):
+    def __init__(self, rtp, name, on_end, outbox:_Outbox, channels:tuple):
         super().__init__(rtp, name, on_end)
-        store_attr('outbox,channels,alive')
+        store_attr('outbox,channels')
 
     def deliver(self, packets:list, report:bytes):
         "Send the packets of one picture and a report, and wait until the player has taken them"
-        data = [bytes(_Interleaved(self.channels[0], packet)) for packet in packets]
-        if report: data.append(bytes(_Interleaved(self.channels[1], report)))
+        first,second = self.channels
+        data = [part for packet in packets for part in (_inside(first, len(packet)), packet)]
+        if report: data += _inside(second, len(report)),report
         self.outbox.write(b''.join(data))
-        if self.outbox.wait_empty(): self.alive(clock.monotonic())
+        if self.outbox.wait_empty(): self.taken = clock.monotonic()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #d7d3af39
 class _Connection:
@@ -83,7 +85,7 @@ class _Connection:
     def __init__(self, server, sock, address:tuple):
         store_attr()
         self.session = _Session(server.videos, server.digest, server.udp_ports, server.timeout, server.wake)
-        self.session.heard = clock.monotonic()
+        self.session.last_seen = clock.monotonic()
         self.outbox = _Outbox(sock, full=lambda: server.loop.call(self.watch))
         self.reader,self.asked,self.busy = _RequestReader(),deque(),False        # busy: what was `asked` must wait
         self.viewer,self.refused,self.host = None,0,plain_host(address[0])      # how often the password was wrong
@@ -97,9 +99,8 @@ class _Connection:
         session,encoder = self.session,self.server.videos.get(self.session.path)
         if encoder is None: return self.close()             # removed just now
         def on_end(): self.server.loop.call(self._check_viewer)
-        def on_alive(now): session.heard = now
         way = session.transport
-        if way.tcp: self.viewer = _InsideViewer(session.rtp, repr(self), on_end, self.outbox, way.pair, on_alive)
+        if way.tcp: self.viewer = _InsideViewer(session.rtp, repr(self), on_end, self.outbox, way.pair)
         else:
             addresses = tuple((self.address[0], port, *self.address[2:]) for port in way.pair)
             self.viewer = _UDPViewer(session.rtp, repr(self), on_end, self.server.udp, addresses)
@@ -218,7 +219,7 @@ def _read(self:_Connection):
     if self.reader is None: return
     try:
         for item in self.reader.feed(data):
-            self.session.heard = clock.monotonic()               # also a report is a sign of life
+            self.session.last_seen = clock.monotonic()               # also a report is a sign of life
             if isinstance(item, _Request): self.asked.append(item)
             if len(self.asked)>20: raise RTSPError(503)
             self._go_on()
@@ -325,7 +326,9 @@ def _drop_lost(self:RTSPServer):
     for connection in sorted(self.connections.values(), key=lambda c: c.held or 0.):
         connection.send_late(clock.monotonic())
         if connection.held: connection._go_on()
-        if connection.session.overdue(clock.monotonic()): connection.close()
+        session,viewer = connection.session,connection.viewer
+        if viewer: session.last_seen = max(session.last_seen, viewer.taken)
+        if session.overdue(clock.monotonic()): connection.close()
         else: connection._check_viewer()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #e662357e
@@ -337,7 +340,7 @@ def _hear(self:RTSPServer, events:int):
     for connection in self.connections.values():
         viewer = connection.viewer
         if isinstance(viewer, _UDPViewer) and viewer.addresses[1]==address and _is_report(data):
-            connection.session.heard = clock.monotonic()
+            connection.session.last_seen = clock.monotonic()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #110b6971
 @patch

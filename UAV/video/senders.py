@@ -132,7 +132,7 @@ def send_datagram(self:UDPSink, data:bytes, # For the other side
 
 # %% ../../nbs/api/video/02_senders.ipynb #64d5c226
 def _add_video(container, unit:AccessUnit):
-    "PyAV's stream for units like this key picture, which go into it as they are; raises `av.FFmpegError`"
+    "PyAV's stream for units like this key frame, which go into it as they are; raises `av.FFmpegError`"
     demuxer = 'hevc' if unit.format.codec=='h265' else unit.format.codec
     with av.open(io.BytesIO(unit.data), format=demuxer) as probe:
         stream = container.add_stream_from_template(probe.streams.video[0])
@@ -182,7 +182,7 @@ class TSMuxer:
 
     def mux(self, unit:AccessUnit, # The next picture
            )->bytes:
-        "Its packets, 188 bytes each; empty before the first key picture"
+        "Its packets, 188 bytes each; empty before the first key frame"
         if unit.key and unit.format.codec!=self.codec: self._open(unit)
         if self._stream is None: return b''
         self._container.mux(_as_packet(unit, self._stream, *self._ticks(unit)))
