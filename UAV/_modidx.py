@@ -6736,7 +6736,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                      'UAV.video.receivers._ts_parts': ('api/video/receivers.html#_ts_parts', 'UAV/video/receivers.py'),
                                      'UAV.video.receivers._video_stream': ( 'api/video/receivers.html#_video_stream',
                                                                             'UAV/video/receivers.py'),
-                                     'UAV.video.receivers.own_host': ('api/video/receivers.html#own_host', 'UAV/video/receivers.py')},
+                                     'UAV.video.receivers.listen_host': ('api/video/receivers.html#listen_host', 'UAV/video/receivers.py')},
             'UAV.video.recorder': { 'UAV.video.recorder.Recorder': ('api/video/recorder.html#recorder', 'UAV/video/recorder.py'),
                                     'UAV.video.recorder.Recorder.__init__': ( 'api/video/recorder.html#recorder.__init__',
                                                                               'UAV/video/recorder.py'),

@@ -22,38 +22,6 @@ __all__ = ['Encoder', 'PassThrough']
 # %% ../../nbs/api/video/01_encoder.ipynb #b1f6505f
 _log = get_logger('video')
 
-# %% ../../nbs/api/video/01_encoder.ipynb #1ab769dc
-class _Pace:
-    "At most so many pictures a second on average, and none of them delayed"
-    def __init__(self, now:float, rate:float): self.last = now-1/rate       # when the last picture was due, monotonic s
-
-    def early(self, now:float, rate:float)->float:
-        "How long a frame that comes now is too early, s; 0: take it. A quarter of the interval is tolerated"
-        if (early := self.last+.75/rate-now)>0: return early
-        self.last = max(self.last+1/rate, now-1/rate)
-        return 0.
-
-# %% ../../nbs/api/video/01_encoder.ipynb #100e0f2c
-class _Measured:
-    "An encoder's real output in the last two seconds"
-    span = 2.           # s
-    rate = property(lambda self: self._lately()[0], doc="Pictures in a second")
-    bitrate = property(lambda self: self._lately()[1], doc="bit/s")
-    def __init__(self): self._units = deque()              # (when, bytes) of each access unit
-
-    def add(self, time:float, size:int):
-        "An access unit of `size` bytes came out at `time`, monotonic s"
-        self._units.append((time,size))
-        while self._units[0][0]<time-self.span: self._units.popleft()
-
-    def _lately(self)->tuple:
-        "Pictures and bits in a second, since the first unit that counts"
-        now = clock.monotonic()
-        (first,_),*later = [unit for unit in tuple(self._units) if unit[0]>now-self.span] or [(now,0)]
-        return (len(later)/(now-first), 8*sum(size for _,size in later)/(now-first)) if later else (0.,0.)
-
-    def __repr__(self): return f'{self.rate:.1f} fps, {self.bitrate/1e6:.2f} Mbit/s'
-
 # %% ../../nbs/api/video/01_encoder.ipynb #1905a9ec
 def _positive(value):
     if not 0<value<float('inf'): raise ValueError(f'must be above 0, not {value}')
@@ -116,6 +84,38 @@ class Encoder(Closes):
         if fault: _log.warning('%s: %s', self.name, fault)
         else: _log.info('%s: pictures again', self.name)
         self._set(fault=fault)
+
+# %% ../../nbs/api/video/01_encoder.ipynb #1ab769dc
+class _Pace:
+    "At most so many pictures a second on average, and none of them delayed"
+    def __init__(self, now:float, rate:float): self.last = now-1/rate       # when the last picture was due, monotonic s
+
+    def early(self, now:float, rate:float)->float:
+        "How long a frame that comes now is too early, s; 0: take it. A quarter of the interval is tolerated"
+        if (early := self.last+.75/rate-now)>0: return early
+        self.last = max(self.last+1/rate, now-1/rate)
+        return 0.
+
+# %% ../../nbs/api/video/01_encoder.ipynb #100e0f2c
+class _Measured:
+    "An encoder's real output in the last two seconds"
+    span = 2.           # s
+    rate = property(lambda self: self._lately()[0], doc="Pictures in a second")
+    bitrate = property(lambda self: self._lately()[1], doc="bit/s")
+    def __init__(self): self._units = deque()              # (when, bytes) of each access unit
+
+    def add(self, time:float, size:int):
+        "An access unit of `size` bytes came out at `time`, monotonic s"
+        self._units.append((time,size))
+        while self._units[0][0]<time-self.span: self._units.popleft()
+
+    def _lately(self)->tuple:
+        "Pictures and bits in a second, since the first unit that counts"
+        now = clock.monotonic()
+        (first,_),*later = [unit for unit in tuple(self._units) if unit[0]>now-self.span] or [(now,0)]
+        return (len(later)/(now-first), 8*sum(size for _,size in later)/(now-first)) if later else (0.,0.)
+
+    def __repr__(self): return f'{self.rate:.1f} fps, {self.bitrate/1e6:.2f} Mbit/s'
 
 # %% ../../nbs/api/video/01_encoder.ipynb #8ab1dc79
 @patch
