@@ -6845,6 +6845,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                 'UAV.video.rtsp._cseq': ('api/video/rtsp.html#_cseq', 'UAV/video/rtsp.py'),
                                 'UAV.video.rtsp._fragments': ('api/video/rtsp.html#_fragments', 'UAV/video/rtsp.py'),
                                 'UAV.video.rtsp._hashed': ('api/video/rtsp.html#_hashed', 'UAV/video/rtsp.py'),
+                                'UAV.video.rtsp._head_lines': ('api/video/rtsp.html#_head_lines', 'UAV/video/rtsp.py'),
                                 'UAV.video.rtsp._is_report': ('api/video/rtsp.html#_is_report', 'UAV/video/rtsp.py'),
                                 'UAV.video.rtsp._pair': ('api/video/rtsp.html#_pair', 'UAV/video/rtsp.py'),
                                 'UAV.video.rtsp._parameters': ('api/video/rtsp.html#_parameters', 'UAV/video/rtsp.py'),

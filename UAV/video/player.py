@@ -18,7 +18,7 @@ from ..utils.general import _begin_thread, av, Closes, np
 from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned
 from ..utils.sockets import host_in, plain_host
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
-from .rtsp import _authorization, _challenges, _Interleaved, _RequestReader, _Response, RTSPError
+from .rtsp import _authorization, _challenges, _head_lines, _Interleaved, _RequestReader, _Response, RTSPError
 
 # %% auto #0
 __all__ = ['transports', 'receivers', 'Player', 'Decoded', 'RTSPReceiver', 'PlayerError', 'strip']
@@ -279,7 +279,7 @@ class _AnswerReader(_RequestReader):
     most_head = most_body = 1<<16 # bytes
     @staticmethod
     def parse(head:bytes)->_Answer:
-        first,*lines = re.split(r'\r?\n', re.sub(r'\r?\n[ \t]+', ' ', head.decode('utf-8', 'replace')))
+        first,*lines = _head_lines(head)
         answer,lists = _Answer(first, {}),('www-authenticate','public')
         for name,_,value in (line.partition(':') for line in lines):
             name,value = name.strip().lower(),value.strip()

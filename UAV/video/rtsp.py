@@ -256,9 +256,13 @@ class _Request:
         except ValueError as e: raise RTSPError(400) from e
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #ebcf25eb
+def _head_lines(head:bytes)->list:
+    "The first line and the headers of a request or answer; a header that goes on is one"
+    return re.split(r'\r?\n', re.sub(r'\r?\n[ \t]+', ' ', head.decode(errors='replace')))
+
 def _parse_head(head:bytes)->_Request:
     "The request that it begins; raises `RTSPError`"
-    first,*lines = re.split(r'\r?\n', re.sub(r'\r?\n[ \t]+', ' ', head.decode(errors='replace')))
+    first,*lines = _head_lines(head)
     match = re.fullmatch(r'([\w$!#-]+) (\S+) RTSP/(\d+\.\d+)', first)
     if not match: raise RTSPError(400)
     method,uri,version = match.groups()
