@@ -14,7 +14,7 @@ import hashlib, re, threading, time
 from fastcore.basics import patch, store_attr
 
 from UAV.cameras.sim import SimCamera
-from UAV.gimbals.onvif import _envelope, _OnvifLine
+from UAV.gimbals.onvif import _envelope, _OnvifClient
 from UAV.gimbals.sim import SimGimbal
 from UAV.gimbals.values import GimbalError
 from UAV.utils import clock
@@ -291,7 +291,7 @@ def do_GotoPreset(self:OnvifDevice, request):
     self.aim(*self.presets[token][1])
 
 # %% onvif.ipynb #286b4222
-class DirectLine(_OnvifLine):
+class DirectLine(_OnvifClient):
     "From an `Onvif` to an `OnvifDevice` in the same process, without a thread: call `step`"
     def __init__(self, device, **kwargs):
         super().__init__('192.0.2.1', user=device.user, password=device.password, clock=device.clock, **kwargs)

@@ -290,7 +290,7 @@ def obey(self:SiyiDevice, frame:SiyiFrame, asked:bool=True, # False: it does it 
 # %% siyi.ipynb #42f6b909
 class DirectLine:
     "From a `SiyiLink` to a `SiyiDevice` in the same process, instead of a socket"
-    up,error,hear,changed = True,None,None,None
+    up,error,received,changed = True,None,None,None
     def __init__(self, device): self.device,self._reader = device,SiyiReader()
 
     def start(self):
@@ -303,7 +303,7 @@ class DirectLine:
     def send(self, data):
         "Is it on its way?"
         for frame in self._reader.feed(data) if self.up else ():
-            for answer in self.device.obey(frame, udp=False): self.hear(answer)
+            for answer in self.device.obey(frame, udp=False): self.received(answer)
         return self.up
 
 # %% siyi.ipynb #8fa7c154

@@ -125,7 +125,7 @@ def report(self:TopotekDevice)->bytes:
 # %% topotek.ipynb #47f5a28a
 class DirectLine:
     "From a `Topotek` to a `TopotekDevice` in the same process"
-    error,hear = None,None
+    error,received,changed = None,None,None
     def __init__(self, device): self.device,self._reader = device,TopotekReader()
     def __repr__(self): return 'a line in this process'
     def start(self): pass
@@ -133,12 +133,12 @@ class DirectLine:
 
     def send(self, data)->bool:
         "Is it on its way?"
-        for frame in self._reader.feed(data) if not self.error else (): self.hear(self.device.obey(*frame))
+        for frame in self._reader.feed(data) if not self.error else (): self.received(self.device.obey(*frame))
         return not self.error
 
     def pulse(self):
         "Pass its attitude on"
-        if not self.error: self.hear(self.device.report())
+        if not self.error: self.received(self.device.report())
 
 # %% topotek.ipynb #dd456402
 class TopotekSimulator(Closes):

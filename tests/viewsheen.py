@@ -12,7 +12,7 @@ from fastcore.basics import patch, store_attr
 from fastcore.meta import delegates
 from UAV.gimbals.sim import Motor
 from UAV.gimbals.values import Axis
-from UAV.gimbals.viewsheen import _sealed, AIRFRAME, IDENTITY, MAIN, Report, ViewsheenReader
+from UAV.gimbals.viewsheen import _sealed, AIRFRAME, IDENTITY, MAIN, AttitudeReport, ViewsheenReader
 from UAV.utils import clock
 from UAV.utils.threads import timers
 from UAV.utils.geo import wrap
@@ -37,7 +37,7 @@ def parse_command(
 
 # %% viewsheen.ipynb #056f1c48
 def report_frame(
-    report, # A `Report` or a `RangeReport`
+    report, # An `AttitudeReport` or a `RangeReport`
 )->bytes:
     "The frame that a gimbal sends"
     r = report
@@ -187,15 +187,15 @@ def obey(self:ViewsheenDevice, command:Command):
 
 # %% viewsheen.ipynb #c4d219aa
 @patch
-def report(self:ViewsheenDevice)->Report:
+def report(self:ViewsheenDevice)->AttitudeReport:
     "What the device would report now"
     pitch,yaw = self.angles
-    return Report(3, int(self.camera.tracking is not None), self.mode, pitch, (self.heading+yaw)%360, yaw)
+    return AttitudeReport(3, int(self.camera.tracking is not None), self.mode, pitch, (self.heading+yaw)%360, yaw)
 
 # %% viewsheen.ipynb #e4170ddf
 class DirectLine:
-    "From a `Viewsheen` to a `ViewsheenDevice` in the same process, instead of a `TCPClient`"
-    up,error,hear,changed = True,None,None,None
+    "From a `Viewsheen` to a `ViewsheenDevice` in the same process, instead of a `DeviceLine`"
+    up,error,received,changed = True,None,None,None
     def __init__(self, device): self.device,self._reader = device,ViewsheenReader()
 
     def start(self):
@@ -297,7 +297,7 @@ def send(self:ViewsheenSimulator,
 
 @patch
 def tell(self:ViewsheenSimulator):
-    "Report how it is held, when it reports at all"
+    "AttitudeReport how it is held, when it reports at all"
     frame = report_frame(self.device.report())
     cut = 9 if self.split else len(frame)
     for piece in filter(None, (frame[:cut], frame[cut:]) if self.feedback else ()): self.send(piece)

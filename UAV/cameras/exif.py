@@ -273,26 +273,24 @@ def _merged(theirs:bytes, index:int, when:datetime, pose:Pose|None, lacks:tuple,
     return b'Exif\0\0'+data[:4]+len(data).to_bytes(4, order)+data[8:]+_as_list(old|new, order)+following
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #67c8f624
-def _segments(jpeg:bytes):
-    "Yield marker, begin and end of each segment before the picture's data; raises `ValueError` where a file is damaged"
-    at = 2
+def _segments(jpeg:bytes)->list:
+    "Marker, begin and end of each segment before the picture's data, or before what is damaged"
+    at,found = 2,[]
     while True:
         while jpeg[at:at+2]==b'\xff\xff': at += 1           # fill bytes
         marker,length = jpeg[at+1:at+2],int.from_bytes(jpeg[at+2:at+4], 'big')
-        if jpeg[at:at+1]!=b'\xff' or length<2 or at+2+length>len(jpeg): raise ValueError('the JPEG is damaged')
-        if marker in b'\xda\xd9': return
-        yield marker[0],at,at+2+length
+        is_damaged = jpeg[at:at+1]!=b'\xff' or length<2 or at+2+length>len(jpeg)
+        if is_damaged or marker in b'\xda\xd9': return found
+        found.append((marker[0], at, at+2+length))
         at += 2+length
 
 def _taken_out(jpeg:bytes)->tuple:
     "A JPEG without its EXIF and XMP, the first EXIF block, empty when there is none, and a list of the XMP blocks"
     kept,found,end = [jpeg[:2]],{b'Exif\0\0': [], _xmp_head: []},2
-    try:
-        for marker,begin,end in _segments(jpeg):
-            kind = next((k for k in found if marker==0xe1 and jpeg.startswith(k, begin+4)), None)
-            if kind is None: kept.append(jpeg[begin:end])
-            else: found[kind].append(jpeg[begin+4:end])
-    except ValueError: pass                 # what follows stays as it is
+    for marker,begin,end in _segments(jpeg):
+        kind = next((k for k in found if marker==0xe1 and jpeg.startswith(k, begin+4)), None)
+        if kind is None: kept.append(jpeg[begin:end])
+        else: found[kind].append(jpeg[begin+4:end])
     blocks,packets = found.values()
     return b''.join(kept)+jpeg[end:], next(iter(blocks), b''), packets
 
@@ -370,14 +368,16 @@ def add_metadata(jpeg:bytes, # A JPEG file
     if not head: raise ValueError('this is not a JPEG')
     size = head[:2]
     jpeg,theirs,packets = _taken_out(jpeg)
-    try:
-        read = _image.Exif()
-        if theirs: read.load(theirs)
-        when = datetime.fromtimestamp(time_utc, timezone.utc)
-        own = _merged(theirs[6:], index, when, pose, _missing_tags(read, size, when, camera), tags)
-        make = str(read[Base.Make]) if _says(read.get(Base.Make)) else camera.vendor
-    except Exception:                       # there is no block, or a damaged one, of which Pillow may raise anything
-        own,make = exif(index, time_utc, size, pose, camera, tags),camera.vendor
+    own,make = b'',camera.vendor
+    if theirs:
+        try:
+            read = _image.Exif()
+            read.load(theirs)
+            when = datetime.fromtimestamp(time_utc, timezone.utc)
+            own = _merged(theirs[6:], index, when, pose, _missing_tags(read, size, when, camera), tags)
+            if _says(read.get(Base.Make)): make = str(read[Base.Make])
+        except Exception: own = b''         # the block is damaged: Pillow may raise anything
+    if not own: own = exif(index, time_utc, size, pose, camera, tags)
     if pose: packets = _with_pose(packets, pose, make)
     if theirs and len(own)>65533: own = theirs          # there is no room
     return add_segments(jpeg, own, *packets)

@@ -16,7 +16,7 @@ from .common import address, links, listed, on_links, or_exit, painted, place_fo
 from ..gimbals import circle, FixedMount, Gimbal, hover, SimGimbal, SimVehicle
 from ..mavlink import CameraServer, GimbalCameraServer, GimbalServer, SimAutopilot
 from ..mavlink.camera_server import _checked_name
-from ..gimbals.gimbal_camera import camera_kind, CardCamera, gimbal_camera, takes_orders
+from ..gimbals.driver import camera_kind, CardCamera, gimbal_camera, takes_orders
 from ..mavlink.viewsheen_server import _Tracking
 from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device

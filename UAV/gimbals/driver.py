@@ -17,7 +17,8 @@ from .gimbal import Gimbal
 from .values import *
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread, Closes, inside
+from ..utils.threads import _begin_thread, Closes
+from ..utils.values import inside
 from ..utils.geo import quaternion
 
 # %% auto #0

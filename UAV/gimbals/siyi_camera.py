@@ -16,6 +16,7 @@ from ..cameras.parameters import Parameter
 from ..cameras.sim import ThermalRange
 from ..cameras.url_camera import URLCamera
 from ..cameras.values import *
+from .driver import direction_of
 from UAV.gimbals.siyi_link import (Cmd, read_config, read_range, read_stream, read_thermal, read_zoom, SiyiLink,
     zoom_data)
 from .values import GimbalError
@@ -64,7 +65,7 @@ class _ZoomDrive:
     def __init__(self, lens, send, log): # `send(cmd, data, times)`
         store_attr()
         self.way,self.aim,self.left,self.at = 0,None,0,-math.inf    # ±1; the magnification that was ordered
-        self._lock,self.halting = clock.Lock(),False            # `halting`: told to stop, and no report since
+        self._lock,self.halting = clock.Lock(),False            # `halting`: a stop was sent, and no report came since
 
     times = property(lambda self: round(self.lens.focal_length/self.lens.travel.low, 1), doc="Magnification")
 
@@ -95,7 +96,7 @@ def tick(self:_ZoomDrive, now:float):
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #93d01c3c
 @patch
-def hear(self:_ZoomDrive, times:float)->bool:
+def report(self:_ZoomDrive, times:float)->bool:
     "Take a report of the magnification; returns true if it has changed"
     with self._lock:
         self.halting = False
@@ -111,64 +112,54 @@ class _CardRecorder:
     pause,most = 1.,3           # s between two orders; how many
     def __init__(self, toggle, log):
         store_attr()
-        self.on,self.missing,self.ours,self.wanted,self.left,self.at = False,False,False,None,0,-math.inf
+        self.on,self.missing,self.ours = False,False,False      # as reported: does it record, is there no card? for us?
+        self.wanted,self.left,self.at = None,0,-math.inf        # on or off; orders that are left; when the last one was
         self._lock = clock.Lock()
 
-@patch
-def want(self:_CardRecorder, on:bool):
-    "Record from now on, or no longer"
-    with self._lock: self.ours,self.wanted,self.left,self.at = on,on,self.most,-math.inf
+    def want(self, on:bool):
+        "Record from now on, or no longer"
+        with self._lock: self.ours,self.wanted,self.left,self.at = on,on,self.most,-math.inf
 
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #956a281e
-@patch
-def hear(self:_CardRecorder, record:int, now:float):
-    "Take a report: 0 (off), 1 (on), 2 (no card) or 3 (data was lost)"
-    with self._lock: self._follow(record, now)
+    def report(self, record:int, now:float): # 0 off, 1 on, 2 no card, 3 data was lost
+        "Take a report, and toggle when that is due"
+        with self._lock:
+            was,self.on,self.missing = self.on,record==1,record==2
+            why = {2:'there is no card', 3:'data was lost'}.get(record, '')
+            rested = now-self.at>=self.pause
+            if self.wanted is None:
+                if was and self.ours and not self.on: self._end(f'it has stopped by itself{why and ", "}{why}')
+            elif self.on==self.wanted: self.wanted = None
+            elif why or not self.left and rested:
+                self._end(why or f'the device does not {"start" if self.wanted else "stop"}')
+            elif rested:
+                self.left,self.at = self.left-1,now
+                self.toggle()
 
-@patch
-def _follow(self:_CardRecorder, record, now):
-    was,self.on,self.missing = self.on,record==1,record==2
-    why = {2:'there is no card', 3:'data was lost'}.get(record, '')
-    if self.wanted is None:
-        if was and self.ours and not self.on: self._end(f'it has stopped by itself{why and ", "}{why}')
-    elif self.on==self.wanted: self.wanted = None
-    elif why or not self.left and now-self.at>=self.pause:
-        self._end(why or f'the device does not {"start" if self.wanted else "stop"}')
-    elif now-self.at>=self.pause:
-        self.left,self.at = self.left-1,now
-        self.toggle()
-
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #4943b48d
-@patch
-def _end(self:_CardRecorder, why:str):
-    self.ours,self.wanted = False,None
-    self.log.warning('recording on the card: %s; our own is not affected', why)
+    def _end(self, why:str):
+        self.ours,self.wanted = False,None
+        self.log.warning('recording on the card: %s; our own is not affected', why)
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #1dbcf306
 class _CardFiles:
     "The photos on a card, over HTTP"
     def __init__(self, host:str, port:int): store_attr()
 
-@patch
-def get(self:_CardFiles, path:str, most:int=1<<26)->bytes:
-    "Return a file; raises `OSError` and `ValueError`"
-    return get_web(f'http://{url_host(self.host)}:{self.port}{path}', {self.host}, most, 5.)
+    def get(self, path:str, most:int=1<<26)->bytes:
+        "Return a file; raises `OSError` and `ValueError`"
+        return get_web(f'http://{url_host(self.host)}:{self.port}{path}', {self.host}, most, 5.)
 
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #4fe381de
-@patch
-def _ask(self:_CardFiles, verb:str, **query)->dict:
-    path = f'/cgi-bin/media.cgi/api/v1/{verb}?{urlencode(dict(media_type=0)|query)}'
-    return json.loads(self.get(path, 1<<22))['data']
+    def _ask(self, verb:str, **query)->dict:
+        path = f'/cgi-bin/media.cgi/api/v1/{verb}?{urlencode(dict(media_type=0)|query)}'
+        return json.loads(self.get(path, 1<<22))['data']
 
-@patch
-def newest(self:_CardFiles)->str:
-    "Return the path of the newest photo, '' if there is none; raises `OSError`"
-    try:
-        folders = [folder['path'] for folder in self._ask('getdirectories')['directories']]
-        files = folders and self._ask('getmedialist', path=max(folders), start=0, count=9999)['list']
-        return max((urlsplit(file['url']).path for file in files), default='')
-    except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as e:
-        raise OSError(f'no list of files: {e!r}') from None
+    def newest(self)->str:
+        "Return the path of the newest photo, '' if there is none; raises `OSError`"
+        try:
+            folders = [folder['path'] for folder in self._ask('getdirectories')['directories']]
+            files = folders and self._ask('getmedialist', path=max(folders), start=0, count=9999)['list']
+            return max((urlsplit(file['url']).path for file in files), default='')
+        except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as e:
+            raise OSError(f'no list of files: {e!r}') from None
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #b0e6b079
 class SiyiCamera(URLCamera):
@@ -185,7 +176,7 @@ class SiyiCamera(URLCamera):
                  pose=None): # Function that returns the Pose of a picture
         self.link,self.range_unit,self._given = link,range_unit,url
         self.host = host or (link.name.rpartition(':')[0] if link.transport!='serial' else '192.168.144.25')
-        self._files,self._notices,self._said = _CardFiles(self.host, http_port),clock.SimpleQueue(),set()
+        self._files,self._notices,self._logged = _CardFiles(self.host, http_port),clock.SimpleQueue(),set()
         self._listed,self._no_files = None,-math.inf        # the newest file, if known; when there was no list, s
         link.wait(lambda link: link.hardware and link.firmware, timeout)
         self._fit_model()
@@ -226,8 +217,8 @@ def _fit_model(self:SiyiCamera):
     with suppress(GimbalError, ValueError):
         most = max(read_zoom(link.ask(Cmd.most_zoom, tries=2 if code else 0)), 1.)
     with suppress(GimbalError, ValueError):
-        said = read_stream(link.ask(Cmd.stream, b'\1', tries=2 if code else 0))
-        self.information = replace(self.information, resolution_h=said.width, resolution_v=said.height)
+        main = read_stream(link.ask(Cmd.stream, b'\1', tries=2 if code else 0))
+        self.information = replace(self.information, resolution_h=main.width, resolution_v=main.height)
     self.lens = Lens(wide, wide*most, sensor[0])
     if link.firmware: self.information = replace(self.information, firmware_version=(*link.firmware.camera, 0))
 
@@ -235,14 +226,14 @@ def _fit_model(self:SiyiCamera):
 @patch
 def _listen(self:SiyiCamera, cmd:int):
     "Call our method for a command's answers"
-    hear = getattr(self, f'_on_{Cmd(cmd).name}')
-    self.link.subscribe(cmd, lambda data: None if self._closing.is_set() else hear(data))
+    receive = getattr(self, f'_on_{Cmd(cmd).name}')
+    self.link.subscribe(cmd, lambda data: None if self._closing.is_set() else receive(data))
 
 @patch
 def _on_notice(self:SiyiCamera, data:bytes): self._notices.put(data[0])
 
 @patch
-def _on_config(self:SiyiCamera, data:bytes): self._card.hear(read_config(data).record, self.link.clock())
+def _on_config(self:SiyiCamera, data:bytes): self._card.report(read_config(data).record, self.link.clock())
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #c92ea2a1
 @patch
@@ -250,21 +241,16 @@ def _on_zoom(self:SiyiCamera, data:bytes): self._on_present_zoom(bytes(divmod(in
 
 @patch
 def _on_present_zoom(self:SiyiCamera, data:bytes):
-    if self._zoom.hear(read_zoom(data)): self.announce(self.settings())
+    if self._zoom.report(read_zoom(data)): self.announce(self.settings())
 
 @patch
 def _on_stream(self:SiyiCamera, data:bytes):
-    said = read_stream(data)
-    if said.stream!=1 or not said.width: return
-    self.frame_rate,self.bitrate = float(said.fps) or self.frame_rate,1000*said.bitrate     # 0: older firmware
-    self._encoder.expected = VideoFormat(said.codec.lower(), said.width, said.height, self.frame_rate, self.bitrate)
+    main = read_stream(data)
+    if main.stream!=1 or not main.width: return
+    self.frame_rate,self.bitrate = float(main.fps) or self.frame_rate,1000*main.bitrate     # 0: older firmware
+    self._encoder.expected = VideoFormat(main.codec.lower(), main.width, main.height, self.frame_rate, self.bitrate)
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #1e523f7c
-@patch
-def _age(self:SiyiCamera, cmd:int)->float:
-    "Return the age of the newest answer, s"
-    return self.link.clock()-self.link.newest.get(cmd, (-math.inf,))[0]
-
 @patch
 def _tick(self:SiyiCamera):
     "Ask what may have changed, and note whether the link works"
@@ -273,7 +259,7 @@ def _tick(self:SiyiCamera):
     self._zoom.tick(self.link.clock())
     if self._card.wanted is not None: self.link.send(Cmd.config)
     if self._laser: self.link.send(Cmd.distance)
-    if self.thermal_range and self._age(Cmd.thermal)>3: self.link.send(Cmd.thermal, b'\2')     # from then on 5 Hz
+    if self.thermal_range and self.link.age(Cmd.thermal)>3: self.link.send(Cmd.thermal, b'\2')     # from then on 5 Hz
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #a1efbb90
 @patch
@@ -283,12 +269,13 @@ def _need_link(self:SiyiCamera):
 
 @patch
 def _log_once(self:SiyiCamera, text:str):
-    if text not in self._said: self.log.warning('%s', text)
-    self._said.add(text)
+    if text not in self._logged: self.log.warning('%s', text)
+    self._logged.add(text)
 
-SiyiCamera.distance = property(
-    lambda self: read_range(self.link.newest[Cmd.distance][1])*10*self.range_unit if self._age(Cmd.distance)<2 else NAN,
-    doc="Distance by the range finder, m; NaN: out of range, or there is none")
+@patch(as_prop=True)
+def distance(self:SiyiCamera)->float:
+    "Distance by the range finder, m; NaN: out of range, or there is none"
+    return read_range(self.link.data(Cmd.distance))*10*self.range_unit if self.link.age(Cmd.distance)<2 else NAN
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #a3947d33
 @patch
@@ -371,10 +358,9 @@ def set_camera_focus(self:SiyiCamera, kind:str, # 'continuous' or 'auto…'
                      value:float=0.): # Direction: above 0 is far
     "Focus, or stop; raises `ValueError` and `CameraError`"
     self._need_link()
-    one_of('kind', kind, ('continuous','auto','auto_single','auto_continuous'))
-    way = bytes([(inside(kind, value, -99, 99)>0)-(value<0) & 255])
-    if kind=='continuous': self.link.send(Cmd.focus, way, 1 if value else 3)
-    else: self.link.send(Cmd.autofocus, b'\1')
+    way = direction_of(kind, value)
+    if way is None: self.link.send(Cmd.autofocus, b'\1')
+    else: self.link.send(Cmd.focus, bytes([way&255]), 1 if way else 3)
     self.announce(self.settings())
 
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #14cf21e1
@@ -413,8 +399,8 @@ def thermal_range(self:SiyiCamera, stream_id:int=0, # 0: of the thermal camera
     if stream_id:
         [stream] = self.filming.chosen(stream_id)
         if not self.shows(stream)['thermal']: raise ValueError(f'stream {stream_id} is not thermal')
-    if self._age(Cmd.thermal)>3: raise CameraError('the device reports no temperatures')
-    now = read_thermal(self.link.newest[Cmd.thermal][1])
+    if self.link.age(Cmd.thermal)>3: raise CameraError('the device reports no temperatures')
+    now = read_thermal(self.link.data(Cmd.thermal))
     def part(place): return (place[0]+.5)/640,(place[1]+.5)/512
     return ThermalRange(stream_id, now.most, part(now.hottest), now.least, part(now.coldest))
 
@@ -425,7 +411,7 @@ def _end_card(self:SiyiCamera):
     end = clock.monotonic()+5
     def settle():
         while self._card.wanted is not None and clock.monotonic()<end:
-            self._card.hear(read_config(self.link.ask(Cmd.config)).record, self.link.clock())
+            self._card.report(read_config(self.link.ask(Cmd.config)).record, self.link.clock())
             self._closing.wait(.05)
     if self.link.fault: return
     with suppress(GimbalError, ValueError):

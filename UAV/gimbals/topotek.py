@@ -6,18 +6,16 @@
 from __future__ import annotations
 from collections import deque
 from dataclasses import replace
-import math, re, socket
-
+import math, re
 from fastcore.basics import patch
-from .gimbal import Gimbal
-from .gimbal_camera import gimbal_camera
 from .values import *
 from ..utils import clock
 from ..utils.clock import goes_by_itself
 from ..utils.devices import DeviceURL
 from ..utils.values import inside
-from ..utils.geo import quaternion
-from ..utils.sockets import Loop
+from ..utils.sockets import url_host
+from .driver import (DeviceLine, direction_of, FrameCutter, gimbal_camera, GimbalDriver, open_camera,
+    PhotoSeries, SerialPort, UDPPort)
 
 # %% auto #0
 __all__ = ['topotek_frame', 'TopotekReader', 'Topotek']
@@ -40,26 +38,18 @@ def _rate_data(yaw:float, pitch:float)->str:
     return f'{yaw&255:02X}{pitch&255:02X}00'
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #cb76f332
-class TopotekReader:
-    "Cuts frames out of a stream; `feed` it as the bytes come"
+class TopotekReader(FrameCutter):
+    "Cuts frames out of a stream, into sender, three letters and data; `feed` it as the bytes come"
     _head = re.compile(rb'#[Tt][Pp]([A-Z])[A-Z]([0-9A-F])[rw]([A-Z0-9]{3})')
-    def __init__(self): self._data = b''
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #fb470fab
-@patch
-def feed(self:TopotekReader, data:bytes)->list:
-    "Return the frames that are complete now: sender, three letters and data of each"
-    self._data,found = self._data+data,[]
-    while (start := self._data.find(b'#'))>=0 and len(self._data)>=start+10:
-        self._data = self._data[start:]
-        head = self._head.match(self._data)
-        end = 10+int(head[2], 16) if head else 0
-        if head and len(self._data)<end+2: return found
-        right = head and self._data[end:end+2]==b'%02X'%(sum(self._data[:end])&255)
-        if right: found.append((head[1].decode(), head[3].decode(), self._data[10:end]))
-        self._data = self._data[end+2 if right else 1:]
-    self._data = self._data[start:] if start>=0 else b''
-    return found
+    def _take(self, data:bytearray)->tuple|None:
+        start = data.find(b'#')
+        if start: return None,start if start>0 else len(data)
+        if len(data)<10: return
+        if not (head := self._head.match(data)): return None,1
+        end = 10+int(head[2], 16)
+        if len(data)<end+2: return
+        if data[end:end+2]!=b'%02X'%(sum(data[:end])&255): return None,1
+        return (head[1].decode(), head[3].decode(), bytes(data[10:end])),end+2
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #86a41a13
 def _attitude_in(sender:str, what:str, data:bytes)->tuple|None:
@@ -80,85 +70,11 @@ def _vehicle_data(v:VehicleState)->dict:
     if known(v.yaw): found['AZI'] = f'{round(v.yaw*10)%3600/10:05.1f}'
     return found
 
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #88ed9e10
-class _UDP:
-    def __init__(self, host:str, port:int, local:int):
-        family,kind,*_,self.peer = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
-        self.sock = socket.socket(family, kind)
-        self.fileno,self.close = self.sock.fileno,self.sock.close
-        self.sock.setblocking(False)
-        self.sock.bind(('', local))
-
-    def write(self, data)->int: return self.sock.sendto(data, self.peer)
-    def read(self, most):
-        data,peer = self.sock.recvfrom(most)
-        return data if peer[0]==self.peer[0] else b''
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #f697e137
-def _serial(device:str, baudrate:int):
-    from serial import Serial
-    return Serial(device, baudrate, timeout=0, write_timeout=.1)
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #42bbb7c8
-class _TopotekLine:
-    "Opens a port, reads it on a thread, and opens it again when it is lost"
-    def __init__(self, name:str, make): # `make` opens the port; raises `OSError`
-        self.name,self.make,self.hear = name,make,lambda data: None
-        self.error,self._port,self._lock,self._loop = 'not open yet',None,clock.Lock(),None
-
-    def __repr__(self): return self.name
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #126dca1e
-@patch
-def start(self:_TopotekLine):
-    self._loop = Loop(self.name, self._open)
-    self._loop.call(self._open)
-
-@patch
-def _open(self:_TopotekLine):
-    if self._port is not None or self.error=='closed': return
-    try: self._port,self.error = self.make(),None
-    except OSError as e: self.error = str(e)
-    else: self._loop.watch(self._port, lambda events: self._read(self._port))
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #f6203bae
-@patch
-def _read(self:_TopotekLine, port):
-    try: data = port.read(4096)
-    except BlockingIOError: return
-    except OSError as e: return self._drop(str(e))
-    if data: self.hear(data)
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #1623ff21
-@patch
-def send(self:_TopotekLine, data:bytes)->bool:
-    "Send it now, or not at all; true if it was sent"
-    with self._lock:
-        try: return self._port is not None and self._port.write(data)==len(data)
-        except OSError: return False            # it takes nothing now, or there is no network
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #6906c92e
-@patch
-def _drop(self:_TopotekLine, why:str):
-    port,self.error = self._port,why
-    if port is None: return
-    self._loop.forget(port)
-    with self._lock: self._port = port.close()
-
-@patch
-def close(self:_TopotekLine):
-    "Close it for good; may be called twice"
-    self.error = 'closed'
-    self._loop.ask(lambda: self._drop('closed'))
-    self._loop.close()
-
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #aab75bb0
-class Topotek(Gimbal):
+class Topotek(GimbalDriver):
     "A Topotek gimbal camera, over UDP or a serial port"
-    locks,follows = ('pitch','yaw'),('yaw',)
+    stands_late = True
     pace,ask_pace,silence = .1,.5,1.    # s from order to order, from question to question; s without an answer: a fault
-    least_interval = .5                 # s between two pictures
-    series = None       # pictures that are due: `(how many are left, when the next one is due, s between)`
     def __init__(self, host:str='192.168.144.108', # Its address, or a serial port such as '/dev/ttyUSB0'
                  port:int=9003, # UDP
                  sender:str='', # 'P' or 'U', the port of the gimbal that answers; empty: as `host` is
@@ -166,39 +82,37 @@ class Topotek(Gimbal):
                  baudrate:int=115200, # Of a serial port
                  pitch:tuple=(-90.,45.), yaw:tuple=(-150.,150.), # Least and greatest angle, degrees
                  clock=clock.now, # Gives seconds; with another one, call `tick` yourself
-                 line=None): # In tests, instead of a socket or a serial port
+                 line=None): # In tests, instead of a `DeviceLine`
         self.information = GimbalInformation('Topotek', 'TP gimbal', pitch=pitch, yaw=yaw)
         super().__init__(clock)
         serial = host.startswith('/')
-        inside('port', port, 1, 65535)
+        place = SerialPort(host, baudrate) if serial else UDPPort(host, port, local, any_port=True)
         self.sender = one_of('sender', sender or 'PU'[serial], ('P','U'))
-        self._angles,self._heard,self._reader = (NAN,NAN,NAN),-math.inf,TopotekReader()
-        self._began,self._starts,self._asked = -math.inf,{},-math.inf     # of the setpoint: since when, from where
-        self._below = VehicleState()        # the vehicle, when the attitude came
-        self._said = {}             # what is repeated: `{subject: (frame, since when)}`
-        self.card = None            # has it a card? `None`: unknown
-        self._questions = deque((('D','SDC'), ('D','VSN'), ('G','PA2')))
-        self._forget()
-        make = (lambda: _serial(host, baudrate)) if serial else (lambda: _UDP(host, port, local))
-        self.line = line or _TopotekLine(host if serial else f'UDP {host}:{port}', make)
-        self.line.hear = lambda data: self._hear(data)
+        self._angles,self._heard,self._reader = (NAN,NAN,NAN),-math.inf,TopotekReader()     # yaw, pitch, roll; when
+        self._below = VehicleState()                # the vehicle, when they came
+        self._began,self._starts = -math.inf,{}     # of the setpoint: since when, from where
+        self._repeated = {}                         # `{subject: (frame, since when)}`
+        self.card = None                            # has it a card? `None`: unknown
+        self._questions,self._asked = deque((('D','SDC'), ('D','VSN'), ('G','PA2'))),-math.inf
+        self.series = PhotoSeries(lambda: self._order('D', 'CAP', '01'), self.log)
+        self.hold_still()
+        self.line = line or DeviceLine(place)
+        self.line.received = lambda data: self._receive(data)
         self.line.start()
         self._job = self._timers.every(self.pace, self.tick) if goes_by_itself(clock) else None
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #af0b5e1a
 @patch
-def _forget(self:Topotek): self.setpoint = Setpoint(Axis(), Axis(), Axis())       # every axis stays where it is
-
-@patch
-def _send(self:Topotek, receiver, what, data): self.line.send(topotek_frame(receiver, what, data, self.sender))
+def _send(self:Topotek, receiver:str, what:str, data:str='00', control:str='w'):
+    self.line.send(topotek_frame(receiver, what, data, self.sender, control))
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #e1d4d005
 @patch
 def _repeat(self:Topotek, subject:str, *frame):
     "Send a frame, unless it was sent for a while"
     now = self.clock()
-    said,since = self._said.get(subject, (None,now))
-    if said!=frame: self._said[subject],since = (frame,now),now
+    last,since = self._repeated.get(subject, (None,now))
+    if last!=frame: self._repeated[subject],since = (frame,now),now
     if now-since<=self.silence+.2: self._send(*frame)
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #f83e7db5
@@ -216,50 +130,41 @@ def _wanted(self:Topotek, axis:str, setpoint:Setpoint)->float:
     angle,vehicle = getattr(setpoint, axis).angle,(self.vehicle or VehicleState()).after(self.pace/2)
     return wrap(angle-vehicle.yaw) if axis=='yaw' and setpoint.lock else angle
 
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #257f111f
-@patch
-def _failures(self:Topotek):
-    if self.fault: yield 'COMMS_ERROR'
-    for axis in ('pitch','yaw'):
-        angle = self._wanted(axis, self.setpoint)
-        if known(angle) and abs(self.information.limited(axis, angle)-angle)>.05: yield f'AT_{axis.upper()}_LIMIT'
-
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #3b9e4f2f
 @patch
 def attitude(self:Topotek)->GimbalAttitude:
     "Return where it points, by its last report, and the vehicle's yaw then"
-    (yaw,pitch,roll),wanted,vehicle = self._angles,self.setpoint,self._below
-    return GimbalAttitude(quaternion(roll, pitch, yaw), vehicle_yaw=vehicle.yaw, vehicle_yaw_rate=vehicle.yaw_rate,
-        lock=wanted.lock, mode=wanted.mode, failures=tuple(self._failures()), time=self.clock())
+    yaw,pitch,roll = self._angles
+    goals = {axis: self._wanted(axis, self.setpoint) for axis in ('pitch','yaw')}
+    return self.held(roll, pitch, yaw, vehicle=self._below, goals=goals)
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #79da9fb3
 @patch
 def _goal(self:Topotek, axis:str, setpoint:Setpoint)->float:
+    "Return where an axis is to be at this moment; NaN: it has no target"
     angle,rate = self._wanted(axis, setpoint),abs(getattr(setpoint, axis).rate)
     if not known(angle): return NAN
     angle,start = self.information.limited(axis, angle),self._starts.get(axis, NAN)
     if not (rate>0 and known(start)): return angle
     return start+math.copysign(min(abs(angle-start), rate*(self.clock()-self._began)), angle-start)
 
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #5254a05d
-@patch
-def _rate(self:Topotek, axis:str, setpoint:Setpoint, goal:float)->float:
-    if getattr(setpoint, axis).turning: return getattr(setpoint, axis).rate
-    way = goal-self._angles[0 if axis=='yaw' else 1]
-    return 2*way if abs(way)>=.5 else 0.        # NaN: it has no goal, and 0
-
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #45ec0f89
+@patch
+def _rates(self:Topotek, setpoint:Setpoint, goals:dict)->str:
+    "Return the data of the rates at this moment; zeros: it stands"
+    there = dict(zip(('yaw','pitch'), self._angles))
+    return _rate_data(**{axis: self.rate_toward(getattr(setpoint, axis), goals[axis]-there[axis]) for axis in there})
+
 @patch
 def _steer(self:Topotek, setpoint:Setpoint):
     "Send what `setpoint` asks for at this moment"
     goals = {axis: self._goal(axis, setpoint) for axis in ('pitch','yaw')}
     held = setpoint.lock and (setpoint.turning or not known(goals['yaw']))
     self._repeat('mode', 'G', 'PTZ', '06' if held else '07')
-    turns = setpoint.turning and not self.fault
-    rates = _rate_data(**{a: self._rate(a, setpoint, goals[a]) for a in goals}) if turns else ''
+    rates = self._rates(setpoint, goals) if setpoint.turning and not self.fault else ''
     if setpoint.mode=='center': self._repeat('move', 'G', 'PTZ', '05')
     elif rates.strip('0'):
-        self._said.pop('move', None)
+        self._repeated.pop('move', None)
         self._send('G', 'YPR', rates)
     elif held or not any(map(known, goals.values())): self._repeat('move', 'G', 'PTZ', '00')
     else:
@@ -270,36 +175,29 @@ def _steer(self:Topotek, setpoint:Setpoint):
 @patch
 def drive(self:Topotek, setpoint:Setpoint):
     "Begin to move; raises `HeadingUnknown`, and `ValueError` for roll, which it cannot"
-    if setpoint.roll.turning and setpoint.roll.rate or known(setpoint.roll.angle) and abs(setpoint.roll.angle)>.05:
-        raise ValueError(f'{self.information.model} has no roll axis to point')
+    self.refuse_roll(setpoint)
     self._began,self._starts = self.clock(),dict(yaw=self._angles[0], pitch=self._angles[1])
-    self._said.pop('move', None)
+    self._repeated.pop('move', None)
     self._steer(setpoint)
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #7d8b5489
-@patch
-def _held(self:Topotek, axis:str, lock:bool)->Axis:
-    "Return the target that keeps an axis; none for one that turns: it stays where it stops"
-    return Axis() if getattr(self.setpoint, axis).turning else Gimbal._held(self, axis, lock)
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #e63ec8d2
 @patch
 def _settle(self:Topotek):
     "Read the angle of an axis that has stopped, when it's needed"
     now = self.setpoint
+    if now.turning or now.mode!='point' or self.fault: return
     loose = [axis for axis in ('pitch','yaw') if not known(getattr(now, axis).angle)]
     stands = now.lock and self.clock()>=self._began+.5
-    if not loose or now.turning or now.mode!='point' or self.fault or len(loose)==2 and not stands: return
-    try: self.setpoint = replace(now, **{axis: Gimbal._held(self, axis, now.lock) for axis in loose})
+    if not loose or len(loose)==2 and not stands: return
+    try: self.setpoint = replace(now, **{axis: self._held(axis, now.lock) for axis in loose})
     except HeadingUnknown: pass                 # the device holds it meanwhile
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #ea5c9511
 @patch
 def _ask(self:Topotek):
     "Ask the next question"
-    receiver,what = self._questions[0]
+    self._send(*self._questions[0], control='r')
     self._questions.rotate(-1)
-    self.line.send(topotek_frame(receiver, what, '00', self.sender, 'r'))
 
 @patch
 def _learn(self:Topotek, sender:str, what:str, data:bytes):
@@ -314,40 +212,45 @@ def _learn(self:Topotek, sender:str, what:str, data:bytes):
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #9bee4f77
 @patch
-def _hear(self:Topotek, data:bytes):
+def _receive(self:Topotek, data:bytes):
+    "Take answers; after a silence, what is repeated is due again"
     with self._lock:
         now,frames = self.clock(),self._reader.feed(data)
         for frame in frames: self._learn(*frame)
         for angles in filter(None, (_attitude_in(*frame) for frame in frames)):
-            if now-self._heard>self.silence: self._said = {what: (frame,now) for what,(frame,_) in self._said.items()}
+            if now-self._heard>self.silence:
+                self._repeated = {subject: (frame,now) for subject,(frame,_) in self._repeated.items()}
             self._angles,self._heard,self._below = angles,now,self.vehicle or VehicleState()
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #3cf31913
 @patch
 def tick(self:Topotek):
     "Go on with what takes time, and end rates that are over"
-    Gimbal.tick(self)
+    GimbalDriver.tick(self)
     with self._lock:
         if self.closed: return
-        if self.fault and self.setpoint.turning: self._forget()
-        if self.clock()>=self._asked+self.ask_pace:
-            self._asked = self.clock()
+        now = self.clock()
+        if self.fault and self.setpoint.turning: self.hold_still()
+        if now>=self._asked+self.ask_pace:
+            self._asked = now
             self._send('G', 'GIA', '01')
             self._ask()
             for what,data in _vehicle_data(self.vehicle or VehicleState()).items(): self._send('D', what, data)
         self._settle()
         self._steer(self.setpoint)
-        for what in {'ZMC','FCC'} & self._said.keys(): self._repeat(what, *self._said[what][0])
-        self._take_series()
+        for what in {'ZMC','FCC'} & self._repeated.keys(): self._repeat(what, *self._repeated[what][0])
+        self.series.take(now)
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #d3b2a167
 @patch
 def _order(self:Topotek, receiver:str, what:str, data:str):
+    "Send an order of the camera; raises `GimbalError`"
     if self.closed or self.fault: raise GimbalError(self.fault or f'{self!r} is closed')
     self._send(receiver, what, data)
 
 @patch
 def _need_card(self:Topotek):
+    "Raise `GimbalError` when it says that there is no card"
     if self.card is False: raise GimbalError('there is no card in it')
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #e348549d
@@ -355,7 +258,7 @@ def _need_card(self:Topotek):
 def _lens(self:Topotek, what:str, data:str):
     with self._lock:
         self._order('M', what, data)
-        self._said[what] = ('M',what,data),self.clock()
+        self._repeated[what] = ('M',what,data),self.clock()
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #d5032596
 @patch
@@ -370,8 +273,7 @@ def set_camera_zoom(self:Topotek, kind:str, # 'continuous'
 def set_camera_focus(self:Topotek, kind:str, # 'continuous', or 'auto', 'auto_single', 'auto_continuous'
                      value:float=0.): # -1 to 1: its sign, positive is further away; 0 stops
     "Focus (SET_FOCUS_TYPE); raises `ValueError` and `GimbalError`"
-    auto = one_of('kind', kind, ('continuous','auto','auto_single','auto_continuous'))!='continuous'
-    self._lens('FCC', '10' if auto else '01' if inside(kind, value)>0 else '02' if value<0 else '00')
+    self._lens('FCC', {None:'10', 1:'01', -1:'02', 0:'00'}[direction_of(kind, value)])
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #43ca5bc2
 @patch
@@ -388,36 +290,23 @@ def video_stop_capture(self:Topotek, stream_id:int=0):
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #691b641e
 @patch
 def image_start_capture(self:Topotek,
-                        interval:float=0., # s between pictures; what is shorter than `least_interval` becomes that
+                        interval:float=0., # s between pictures; what is shorter than `series.least` becomes that
                         count:int=1): # 0 until stopped
     "Take pictures; raises `ValueError` and `GimbalError`"
-    interval,count = inside('interval', interval, 0, 1e6),int(inside('count', count, 0, 0xffff))
     with self._lock:
         self._need_card()
-        self._order('D', 'CAP', '01')
-        interval = max(interval, self.least_interval)
-        self.series = (count-1 if count else math.inf,self.clock()+interval,interval) if count!=1 else None
+        self.series.start(interval, count, self.clock())
 
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #5ece34b1
-@patch
-def _take_series(self:Topotek):
-    left,due,interval = self.series or (0,math.inf,0)
-    if self.clock()<due-.001: return
-    self.series = (left-1, due+interval, interval) if left>1 else None
-    if self.fault: self.log.warning('a picture is lost: %s', self.fault)
-    else: self._send('D', 'CAP', '01')
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #f7053ff9
 @patch
 def image_stop_capture(self:Topotek):
     "Stop a series of pictures"
-    with self._lock: self.series = None
+    with self._lock: self.series.stop()
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #4d024ff2
 @patch
 def close(self:Topotek):
     "Stop turning, and close the line; may be called twice"
-    Gimbal.close(self)
+    GimbalDriver.close(self)
     if self._job: self._timers.cancel(self._job, timeout=self.patience)
     for _ in range(3): self._send('G', 'PTZ', '00')
     if self.camera: self.camera.close()
@@ -429,12 +318,9 @@ def open(cls:Topotek, url:DeviceURL, **storage):
     "Open gimbal and camera at a URL, such as topotek://192.168.144.108 or topotek:///dev/ttyUSB0; raises `ValueError`"
     kinds = dict(sender=str, local=int, baudrate=int, video=str)
     options = {name: kinds[one_of('an option', name, kinds)](text) for name,text in url.options}
-    where,video = dict(host=url.host or url.path.rstrip('/'), port=url.port),options.pop('video', None)
+    host = url.host or ('' if url.path else '192.168.144.108')
+    usual = f'rtsp://{url_host(host)}:554/stream=0' if host else 'none'
+    video = options.pop('video', usual)
+    where = dict(host=url.host or url.path.rstrip('/'), port=url.port)
     gimbal = cls(**{name: value for name,value in where.items() if value}, **options)
-    host = f'[{url.host}]' if ':' in url.host else url.host or ('' if url.path else '192.168.144.108')
-    if video is None and host: video = f'rtsp://{host}:554/stream=0'
-    try: gimbal.camera = gimbal_camera(gimbal, None if video=='none' else video, **storage)
-    except BaseException:
-        gimbal.close()
-        raise
-    return gimbal
+    return open_camera(gimbal, lambda gimbal: gimbal_camera(gimbal, None if video=='none' else video, **storage))

@@ -6,26 +6,23 @@
 from __future__ import annotations
 from dataclasses import dataclass
 import math, struct
-
 from fastcore.basics import patch, store_attr
-from .gimbal import Gimbal
-from .gimbal_camera import CardCamera, GimbalCamera
 from .values import *
 from ..utils import clock
 from ..utils.docs import takes_options
 from ..utils.values import inside, NAN, one_of, Value
 from ..utils.devices import DeviceURL
-from ..utils.geo import quaternion, wrap
-from ..utils.sockets import TCPClient
+from .driver import (CardCamera, DeviceLine, direction_of, FrameCutter, GimbalCamera, GimbalDriver,
+    open_camera, PhotoSeries, TCPPort)
 
 # %% auto #0
 __all__ = ['MARK', 'MAIN', 'AIRFRAME', 'GEODETIC', 'ACTIONS', 'IDENTITY', 'command_frame', 'rate_frame', 'yaw_frame',
-           'pitch_frame', 'track_frame', 'tap_zoom_frame', 'zoom_frame', 'action_frame', 'Report', 'RangeReport',
-           'parse_report', 'ViewsheenReader', 'ViewsheenSetup', 'Viewsheen', 'ViewsheenCamera']
+           'pitch_frame', 'track_frame', 'tap_zoom_frame', 'zoom_frame', 'action_frame', 'AttitudeReport',
+           'RangeReport', 'parse_report', 'ViewsheenReader', 'ViewsheenSetup', 'Viewsheen', 'ViewsheenCamera']
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #d46fcf3e
 def _crc16(data:bytes)->int:
-    "The CRC-16/MODBUS of `data`"
+    "Return the CRC-16/MODBUS of `data`"
     crc = 0xffff
     for byte in data:
         crc ^= byte
@@ -36,7 +33,7 @@ def _crc16(data:bytes)->int:
 MARK = b'\xeb\x90'
 
 def _sealed(body:bytes, length:int)->bytes:
-    "The frame around `body`, which says that the body has this `length`"
+    "Return the frame around `body`, which says that the body has this `length`"
     data = MARK+bytes([length])+bytes(9)+body
     return data+_crc16(data).to_bytes(2, 'little')
 
@@ -46,7 +43,7 @@ MAIN = 0x0f     # the main camera; the thermal half of a camera that has two is 
 def command_frame(number:int, # Of the command, 0..255
                   data:bytes=b'', # At most six bytes
                   sensor:int=MAIN)->bytes:
-    "A command; raises `ValueError`"
+    "Return the frame of a command; raises `ValueError`"
     if len(data)>6: raise ValueError(f'a command has room for 6 bytes, not {len(data)}')
     return _sealed(bytes([0x40, 0x88, sensor, number])+data.ljust(6, b'\0'), 10)
 
@@ -54,7 +51,7 @@ def command_frame(number:int, # Of the command, 0..255
 def rate_frame(yaw:float=0., # Degrees a second, to the right
                pitch:float=0., # Degrees a second, up
               )->bytes:
-    "Turn, for about 50 ms; raises `ValueError`"
+    "Return the frame that turns it for about 50 ms; raises `ValueError`"
     hundredths = [round(min(max(inside('rate', rate), -100), 100)*100) for rate in (yaw, pitch)]
     return command_frame(4, struct.pack('<hh', *hundredths))
 
@@ -63,13 +60,13 @@ AIRFRAME,GEODETIC = 1,0
 
 def yaw_frame(angle:float, # Degrees, clockwise; any number of turns
               frame:int=AIRFRAME)->bytes:
-    "Look into this direction; raises `ValueError`"
+    "Return the frame that turns yaw to an angle; raises `ValueError`"
     return command_frame(8, struct.pack('<BHB', 1, round(inside('yaw', angle)*10)%3600, frame))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #72c78e02
 def pitch_frame(angle:float, # Degrees from the horizon; -100..60, beyond that the nearest
                )->bytes:
-    "Look up or down; raises `ValueError`"
+    "Return the frame that turns pitch to an angle; raises `ValueError`"
     return command_frame(8, struct.pack('<Bh', 2, round(min(max(inside('pitch', angle), -100), 60)*10)))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #c9f0923e
@@ -78,20 +75,20 @@ def _grid(what:str, value:float, most:int)->int: return round(inside(what, value
 def track_frame(x:float, y:float, # Middle of the box, 0..1
                 width:float, height:float, # Of the box, 0..1
                )->bytes:
-    "Follow what is in this box; raises `ValueError`"
+    "Return the frame that tracks what is in a box; raises `ValueError`"
     sizes = [min(max(_grid('size', size, 512), 1), 255) for size in (width, height)]      # in units of 16 of 8192
     return command_frame(5, struct.pack('<HHBB', _grid('x', x, 8191), _grid('y', y, 8191), *sizes))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #a715c749
 def tap_zoom_frame(x:float, y:float, # 0..1
                   )->bytes:
-    "Look to this point of the picture, and zoom in ×2; raises `ValueError`"
+    "Return the frame that looks to a point of the picture, and zooms in ×2; raises `ValueError`"
     return command_frame(1, struct.pack('<hh', *(_grid('point', p, 20_000)-10_000 for p in (x, y))))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #011c0f00
 def zoom_frame(times:float, # 1 is the widest
               )->bytes:
-    "Zoom to this magnification; raises `ValueError`"
+    "Return the frame that zooms to a magnification; raises `ValueError`"
     return command_frame(8, struct.pack('<BH', 3, round(inside('zoom', times, 1, 35)*100)))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #1603db1e
@@ -104,14 +101,14 @@ def action_frame(verb:str, # One of `ACTIONS`
                  word:str, # One of its words
                  number:int=0, # A count, or seconds: 0..255
                 )->bytes:
-    "Have the camera do something; raises `ValueError`"
+    "Return the frame of an action of the camera; raises `ValueError`"
     command,words = ACTIONS[one_of('verb', verb, ACTIONS)]
     return command_frame(command, bytes([words[one_of(verb, word, words)], int(inside('number', number, 0, 255))]))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #e9fb34aa
 @dataclass(frozen=True, repr=False, eq=False)
-class Report(Value):
-    "How the gimbal is held, as it reports itself"
+class AttitudeReport(Value):
+    "How the gimbal is held"
     kind:int=0 # Which camera: 1 35×, 2 30× with 5 MP, 3 3.5×, 4 3.5× with thermal, 5 range finder, 7 30× with thermal
     tracking:int=0 # Does it follow something in the picture?
     mode:int=0 # 1 by rate, 2 follows the course, 3 by angle
@@ -133,93 +130,73 @@ class RangeReport(Value):
 IDENTITY = b'\x21\xfe\x0f\x01'
 
 def parse_report(body:bytes, # As `ViewsheenReader` gives it
-                )->Report|RangeReport|None:
+                )->AttitudeReport|RangeReport|None:
     "Decode a gimbal's report; `None` for an unknown one"
     if body[:4]!=IDENTITY or len(body)<13: return
     if len(body)<17:
         *flags,pitch,magnetic_yaw,yaw = struct.unpack_from('<BBBhHh', body, 4)
-        return Report(*flags, pitch/100, magnetic_yaw/100, yaw/100)
+        return AttitudeReport(*flags, pitch/100, magnetic_yaw/100, yaw/100)
     ok,distance,height,lon,lat = struct.unpack_from('<BHHii', body, 4)
     return RangeReport(bool(ok), distance/10, height/10, lon/1e7, lat/1e7)
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #04f57916
-class ViewsheenReader:
-    "Cuts frames out of a stream; `feed` it as the bytes come"
+class ViewsheenReader(FrameCutter):
+    "Cuts the bodies of frames out of a stream; `feed` it as the bytes come"
     most = 32                       # bytes of a body, at most: more is no frame
-    def __init__(self): self._data,self.skipped = bytearray(),0         # `skipped`: bytes that belonged to no frame
-
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #4c51c185
-@patch
-def _size(self:ViewsheenReader)->int|None:
-    "How many bytes the frame at the beginning has; 0: there is none; `None`: too early to say"
-    d = self._data
-    if not MARK.startswith(d[:2]) or d[2:3]>bytes([self.most]) or any(d[3:12]): return 0
-    if len(d)<14: return
-    whole = [14+d[2], 15+d[2]]
-    if d[12]==IDENTITY[0]: whole.reverse()      # a report says one byte less than it has
-    there = [n for n in whole if n<=len(d)]
-    right = (n for n in there if _crc16(d[:n-2])==int.from_bytes(d[n-2:n], 'little'))
-    return next(right, 0 if there==whole else None)
-
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #b53a9776
-@patch
-def feed(self:ViewsheenReader, data:bytes, # What came
-        )->list: # Of `bytes`
-    "The bodies of all frames that are complete now"
-    self._data += data
-    found = []
-    while self._data and (size := self._size()) is not None:
-        if size: found.append(bytes(self._data[12:size-2]))
-        else: self.skipped += 1
-        del self._data[:size or 1]
-    return found
+    def _take(self, data:bytearray)->tuple|None:
+        if not MARK.startswith(data[:2]) or data[2:3]>bytes([self.most]) or any(data[3:12]): return None,1
+        if len(data)<14: return
+        sizes = [14+data[2], 15+data[2]]
+        if data[12]==IDENTITY[0]: sizes.reverse()       # a report says one byte less than it has
+        for size in sizes:
+            right = size<=len(data) and _crc16(data[:size-2])==int.from_bytes(data[size-2:size], 'little')
+            if right: return bytes(data[12:size-2]),size
+        return (None,1) if len(data)>=max(sizes) else None
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #323e59c2
 class _Reckoned:
-    "Where one axis is believed to be, by what it was told; s, degrees, degrees a second"
-    lasts = .15                     # s that it turns after it was told to
+    "Where one axis is believed to be, by what was sent; s, degrees, degrees a second"
+    lasts = .15                     # s that it turns after a rate was sent
     def __init__(self, speed:float, low:float=-math.inf, high:float=math.inf):
         store_attr()                                    # `speed`: on the way to an angle
         self.angle,self.rate,self.goal = 0.,0.,None
         self._now = self._until = -math.inf             # when `angle` was right; when `rate` ends
-        self.sure = self.told = False                   # is `angle` more than a guess? was it told anything?
+        self.sure = self.ordered = False                # is `angle` more than a guess? was anything sent?
 
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #513a341a
-@patch
-def near(self:_Reckoned, angle:float)->float:
-    "The same angle, as the axis names it"
-    return wrap(angle) if math.isinf(self.high) else min(max(angle, self.low), self.high)
+    def near(self, angle:float)->float:
+        "Return the same angle, as the axis names it"
+        return wrap(angle) if math.isinf(self.high) else min(max(angle, self.low), self.high)
 
-@patch
-def toward(self:_Reckoned, start:float, goal:float, most:float)->float:
-    "The angle `most` degrees on the way from `start` to `goal`"
-    way = wrap(goal-start) if math.isinf(self.high) else goal-start
-    return self.near(start+math.copysign(min(abs(way), most), way))
+    def toward(self, start:float, goal:float, most:float)->float:
+        "Return the angle `most` degrees on the way from `start` to `goal`"
+        way = wrap(goal-start) if math.isinf(self.high) else goal-start
+        return self.near(start+math.copysign(min(abs(way), most), way))
+
+    def at(self, now:float)->float:
+        "Return its angle"
+        if self.goal is not None: self.angle = self.toward(self.angle, self.goal, self.speed*max(now-self._now, 0.))
+        elif self.rate: self.angle = self.near(self.angle+self.rate*max(min(now, self._until)-self._now, 0.))
+        self._now = max(now, self._now)
+        return self.angle
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #a4460beb
 @patch
-def at(self:_Reckoned, now:float)->float:
-    "Its angle"
-    if self.goal is not None: self.angle = self.toward(self.angle, self.goal, self.speed*max(now-self._now, 0.))
-    elif self.rate: self.angle = self.near(self.angle+self.rate*max(min(now, self._until)-self._now, 0.))
-    self._now = max(now, self._now)
-    return self.angle
-
-@patch
-def told_to(self:_Reckoned, now:float, goal:float|None=None, rate:float=0.):
-    "It was told to go to an angle, or to turn"
+def order(self:_Reckoned, now:float, goal:float|None=None, rate:float=0.):
+    "Note that an angle was sent, or a rate"
     self.at(now)
-    self.goal,self.rate,self._until,self.told = goal,rate,now+self.lasts,True
+    self.goal,self.rate,self._until,self.ordered = goal,rate,now+self.lasts,True
     self.sure = self.sure or goal is not None
 
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #acf63ad2
 @patch
 def aim(self:_Reckoned, now:float)->float:
-    "Where it will stop, degrees; NaN: it may be anywhere"
-    return NAN if not (self.told and self.sure) else self.at(now) if self.goal is None else self.goal
+    "Return where it will stop, degrees; NaN: it may be anywhere"
+    if not (self.ordered and self.sure): return NAN
+    return self.at(now) if self.goal is None else self.goal
 
 @patch
-def be(self:_Reckoned, angle:float, now:float): self.angle,self._now,self.sure = self.near(angle),now,True
+def correct(self:_Reckoned, angle:float, now:float):
+    "Take a reported angle"
+    self.angle,self._now,self.sure = self.near(angle),now,True
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #a2e22458
 @dataclass(frozen=True, repr=False, eq=False)
@@ -237,51 +214,49 @@ class ViewsheenSetup(Value):
 
     def __post_init__(self): one_of('yaw_reference', self.yaw_reference, ('vehicle','earth'))
 
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #e138c00e
-@patch(as_prop=True)
-def information(self:ViewsheenSetup)->GimbalInformation:
-    "The information for servers"
-    note = '' if self.feedback else 'open loop'
-    return GimbalInformation('Viewsheen', self.model, note, pitch=self.pitch, yaw=self.yaw)
+    @property
+    def frame_byte(self)->int:
+        "The fourth byte of a yaw frame"
+        if self.byte4 is not None: return self.byte4
+        return AIRFRAME if self.yaw_reference=='vehicle' else GEODETIC
 
-@patch(as_prop=True)
-def frame_byte(self:ViewsheenSetup)->int:
-    "The fourth byte of a yaw frame"
-    return self.byte4 if self.byte4 is not None else AIRFRAME if self.yaw_reference=='vehicle' else GEODETIC
+    @property
+    def information(self)->GimbalInformation:
+        "What servers say of it"
+        note = '' if self.feedback else 'open loop'
+        return GimbalInformation('Viewsheen', self.model, note, pitch=self.pitch, yaw=self.yaw)
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #665b3d98
-class Viewsheen(Gimbal):
+class Viewsheen(GimbalDriver):
     "A Viewsheen gimbal camera, over TCP"
-    locks,follows = ('pitch','yaw'),('yaw',)
+    near = .1
     rate_pace,angle_pace = .05,.1       # s between two frames
     fresh,silence = 3.,3.               # s that an angle waits for a connection; s without a report that mean trouble
-    least_interval = .5                 # s between two pictures of our own timetable
-    series = None       # pictures that we take one by one: `(how many are left, when the next one is due, s between)`
     @takes_options(ViewsheenSetup)
     def __init__(self, host:str='192.168.144.200', port:int=2000, # The factory's address is 192.168.42.200
                  clock=clock.now, # Gives seconds; with another one, call `tick` yourself
-                 line=None, # In tests, instead of a `TCPClient`
+                 line=None, # In tests, instead of a `DeviceLine`
                  **kwargs):
         self.setup = ViewsheenSetup(**kwargs)
         self.information = self.setup.information
         super().__init__(clock)
         pitch_speed,yaw_speed = self.setup.speeds
         self.axes = dict(pitch=_Reckoned(pitch_speed, *self.setup.pitch), yaw=_Reckoned(yaw_speed))
-        self._began,self._starts,self._next = -math.inf,{},-math.inf  # of what it is told: when, and each axis, degrees
-        self._waits,self._sent = False,True                 # too early for it (`_next` is the time)? sent?
+        self._began,self._starts = -math.inf,{}         # of the setpoint: when, and where each axis was, degrees
+        self._next = -math.inf                          # when a frame may be sent again
+        self._waits,self._sent = False,True             # is the setpoint too early for that? was it sent?
         self.reports,self._reader = {},ViewsheenReader()        # `{kind: the newest one}`
-        self._heard = self.clock()                          # when a report came, s
-        self._forget()                                      # what it was told before, we do not know
-        self.line = TCPClient(host, port) if line is None else line
-        self.line.hear,self.line.changed = lambda data: self._hear(data),lambda: self._on_line()
+        self._heard = self.clock()                      # when a report came, s
+        self.series = PhotoSeries(lambda: self._order(action_frame('snapshot', 'single')), self.log)
+        self.hold_still()                               # what was sent before, we do not know
+        self.line = line or DeviceLine(TCPPort(host, port))
+        self.line.received,self.line.changed = lambda data: self._receive(data),lambda: self._on_line()
         self.line.start()
-
-    def _forget(self): self.setpoint = Setpoint(Axis(), Axis(), Axis())       # every axis stays where it is
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #0a881818
 @patch(as_prop=True)
 def fault(self:Viewsheen)->str|None:
-    "The device's fault; `None` when it works"
+    "Return a sentence without a connection, or without reports; `None`: it works"
     if not self.line.up: return f'no connection: {self.line.error or "just lost"}'
     if self._is_silent(): return f'no report for {self.silence:g} s'
 
@@ -291,42 +266,28 @@ def _is_silent(self:Viewsheen)->bool: return self.setup.feedback and self.clock(
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #e1575b96
 @patch
 def attitude(self:Viewsheen)->GimbalAttitude:
-    "Where it points now, by its reports and by what it was told"
+    "Return where it points, by its reports and by what was sent"
     with self._lock:
-        now,heading = self.clock(),self.heading
-        pitch,yaw = (self.axes[a].at(now) for a in ('pitch','yaw'))
-        if self.setup.yaw_reference=='earth': yaw = wrap(yaw-heading)
-        turns,wanted = self.vehicle.yaw_rate if self.vehicle else NAN,self.setpoint
-        return GimbalAttitude(quaternion(0, pitch, yaw), vehicle_yaw=heading, vehicle_yaw_rate=turns, lock=wanted.lock,
-                              mode=wanted.mode, failures=tuple(self._failures()), time=now)
-
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #f61f1343
-@patch
-def _failures(self:Viewsheen):
-    "Names of GIMBAL_DEVICE_ERROR_FLAGS that are set"
-    if self.fault: yield 'COMMS_ERROR'
-    wanted,(low,high) = self.setpoint.pitch,self.setup.pitch
-    angle = self.axes['pitch'].angle
-    pressing = (wanted.rate<0 and angle<=low or wanted.rate>0 and angle>=high) if wanted.turning else False
-    if pressing or wanted.angle<low or wanted.angle>high: yield 'AT_PITCH_LIMIT'
+        pitch,yaw = (self.axes[axis].at(self.clock()) for axis in ('pitch','yaw'))
+        if self.setup.yaw_reference=='earth': yaw = wrap(yaw-self.heading)
+        return self.held(0., pitch, yaw, goals=dict(pitch=self.setpoint.pitch.angle))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #918a0284
 @patch
+def _needs_heading(self:Viewsheen, setpoint:Setpoint)->bool:
+    "True if setpoint and device measure yaw from different directions"
+    return setpoint.lock!=(self.setup.yaw_reference=='earth') and known(setpoint.yaw.angle)
+
+@patch
 def _device_yaw(self:Viewsheen, setpoint:Setpoint)->float:
-    "The yaw of `setpoint` as the device measures it, degrees; raises `HeadingUnknown`"
+    "Return the yaw of `setpoint` as the device measures it, degrees; raises `HeadingUnknown`"
     angle = setpoint.yaw.angle
     return yaw_in(self.setup.yaw_reference, angle, self.heading) if self._needs_heading(setpoint) else angle
-
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #dc6179bb
-@patch
-def _needs_heading(self:Viewsheen, setpoint:Setpoint)->bool:
-    "Whether setpoint and device measure yaw from different directions"
-    return setpoint.lock!=(self.setup.yaw_reference=='earth') and known(setpoint.yaw.angle)
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #8dd5e10d
 @patch
 def _goals(self:Viewsheen, setpoint:Setpoint, now:float)->dict:
-    "Where each axis is to be at this moment, as the device measures it; raises `HeadingUnknown`"
+    "Return where each axis is to be at this moment, as the device measures it; raises `HeadingUnknown`"
     goals,starts = dict(pitch=setpoint.pitch.angle, yaw=self._device_yaw(setpoint)),self._starts
     for name,goal in goals.items():
         if not known(goal): continue
@@ -339,41 +300,35 @@ def _goals(self:Viewsheen, setpoint:Setpoint, now:float)->dict:
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #0689966b
 @patch
 def _send_angles(self:Viewsheen, goals:dict, now:float):
-    "Tell each axis where to be, unless it is on its way there"
+    "Send the angle of each axis, unless it is on its way there"
     for name,axis in self.axes.items():
         goal = goals[name]
         if not known(goal) or abs(wrap(goal-axis.aim(now)))<.05: continue
         if not self.line.send(pitch_frame(goal) if name=='pitch' else yaw_frame(goal, self.setup.frame_byte)): return
-        axis.told_to(now, goal)
+        axis.order(now, goal)
     self._sent = True
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #a4aa6bbc
 @patch
 def _send_rates(self:Viewsheen, **rates):
-    "Tell both axes to turn, degrees a second"
+    "Send a rate for both axes, degrees a second"
     rates,now = {name: min(max(rate, -100.), 100.) for name,rate in rates.items()},self.clock()
     if not self.line.send(rate_frame(**rates)): return
-    for name,rate in rates.items(): self.axes[name].told_to(now, rate=rate)
+    for name,rate in rates.items(): self.axes[name].order(now, rate=rate)
 
 @patch
 def _halt(self:Viewsheen):
-    "Tell both axes to stand, when one was told to turn"
+    "Stop both axes, when a rate was sent to one"
     if any(axis.rate for axis in self.axes.values()): self._send_rates(pitch=0., yaw=0.)
-
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #5c0b2b93
-@patch
-def _rate(self:Viewsheen, axis:str, setpoint:Setpoint, goals:dict, now:float)->float:
-    "The rate of one axis while the other one turns, or both do"
-    if getattr(setpoint, axis).turning: return getattr(setpoint, axis).rate
-    way = wrap(goals[axis]-self.axes[axis].at(now))
-    return 2*way if abs(way)>=.1 else 0.        # NaN: it has no goal, and 0
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #da4ba07b
 @patch
 def _steer(self:Viewsheen, setpoint:Setpoint, now:float):
     "Send what `setpoint` asks for at this moment; raises `HeadingUnknown`"
     goals = self._goals(setpoint, now)
-    if setpoint.turning: self._send_rates(**{a: self._rate(a, setpoint, goals, now) for a in self.axes})
+    if setpoint.turning:
+        off = {name: wrap(goals[name]-axis.at(now)) for name,axis in self.axes.items()}
+        self._send_rates(**{name: self.rate_toward(getattr(setpoint, name), off[name]) for name in off})
     else: self._send_angles(goals, now)
     self._next,self._waits = now+(self.rate_pace if setpoint.turning else self.angle_pace),False
 
@@ -381,8 +336,7 @@ def _steer(self:Viewsheen, setpoint:Setpoint, now:float):
 @patch
 def drive(self:Viewsheen, setpoint:Setpoint):
     "Begin to move; raises `HeadingUnknown`, and `ValueError` for roll, which it cannot"
-    if setpoint.roll.turning and setpoint.roll.rate or known(setpoint.roll.angle) and abs(setpoint.roll.angle)>.05:
-        raise ValueError(f'{self.information.model} has no roll axis to point')
+    self.refuse_roll(setpoint)
     self._device_yaw(setpoint)              # before anything is sent
     now = self.clock()
     if not setpoint.turning: self._halt()
@@ -394,41 +348,33 @@ def drive(self:Viewsheen, setpoint:Setpoint):
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #61fb1a9b
 @patch
 def _held(self:Viewsheen, axis:str, lock:bool)->Axis:
-    "As every gimbal does; an axis that turns stands first, and one of which nothing is known stays there"
+    "Return the target that keeps an axis; a turning one is stopped first, and one of which nothing is known stays"
     if getattr(self.setpoint, axis).turning: self._halt()
     if axis in self.axes and not self.axes[axis].sure: return Axis()
-    return Gimbal._held(self, axis, lock)
-
-# %% ../../nbs/api/gimbals/06_viewsheen.ipynb #9d2615f2
-@patch
-def _take_series(self:Viewsheen, now:float):
-    "Take the picture that is due"
-    if self.series is None or now<self.series[1]-.001: return
-    left,due,interval = self.series
-    self.series = (left-1, due+interval, interval) if left>1 else None
-    if not self.line.send(action_frame('snapshot', 'single')): self.log.warning('a picture is lost: %s', self.fault)
+    return GimbalDriver._held(self, axis, lock)
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #e2eb5842
 @patch
 def tick(self:Viewsheen):
     "Go on with what takes time, and end rates that are over"
-    Gimbal.tick(self)
+    GimbalDriver.tick(self)
     with self._lock:
         now = self.clock()
         if self._is_silent() and self.line.up: self.line.drop(f'no report for {self.silence:g} s')
-        self._take_series(now)
+        self.series.take(now)
         if now>=self._next-.001 and self._is_busy(): self._go_on(now)
-        if self.series or self._is_busy(): self._wake(max(self._next, now+self.rate_pace))
+        if self.series.left or self._is_busy(): self._wake(max(self._next, now+self.rate_pace))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #f6c5975b
 @patch
 def _go_on(self:Viewsheen, now:float):
+    "Send what is due; without a heading, hold what it has until that is known again"
     try: self._steer(self.setpoint, now)
-    except HeadingUnknown: self._next = now+self.angle_pace         # hold what it has until the heading is known again
+    except HeadingUnknown: self._next = now+self.angle_pace
 
 @patch
 def _is_busy(self:Viewsheen)->bool:
-    "Whether a message is due soon"
+    "True if a frame is due soon"
     led = any(getattr(self.setpoint, a).rate>0 for a in self.axes)
     return self._waits or self.setpoint.turning or led or self.setup.feedback or self._needs_heading(self.setpoint)
 
@@ -442,31 +388,31 @@ def _on_line(self:Viewsheen):
         if up:
             self._reader,self._heard = ViewsheenReader(),now
             self._halt()
-        if turns or up and not (fresh or self._sent): self._forget()
-        elif up and fresh:              # what was said last may be lost with the line
-            for axis in self.axes.values(): axis.told = axis.told and axis.goal is None
+        if turns or up and not (fresh or self._sent): self.hold_still()
+        elif up and fresh:              # what was sent last may be lost with the line
+            for axis in self.axes.values(): axis.ordered = axis.ordered and axis.goal is None
             self._go_on(now)
         self._wake(now+.01)
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #d174ba43
 @patch
-def _hear(self:Viewsheen, data:bytes):
-    "Something came from the device: it points where it says that it does"
+def _receive(self:Viewsheen, data:bytes):
+    "Take reports: it points where it says that it does"
     with self._lock:
         now,heading = self.clock(),self.heading
         for report in filter(None, map(parse_report, self._reader.feed(data))):
             self.reports[type(report)],self._heard = report,now
-            if not isinstance(report, Report): continue
+            if not isinstance(report, AttitudeReport): continue
             from_north = report.yaw+heading if known(heading) else report.magnetic_yaw
-            self.axes['pitch'].be(report.pitch, now)
-            self.axes['yaw'].be(from_north if self.setup.yaw_reference=='earth' else report.yaw, now)
+            self.axes['pitch'].correct(report.pitch, now)
+            self.axes['yaw'].correct(from_north if self.setup.yaw_reference=='earth' else report.yaw, now)
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #853781b9
 @patch
 def close(self:Viewsheen):
     "Stop turning, and hang up; may be called twice"
     if self.camera: self.camera.close()
-    Gimbal.close(self)
+    GimbalDriver.close(self)
     self._send_rates(pitch=0., yaw=0.)
     self.line.close()
 
@@ -495,13 +441,11 @@ def set_camera_zoom(self:Viewsheen, kind:str, # 'step', 'continuous', 'range' or
 def set_camera_focus(self:Viewsheen, kind:str, # 'continuous', or 'auto', 'auto_single', 'auto_continuous'
                      value:float=0.): # -1 to 1; positive is further away
     "Focus (SET_FOCUS_TYPE); raises `ValueError` and `GimbalError`"
-    one_of('kind', kind, ('continuous','auto','auto_single','auto_continuous'))
-    value = inside(kind, value) if kind=='continuous' else 0.
-    self._order(action_frame('focus', 'auto' if kind!='continuous' else '+' if value>0 else '-' if value<0 else 'stop'))
+    self._order(action_frame('focus', {None:'auto', 1:'+', -1:'-', 0:'stop'}[direction_of(kind, value)]))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #e637dab0
 def _as_camera_does(interval:float, count:int)->bytes|None:
-    "The frame for pictures that the camera takes by itself, one every `interval` s; `None`: it cannot"
+    "Return the frame for pictures that the camera takes by itself, one every `interval` s; `None`: it cannot"
     if count==1: return action_frame('snapshot', 'single')
     if interval==0 and 1<count<256: return action_frame('snapshot', 'burst', count)
     if count==0 and interval in range(1, 256): return action_frame('snapshot', 'interval', interval)
@@ -509,43 +453,41 @@ def _as_camera_does(interval:float, count:int)->bytes|None:
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #3d687db8
 @patch
 def image_start_capture(self:Viewsheen,
-                        interval:float=0., # s between pictures; what is shorter than `least_interval` becomes that
+                        interval:float=0., # s between pictures; what is shorter than `series.least` becomes that
                         count:int=1): # 0 until stopped
     "Take pictures; raises `ValueError` and `GimbalError`"
-    interval,count = inside('interval', interval, 0, 1e6),int(inside('count', count, 0, 0xffff))
-    frame = _as_camera_does(interval, count)
+    frame = _as_camera_does(*self.series.checked(interval, count))
     with self._lock:
-        self._order(frame or action_frame('snapshot', 'single'))
-        if frame and count!=1: self.series = None
-        if frame: return
-        interval = max(interval, self.least_interval)
-        self.series = count-1 if count else math.inf,self.clock()+interval,interval
-        self._wake(self.series[1])
+        if frame is None:
+            self.series.start(interval, count, self.clock())
+            return self._wake(self.series.due)
+        self._order(frame)
+        if count!=1: self.series.stop()
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #04f10609
 @patch
 def image_stop_capture(self:Viewsheen):
-    "Take no more pictures; raises `GimbalError`"
-    with self._lock: self.series = None
+    "Stop a series of pictures; raises `GimbalError`"
+    with self._lock: self.series.stop()
     self._order(action_frame('snapshot', 'stop'))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #b584ea69
 @patch
 def video_start_capture(self:Viewsheen, stream_id:int=0):
-    "Record; raises `GimbalError`"
+    "Start recording; raises `GimbalError`"
     self._order(action_frame('record', 'start'))
 
 @patch
 def video_stop_capture(self:Viewsheen, stream_id:int=0):
-    "Record no more; raises `GimbalError`"
+    "Stop recording; raises `GimbalError`"
     self._order(action_frame('record', 'stop'))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #112a106e
 @patch
 def _let_go(self:Viewsheen):
-    "The camera turns the gimbal from here on"
+    "Leave the gimbal to the camera, which turns it from here on"
     with self._lock:
-        self._forget()
+        self.hold_still()
         self._next = self.clock()
         for axis in self.axes.values(): axis.goal,axis.sure = None,False
 
@@ -570,7 +512,7 @@ def track_point(self:Viewsheen, x:float, y:float, # 0 to 1, from the left and fr
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #cdfda575
 @patch
 def stop_tracking(self:Viewsheen):
-    "Follow nothing; raises `GimbalError`"
+    "Stop tracking; raises `GimbalError`"
     self._order(command_frame(6))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #c1d20b02
@@ -590,9 +532,6 @@ def open(cls:Viewsheen, url:DeviceURL, # Such as viewsheen://192.168.144.200?vid
          **storage)->Viewsheen:
     "Open the gimbal at a URL, and its camera, with the video of its option `video`; raises `ValueError`"
     if not url.host: raise ValueError(f'{url!r}: a Viewsheen is at a host, such as viewsheen://192.168.144.200')
-    gimbal,video = cls(url.host, url.port or 2000),url.option('video')
-    try: gimbal.camera = ViewsheenCamera(gimbal, video, **storage) if video else CardCamera(gimbal, **storage)
-    except BaseException:
-        gimbal.close()
-        raise
-    return gimbal
+    video = url.option('video')
+    def camera(gimbal): return ViewsheenCamera(gimbal, video, **storage) if video else CardCamera(gimbal, **storage)
+    return open_camera(cls(url.host, url.port or 2000), camera)

@@ -5,8 +5,8 @@
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d53ece1i
 from __future__ import annotations
 from collections import deque
-import itertools
-import inspect, math, re
+from typing import NamedTuple
+import inspect, itertools, math, re
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -48,101 +48,11 @@ class FakeCamera:
     information = CameraInformation('UAV', 'FakeCamera', (0,0,0,0), 2.8, 3.2, 2.4, 640, 480)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #cfe0f2be
-class _Dropped(Part):
-    "Shots refused because the camera was busy, said in a text: an autopilot reads no ack"
-    again = 5.          # s between two texts
-    def __init__(self, component):
-        super().__init__(component)
-        self.presses,self.count,self.why,self.said = Presses(),0,'',-math.inf
-
-    def add(self, msg, number:int, why:str):
-        "Count the shot of the command `msg`, unless it is the same press once more"
-        if self.presses.find(msg, number): return
-        self.presses.note(msg, number, Outcome(Busy.result))
-        self.count,self.why = self.count+1,why
-
-    def beat(self):
-        "Send the number of shots that were dropped since the last text"
-        us,now = self.component,clock.monotonic()
-        with us.presses.lock:
-            if not self.count or now-self.said<self.again: return
-            count,self.count,self.said = self.count,0,now
-        shots = f'{count} shot{"s"*(count>1)} dropped'
-        us.say(mavlink.MAV_SEVERITY_WARNING, f'{us.health.device.information.model}: {shots}: {self.why}')
-
 class _CameraVerbs(DeviceServer):
     "Zoom, focus and pictures of a device, each press taken once"
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)
         self.presses,self.dropped = Presses(),self.add_part(_Dropped(self))
-
-# %% ../../nbs/api/mavlink/11_camera_server.ipynb #417eeaa7
-def _checked_camera(camera):
-    "Return `camera`; raises `TypeError` if it isn't one"
-    if isinstance(camera, type): raise TypeError(f'{camera.__name__} is a class; a camera is {camera.__name__}()')
-    if not hasattr(camera,'information'): raise TypeError(f'{camera!r} is no camera: it has no `information`')
-    if hasattr(camera.information,'pitch'): raise TypeError(f'{camera!r} is a gimbal, not a camera')
-    return camera
-
-def _checked_name(name:str, what:str='name')->str:
-    "Return a name for ground stations; raises `ValueError`"
-    fits = isinstance(name, str) and name.strip() and name.isprintable() and len(name.encode(errors='replace'))<=31
-    if not fits: raise ValueError(f'{what} is a text of 1 to 31 bytes, not {name!r}')
-    return name.strip()
-
-# %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ae7ab24
-class _Levels:
-    "Levels of zoom and focus in recent CAMERA_SETTINGS, to recognize orders that only send one back"
-    window = 2.     # s after which an order is no echo
-
-    def __init__(self):
-        self._told,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),itertools.count(1)
-        self._orders = Seen(self.window, most=256)      # by drive and sender: its last order's turn and level
-        self._own = Seen(self.window, most=256)         # by drive and sender: turn and level of its latest orders
-        self._done = Seen(self.window, most=256)        # by drive and sender: what it has sent back
-        self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
-        self._answered = Seen(1., most=256)             # by drive, sender and level
-
-    def tell(self, **levels):
-        "Note levels that are sent; one that stays the same is news to a station that has just come"
-        for drive,level in levels.items():
-            told,now = self._told[drive],clock.monotonic()
-            if told and told[-1][-1]==level: told[-1] = *told[-1][:2],now,level
-            else: told.append((next(self._turns), now, now, level))
-
-    def order(self, drive:str, source:tuple, level:float|None):
-        "Note an order of `source`; `level` is its place in the range, if it names one"
-        key,last = (drive,source),(next(self._turns), level)
-        self._orders.note(key, last)
-        if level is not None: self._own.note(key, (*self._own.find(key, ())[-15:], last))
-
-    def answers(self, *echo)->bool: # Drive, sender and level
-        "True if an echo gets an answer: once a second, as some send each CAMERA_SETTINGS back, changed or not"
-        if self._answered.find(echo): return False
-        self._answered.note(echo)
-        return True
-
-    def is_echoing(self, msg)->bool:
-        "True if the sender of the order `msg` is known to send levels back"
-        return getattr(msg, 'confirmation', 0)==255 or self._echoes.find(address(msg), 0)>1
-
-# %% ../../nbs/api/mavlink/11_camera_server.ipynb #3a0e5f54
-@patch
-def sent_back(self:_Levels, drive:str, source:tuple, level:float, echoing:bool=False)->bool:
-    "True if `level` was new since the last order of `source`, once; an `echoing` one sends back all but its own"
-    key,after = (drive,source),clock.monotonic()-self.window
-    (since,own),done = self._orders.find(key, (0,None)),self._done.find(key, ())
-    same = [told for told in list(self._told[drive]) if math.isclose(told[-1], level, rel_tol=1e-6)]
-    ordered = [turn for turn,own in self._own.find(key, ()) if math.isclose(own, level, rel_tol=1e-6)]
-    if echoing:
-        theirs = (t for t in same if t[2]>after and t not in done and not any(n<t[0] for n in ordered))
-        found = next(theirs, None)
-    else: found = next((t for t in same if t[1]>after and t[0]>since and own!=level), None)
-    if found is None: return False
-    if echoing: self._done.note(key, (*done[-63:], found))
-    else: self._orders.note(key, (found[0], None))          # its next one is its own
-    self._echoes.note(source, self._echoes.find(source, 0)+1)
-    return True
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d31f0627
 class CameraServer(_CameraVerbs):
@@ -171,10 +81,10 @@ class CameraServer(_CameraVerbs):
         self._greeted = Seen(self.greet_again, self.most_peers)
         self._greetings = Seen(10., self.most_peers)    # messages still to be sent to each peer
         self.health = Health(self, self.camera)
-        self._doing = 0.,False          # interval and recording, as last announced
+        self._activity = 0.,False          # interval and recording, as last announced
         self._begun = math.inf          # start of a picture not yet announced
         self._levels,self._runs = _Levels(),{}          # levels that were sent; drives that a command has started
-        self._said,self._runs_on = {},False             # settings as last announced; is the end of a motion to come?
+        self._announced,self._runs_on = {},False             # settings as last announced; is the end of a motion to come?
         self.ftp = self.add_part(FtpServer(self, guard=self.check_guard))
         self.video = self.add_part(VideoPart(self, video_host))
         self.tracking,self.settings = self.add_part(TrackingPart(self)),self.add_part(SettingsPart(self))
@@ -188,6 +98,20 @@ class CameraServer(_CameraVerbs):
         if self.can('image_stop_capture') and self.mav_com and not again: self.camera.image_stop_capture()
         if self.can('unsubscribe'): self.camera.unsubscribe(self._on_camera)
         super().close()
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #417eeaa7
+def _checked_camera(camera):
+    "Return `camera`; raises `TypeError` if it isn't one"
+    if isinstance(camera, type): raise TypeError(f'{camera.__name__} is a class; a camera is {camera.__name__}()')
+    if not hasattr(camera,'information'): raise TypeError(f'{camera!r} is no camera: it has no `information`')
+    if hasattr(camera.information,'pitch'): raise TypeError(f'{camera!r} is a gimbal, not a camera')
+    return camera
+
+def _checked_name(name:str, what:str='name')->str:
+    "Return a name for ground stations; raises `ValueError`"
+    fits = isinstance(name, str) and name.strip() and name.isprintable() and len(name.encode(errors='replace'))<=31
+    if not fits: raise ValueError(f'{what} is a text of 1 to 31 bytes, not {name!r}')
+    return name.strip()
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #2e609364
 @patch
@@ -212,7 +136,7 @@ def _flies(self:_CameraVerbs, msg)->bool:
     return bool(remote and remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID and remote.type!=mavlink.MAV_TYPE_GCS)
 
 @patch
-def _is_news(self:CameraServer, msg)->bool:
+def _reports_again(self:CameraServer, msg)->bool:
     "True if a failure of this trigger is sent as a text, though it repeats the last one"
     return not self._flies(msg) or clock.monotonic()-self.health.sent>=self.dropped.again
 
@@ -221,7 +145,7 @@ def _run_command(self:CameraServer, handler, msg)->Outcome:
     "Run a command under the guard; send a status after a refused capture; answer a reset with ACCEPTED or FAILED"
     try:
         if handler.options.get('destroys'): self.check_guard(msg)
-        if msg.command in _triggers and self._is_news(msg): self.health.last_text = ''
+        if msg.command in _triggers and self.health.last_text and self._reports_again(msg): self.health.last_text = ''
         outcome = Component._run_command(self, handler, msg)
     except Exception as e: outcome = Outcome(self._result_of(e, enum_name('MAV_CMD', msg.command, 'MAV_CMD_')))
     if outcome.result==mavlink.MAV_RESULT_ACCEPTED: return outcome
@@ -242,7 +166,7 @@ def check_guard(self:CameraServer, msg):
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #16ceed93
 @patch
-def _tell_failure(self:CameraServer, why:str, now:bool=False):
+def _report_failure(self:CameraServer, why:str, now:bool=False):
     "Send the reason of a failed capture as STATUSTEXT, once per series and reason"
     self.health.tell(mavlink.MAV_SEVERITY_ERROR, f'{self.name or self.camera.information.model}: {why}', now)
 
@@ -251,8 +175,34 @@ def _result_of(self:CameraServer, error:BaseException, what:str)->int:
     "Return the MAV_RESULT of an error; send the reason of a failed capture before its ack"
     result = Component._result_of(self, error, what)
     if result==mavlink.MAV_RESULT_FAILED and what in _captures:
-        self._tell_failure(str(error) or type(error).__name__, now=True)
+        self._report_failure(str(error) or type(error).__name__, now=True)
     return result
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #14ba4112
+class _Dropped(Part):
+    "Shots refused because the camera was busy, said in a text: an autopilot reads no ack"
+    again = 5.          # s between two texts
+    def __init__(self, component):
+        super().__init__(component)
+        self.presses = Presses()
+        self.count,self.why = 0,''                  # since the last text
+        self.sent = -math.inf                       # when that was, monotonic s
+
+    def add(self, msg, number:int, why:str):
+        "Count the shot of the command `msg`, unless it is the same press once more"
+        if self.presses.find(msg, number): return
+        self.presses.note(msg, number, Outcome(Busy.result))
+        self.count,self.why = self.count+1,why
+
+    def beat(self):
+        "Send the number of shots that were dropped since the last text"
+        us,now = self.component,clock.monotonic()
+        with us.presses.lock:
+            if not self.count or now-self.sent<self.again: return
+            count = self.count
+            self.count,self.sent = 0,now
+        shots = f'{count} shot{"s"*(count>1)} dropped'
+        us.say(mavlink.MAV_SEVERITY_WARNING, f'{us.health.device.information.model}: {shots}: {self.why}')
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #20a9c6aa
 @patch(as_prop=True)
@@ -281,6 +231,68 @@ def mount_media(self:CameraServer,
     storages = getattr(self.camera, 'storages', None) or [getattr(self.camera, 'storage', None)]
     for s in storages:
         if s is not None: self.files.mount(self.media_path(s.storage_id), s.folder, writable, _no_media)
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ae7ab24
+class _Sent(NamedTuple):
+    "A level that was sent: its turn, and when it was sent for the first and the last time, monotonic s"
+    turn:int
+    first:float
+    last:float
+    level:float
+
+class _Levels:
+    "Levels of zoom and focus in recent CAMERA_SETTINGS, to recognize orders that only send one back"
+    window = 2.     # s after which an order is no echo
+
+    def __init__(self):
+        self._sent,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),itertools.count(1)
+        self._orders = Seen(self.window, most=256)      # by drive and sender: its last order's turn and level
+        self._own = Seen(self.window, most=256)         # by drive and sender: turn and level of its latest orders
+        self._done = Seen(self.window, most=256)        # by drive and sender: what it has sent back
+        self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
+        self._answered = Seen(1., most=256)             # by drive, sender and level
+
+    def note_sent(self, **levels):
+        "Note levels that are sent; one that stays the same is new to a station that has just come"
+        for drive,level in levels.items():
+            sent,now = self._sent[drive],clock.monotonic()
+            if sent and sent[-1].level==level: sent[-1] = sent[-1]._replace(last=now)
+            else: sent.append(_Sent(next(self._turns), now, now, level))
+
+    def order(self, drive:str, source:tuple, level:float|None):
+        "Note an order of `source`; `level` is its place in the range, if it names one"
+        key,last = (drive,source),(next(self._turns), level)
+        self._orders.note(key, last)
+        if level is not None: self._own.note(key, (*self._own.find(key, ())[-15:], last))
+
+    def answers(self, *echo)->bool: # Drive, sender and level
+        "True if an echo gets an answer: once a second, as some send each CAMERA_SETTINGS back, changed or not"
+        if self._answered.find(echo): return False
+        self._answered.note(echo)
+        return True
+
+    def is_echoing(self, msg)->bool:
+        "True if the sender of the order `msg` is known to send levels back"
+        return getattr(msg, 'confirmation', 0)==255 or self._echoes.find(address(msg), 0)>1
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #3a0e5f54
+@patch
+def sent_back(self:_Levels, drive:str, source:tuple, level:float, echoing:bool=False)->bool:
+    "True if `level` was new since the last order of `source`, once; an `echoing` one sends back all but its own"
+    key,after = (drive,source),clock.monotonic()-self.window
+    (since,last),done = self._orders.find(key, (0,None)),self._done.find(key, ())
+    ordered = [turn for turn,own in self._own.find(key, ()) if math.isclose(own, level, rel_tol=1e-6)]
+    def is_echo(sent):
+        if not math.isclose(sent.level, level, rel_tol=1e-6): return False
+        if not echoing: return sent.first>after and sent.turn>since and last!=level
+        is_own = any(turn<sent.turn for turn in ordered)
+        return sent.last>after and sent not in done and not is_own
+    found = next(filter(is_echo, list(self._sent[drive])), None)
+    if found is None: return False
+    if echoing: self._done.note(key, (*done[-63:], found))
+    else: self._orders.note(key, (found.turn, None))        # its next one is its own
+    self._echoes.note(source, self._echoes.find(source, 0)+1)
+    return True
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #2eb453ad
 _flag_verbs = {'CAPTURE_IMAGE':'image_start_capture', 'CAPTURE_VIDEO':'video_start_capture',
@@ -323,7 +335,7 @@ def _camera_settings(self:CameraServer):
     "Encode CAMERA_SETTINGS: mode, zoom and focus"
     s = self.need('settings')()
     mode = enum_value('CAMERA_MODE', s.mode, 'CAMERA_MODE_')
-    self._levels.tell(zoom=s.zoom, focus=s.focus)
+    self._levels.note_sent(zoom=s.zoom, focus=s.focus)
     return self.mav.camera_settings_encode(time_since_boot_ms(), mode, s.zoom, s.focus)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #97d3f301
@@ -426,10 +438,10 @@ def _encode_picture(self:CameraServer, picture:Picture):
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #b379270f
 @patch
 @announced(Picture)
-def _picture_news(self:CameraServer, picture:Picture):
+def _announce_picture(self:CameraServer, picture:Picture):
     "Encode the news of a `Picture`; send the reason first if it failed"
     if picture.ok: self.health.last_text = ''
-    elif picture.error: self._tell_failure(picture.error)
+    elif picture.error: self._report_failure(picture.error)
     return self._encode_picture(picture)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #031b4f70
@@ -448,30 +460,31 @@ def _camera_image_captured(self:CameraServer, index:int=None, last:int=0):
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #76ee0b51
 @patch
 @announced(CaptureStatus)
-def _capture_news(self:CameraServer, event:CaptureStatus):
+def _announce_capture(self:CameraServer, event:CaptureStatus):
     "Encode CAMERA_CAPTURE_STATUS, unless only a picture has begun"
-    same,self._doing = self._doing==(event.interval,event.recording),(event.interval,event.recording)
-    self._begun = clock.monotonic() if event.capturing and same else math.inf
-    if self._begun<math.inf: return
-    return self._encode_status(event) if same else self._camera_capture_status()        # a film's end may be overtaken
+    before,self._activity = self._activity,(event.interval,event.recording)
+    changed = before!=self._activity
+    self._begun = clock.monotonic() if event.capturing and not changed else math.inf
+    if self._begun<math.inf: return             # a heartbeat announces it, if it takes long
+    return self._camera_capture_status() if changed else self._encode_status(event)     # a film's end may be overtaken
 
 @patch
 @announced(CameraSettings)
-def _settings_news(self:CameraServer, event:CameraSettings):
+def _announce_settings(self:CameraServer, event:CameraSettings):
     "Encode CAMERA_SETTINGS, unless all that changes is a zoom or focus that still runs"
     rests = {name:getattr(event, name) for name in ('mode','zoom','focus') if not self._is_running(name)}
-    same = all(v!=v or v==self._said.get(name, v) for name,v in rests.items())         # NaN: unknown
-    self._said.update(rests)
+    same = all(v!=v or v==self._announced.get(name, v) for name,v in rests.items())         # NaN: unknown
+    self._announced.update(rests)
     self._runs_on = len(rests)<3
     if not (self._runs_on and same): return self._camera_settings()
 
 @patch
 @announced(StorageInformation)
-def _storage_news(self:CameraServer, event:StorageInformation)->list: return self._storage_information(event.storage_id)
+def _announce_storage(self:CameraServer, event:StorageInformation)->list: return self._storage_information(event.storage_id)
 
 @patch
 @announced(DeviceStatus)
-def _device_news(self:CameraServer, event:DeviceStatus): self.beat()
+def _announce_fault(self:CameraServer, event:DeviceStatus): self.beat()
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #255b53c3
 @patch
@@ -497,7 +510,7 @@ def beat(self:CameraServer):
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #8f2e4731
 @patch
-def _tell_again(self:_CameraVerbs, number:int, msg, before:Outcome):
+def _resend_notice(self:_CameraVerbs, number:int, msg, before:Outcome):
     "Send the notice of a shot again to the client that repeats it; log that once"
     source = address(msg)
     if self.presses.logged.setdefault(source, msg) is msg: self.log.info('%s/%s asks for shot %s again', *source, number)
@@ -518,10 +531,12 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
     start = self.need('image_start_capture')
     with self.presses.lock:             # two links are two threads
         single = count==1
-        if before := single and self.presses.find(msg, number):         # the same press, as another command
+        if single and (before := self.presses.find(msg, number)):       # the same press, as another command
             if number: self._note_number(number, msg, before)
-        elif before := single and self.served.find_number(msg, number): self._tell_again(number, msg, before)
-        if before: return before.value
+            return before.value
+        if single and number and (before := self.served.find_number(msg, number)):
+            self._resend_notice(number, msg, before)
+            return before.value
         try: index = start(interval, count)
         except CameraBusy as e:
             if single: self.dropped.add(msg, number, str(e))

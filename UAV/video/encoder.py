@@ -6,15 +6,15 @@
 from __future__ import annotations
 from collections import deque
 from dataclasses import replace
-
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.lazy import av
+from ..utils.lazy import av, np
 from ..utils.threads import _begin_thread, Closes
 from ..utils.pictures import _checked
 from .units import (AccessUnit, byte_stream, Codec, codecs, _DecodeTimes, _even, _is_hardware, is_key,
     _nal_type, nal_units, _open_codec, parameter_sets, sensible_bitrate, Sink, VideoFormat)
+from operator import attrgetter
 
 # %% auto #0
 __all__ = ['Encoder', 'PassThrough']
@@ -22,18 +22,79 @@ __all__ = ['Encoder', 'PassThrough']
 # %% ../../nbs/api/video/01_encoder.ipynb #b1f6505f
 _log = get_logger('video')
 
+# %% ../../nbs/api/video/01_encoder.ipynb #1905a9ec
+def _positive(value):
+    if not 0<value<float('inf'): raise ValueError(f'must be above 0, not {value}')
+    return value
+
+_checks = dict(rate=_positive, key_interval=_positive,
+               size=lambda size: size if size is None else _even(map(_positive, size)),
+               bitrate=lambda bitrate: bitrate if bitrate is None else int(_positive(bitrate)))
+
+# %% ../../nbs/api/video/01_encoder.ipynb #23080137
+def _setting(name:str):
+    "An attribute that may be set while the encoder runs; counts from the next picture on"
+    def change(encoder, value): encoder._change(name, value)
+    return property(attrgetter(f'_{name}'), change)         # read eight times a picture, so not by a function of ours
+
+# %% ../../nbs/api/video/01_encoder.ipynb #655a98de
+class Encoder(Closes):
+    "Encodes the newest frame of a source once, for all its sinks; `with` closes it"
+    silence = 2.        # s without a frame that are a fault
+    pause = .5          # s after an error, before it tries again
+    patience = 2.       # s that a source or a sink may keep us waiting
+    size,bitrate,rate,key_interval = map(_setting, ('size','bitrate','rate','key_interval'))
+
+    def __init__(self, source, # Of frames: `watching()` and `next(after, timeout)`
+                 codec:str='h264', # One of `codecs`
+                 size:tuple|None=None, # (width, height), px, made even; `None`: as the frames are
+                 rate:float=15., # Pictures in a second, at most
+                 bitrate:int|None=None, # bit/s; `None`: one that suits size and rate
+                 key_interval:float=1., # s between two key frames, at most
+                 name:str='video', # For its thread and its log lines
+                 hardware:bool=True): # Use the graphics hardware where it works?
+        if codec not in codecs: raise ValueError(f'codec {codec!r} is none of {", ".join(codecs)}')
+        self.format,self.fault,self.measured = None,None,_Measured()     # last known; what is wrong now; what came out
+        self._sinks,self._changed,self._delivering = {},clock.Condition(),clock.RLock()
+        self._thread,self._codec,self._key_wanted,self._closed,self._number = None,None,False,False,-1
+        self._planned = None,None       # shape of the frames, and how they are to be encoded; anew after each change
+        store_attr()
+
+    sinks = property(lambda self: tuple(self._sinks), doc="All that get the units")
+
+    def _change(self, name, value):
+        try: value = _checks[name](value)
+        except ValueError as e: raise ValueError(f'{name} {e}') from None
+        self._set(**{f'_{name}':value, '_planned':(None,None)})
+        if not self.sinks: self._set(format=None)       # what we knew is no longer true
+
+    def _set(self, **facts):
+        "Something is new: tell all who wait for it"
+        with self._changed:
+            vars(self).update(facts)
+            self._changed.notify_all()
+
+    def __repr__(self):
+        fault = self.fault and f', {self.fault}' or ''
+        return f'{self.codec.upper()} encoder {self.name}, {len(self._sinks)} sinks{fault}'
+
+    def _tell(self, fault:Exception|None):
+        "Log a new fault"
+        if repr(fault)==repr(self.fault): return
+        if fault: _log.warning('%s: %s', self.name, fault)
+        else: _log.info('%s: pictures again', self.name)
+        self._set(fault=fault)
+
 # %% ../../nbs/api/video/01_encoder.ipynb #1ab769dc
 class _Pace:
     "At most so many pictures a second on average, and none of them delayed"
     def __init__(self, now:float, rate:float): self.last = now-1/rate       # when the last picture was due, monotonic s
 
-    def wait(self, now:float, rate:float)->float:
-        "How long a frame that comes now is too early, s; a quarter of the interval is not minded"
-        return max(0., self.last+.75/rate-now)
-
-    def took(self, now:float, rate:float):
-        "A frame that came now was taken"
+    def early(self, now:float, rate:float)->float:
+        "How long a frame that comes now is too early, s; 0: take it. A quarter of the interval is tolerated"
+        if (early := self.last+.75/rate-now)>0: return early
         self.last = max(self.last+1/rate, now-1/rate)
+        return 0.
 
 # %% ../../nbs/api/video/01_encoder.ipynb #100e0f2c
 class _Measured:
@@ -56,69 +117,6 @@ class _Measured:
 
     def __repr__(self): return f'{self.rate:.1f} fps, {self.bitrate/1e6:.2f} Mbit/s'
 
-# %% ../../nbs/api/video/01_encoder.ipynb #1905a9ec
-def _positive(value):
-    if not 0<value<float('inf'): raise ValueError(f'must be above 0, not {value}')
-    return value
-
-_checks = dict(rate=_positive, key_interval=_positive,
-               size=lambda size: size if size is None else _even(map(_positive, size)),
-               bitrate=lambda bitrate: bitrate if bitrate is None else int(_positive(bitrate)))
-
-# %% ../../nbs/api/video/01_encoder.ipynb #23080137
-class _Setting:
-    "An attribute that may be set while the encoder runs; it counts from the next picture on"
-    def __set_name__(self, owner, name): self.name = name
-    def __get__(self, encoder, owner=None): return self if encoder is None else encoder._setting(self.name)
-    def __set__(self, encoder, value): encoder._change(self.name, value)
-
-# %% ../../nbs/api/video/01_encoder.ipynb #655a98de
-class Encoder(Closes):
-    "Encodes the newest frame of a source once, for all its sinks; `with` closes it"
-    silence = 2.        # s without a frame that are a fault
-    pause = .5          # s after an error, before it tries again
-    patience = 2.       # s that a source or a sink may keep us waiting
-    size,bitrate,rate,key_interval = _Setting(),_Setting(),_Setting(),_Setting()
-
-    def __init__(self, source, # Of frames: `watching()` and `next(after, timeout)`
-                 codec:str='h264', # One of `codecs`
-                 size:tuple|None=None, # (width, height), px, made even; `None`: as the frames are
-                 rate:float=15., # Pictures in a second, at most
-                 bitrate:int|None=None, # bit/s; `None`: one that suits size and rate
-                 key_interval:float=1., # s between two key pictures, at most
-                 name:str='video', # For its thread and its log lines
-                 hardware:bool=True): # Use the graphics hardware where it works?
-        if codec not in codecs: raise ValueError(f'codec {codec!r} is none of {", ".join(codecs)}')
-        self.format,self.fault,self.measured = None,None,_Measured()     # last known; what is wrong now; what came out
-        self._sinks,self._changed,self._delivering = {},clock.Condition(),clock.RLock()
-        self._thread,self._codec,self._key_wanted,self._closed,self._number = None,None,False,False,-1
-        store_attr()
-
-    sinks = property(lambda self: tuple(self._sinks), doc="All that get the units")
-
-    def _setting(self, name): return vars(self)[name]
-    def _change(self, name, value):
-        try: vars(self)[name] = _checks[name](value)
-        except ValueError as e: raise ValueError(f'{name} {e}') from None
-        self._set(**{} if self.sinks else dict(format=None))      # what we knew is no longer true
-
-    def _set(self, **facts):
-        "Something is new: tell all who wait for it"
-        with self._changed:
-            vars(self).update(facts)
-            self._changed.notify_all()
-
-    def __repr__(self):
-        fault = self.fault and f', {self.fault}' or ''
-        return f'{self.codec.upper()} encoder {self.name}, {len(self._sinks)} sinks{fault}'
-
-    def _tell(self, fault:Exception|None):
-        "Log a new fault"
-        if repr(fault)==repr(self.fault): return
-        if fault: _log.warning('%s: %s', self.name, fault)
-        else: _log.info('%s: pictures again', self.name)
-        self._set(fault=fault)
-
 # %% ../../nbs/api/video/01_encoder.ipynb #8ab1dc79
 @patch
 def _wanted(self:Encoder, image)->VideoFormat:
@@ -132,9 +130,13 @@ def _wanted(self:Encoder, image)->VideoFormat:
 @patch
 def _encode(self:Encoder, frame, time:float)->list:
     "The access units of this frame"
-    wanted = self._wanted(frame.image)
-    with self._changed: key,self._key_wanted = self._key_wanted,False
-    if self._codec and self._codec.wanted==wanted:
+    with self._changed:
+        key,self._key_wanted = self._key_wanted,False
+        shape,wanted = self._planned
+        if shape!=np.shape(frame.image):
+            wanted = self._wanted(frame.image)
+            self._planned = np.shape(frame.image),wanted
+    if self._codec and (self._codec.wanted is wanted or self._codec.wanted==wanted):
         last = self._codec.key_time         # long enough ago?
         key = key or last is not None and time-last>self.key_interval-.5/self.rate
         try: return self._codec.encode(frame, time, key)
@@ -148,8 +150,8 @@ def _encode(self:Encoder, frame, time:float)->list:
 # %% ../../nbs/api/video/01_encoder.ipynb #59f9a288
 @patch
 def _deliver(self:Encoder, unit:AccessUnit):
-    "To all sinks that have had a key picture, or get one now"
-    if unit.format!=self.format: self._set(format=unit.format)
+    "To all sinks that have had a key frame, or get one now"
+    if unit.format is not self.format: self._set(format=unit.format)
     self.measured.add(unit.time, len(unit.data))
     with self._delivering:
         for sink in self.sinks:
@@ -181,10 +183,9 @@ def _rest(self:Encoder, seconds:float):
 def _take(self:Encoder, frame, now:float, pace:_Pace):
     "Encode a frame that has come, unless it is too early"
     self._number = frame.number
-    if wait := pace.wait(now, self.rate): return self._rest(wait)
-    pace.took(now, self.rate)
+    if early := pace.early(now, self.rate): return self._rest(early)
     for unit in self._encode(frame, now): self._deliver(unit)
-    self._tell(None)
+    if self.fault: self._tell(None)
 
 # %% ../../nbs/api/video/01_encoder.ipynb #20708a22
 @patch
@@ -219,13 +220,13 @@ def _run(self:Encoder):
 # %% ../../nbs/api/video/01_encoder.ipynb #6533fdfb
 @patch
 def key_frame(self:Encoder):
-    "Make the next picture a key picture"
+    "Make the next picture a key frame"
     with self._changed: self._key_wanted = True
 
 # %% ../../nbs/api/video/01_encoder.ipynb #20bf4d2d
 @patch
 def add(self:Encoder, sink): # With `put(unit)`, which is called on our thread and must return at once
-    "Give it all units from the next key picture on; raises `RuntimeError` when closed"
+    "Give it all units from the next key frame on; raises `RuntimeError` when closed"
     with self._changed:
         if self._closed: raise RuntimeError(f'the encoder {self.name} is closed')
         if sink in self._sinks: return
@@ -282,22 +283,28 @@ def wait_format(self:Encoder, timeout:float=5., # s
 _delimiter = dict(h264=9, h265=35)
 
 def _with_sets(data:bytes, sets, codec:str='h264')->bytes:
-    "The key picture, with the parameter sets before it"
+    "The key frame, with the parameter sets before it"
     nals = [nal for nal in nal_units(data) if _nal_type(nal, codec) != _delimiter[codec]]
     return byte_stream((*sets, *nals))
 
 # %% ../../nbs/api/video/01_encoder.ipynb #8262522d
+def _decided(name:str):
+    "A setting of the source"
+    return property(lambda encoder: encoder._known(name), lambda encoder, value: encoder._change(name, value))
+
 class PassThrough(Encoder):
     "Hands the access units of a source that encodes by itself to any number of sinks"
-    complete,expected = False,None          # `expected`: the format, as far as it is known before the first key picture
+    complete,expected = False,None          # `expected`: the format, as far as it is known before the first key frame
     def __init__(self, codec:str='h264', # One of `codecs`
                  name:str='video'): # For people
         super().__init__(None, codec, name=name)
         self._sets,self._came,self.complete = [],0.,True        # the parameter sets; when a useful unit came last
         self._decode_times = _DecodeTimes()
 
-    def _setting(self, name):
-        "As the source has decided; the usual rate before that is known"
+    size,bitrate,rate,key_interval = map(_decided, ('size','bitrate','rate','key_interval'))
+
+    def _known(self, name):
+        "A setting as the source has decided; the usual rate before that is known"
         known = self.format or self.expected
         if name=='size': return known and (known.width,known.height)
         return getattr(known, name, 15. if name=='rate' else None)
@@ -309,17 +316,17 @@ class PassThrough(Encoder):
         if self.format: self.format = replace(self.format, bitrate=int(value))
 
     def run(self, on:bool): "Called with true before the first unit is wanted, and with false after the last"
-    def ask_key(self): "Called when a key picture is wanted soon"
+    def ask_key(self): "Called when a key frame is wanted soon"
     def set_bitrate(self, bitrate:int): # bit/s
         "Have the source use it; raises `ValueError` when it cannot"
         raise ValueError(f'{self.name} is encoded by its source, at its own bitrate')
 
     def key_frame(self):
-        "Ask for a key picture soon; a source that cannot do that sends one when it likes"
+        "Ask for a key frame soon; a source that cannot do that sends one when it likes"
         self.ask_key()
 
     def add(self, sink):
-        "Give it all units from the next key picture on; raises `RuntimeError` when closed"
+        "Give it all units from the next key frame on; raises `RuntimeError` when closed"
         super().add(sink)
         self.ask_key()
 
@@ -341,7 +348,7 @@ def _watch(self:PassThrough):
 def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
          taken:float|None=None, # When the frame was taken, monotonic s; `None` is now
          **known): # What is known of the format: `width`, `height`, `rate`, `bitrate`
-    "Hand an access unit to all sinks; nothing happens before the first key picture"
+    "Hand an access unit to all sinks; nothing happens before the first key frame"
     now = clock.monotonic()
     taken,key = now if taken is None else taken,is_key(data, self.codec)
     made = self.format

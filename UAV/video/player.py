@@ -19,10 +19,253 @@ from ..utils.threads import _begin_thread, Closes
 from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned
 from ..utils.sockets import host_in, plain_host
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
-from .rtsp import _authorization, _challenges, _Interleaved, _RequestReader, _Response, RTSPError
+from .rtsp import _authorization, _challenges, _head_lines, _Interleaved, _RequestReader, _Response, RTSPError
 
 # %% auto #0
-__all__ = ['transports', 'receivers', 'RTSPReceiver', 'PlayerError', 'Decoded', 'Player', 'strip']
+__all__ = ['transports', 'receivers', 'Player', 'Decoded', 'RTSPReceiver', 'PlayerError', 'strip']
+
+# %% ../../nbs/api/video/08_player.ipynb #b6158c85
+class Player(Closes):
+    "Watch a live stream, or a file"
+    first_retry,last_retry = .25,5.                 # s between attempts to come back, doubled each time
+    def __init__(self,
+        url, # As `_open_pictures` takes it
+        timeout:float=5., # s without a packet after which the stream counts as lost
+        newest:bool=True, # Only the newest picture? `False` hands out each, and plays a file as fast as you read
+        transport:str|None=None, # Of RTSP: 'tcp' or 'udp'; `None` is TCP, or UDP when the server refuses that
+    ):
+        self.url,self.fault,self.connected = url,None,False     # `fault`: why there are no pictures
+        self.log = get_logger('video.player')
+        self._source,self._pictures = _open_pictures(url, timeout, newest, transport),_Pictures(newest)
+        self._closing = clock.Event()
+        if receiver := getattr(self._source, 'receiver', None): receiver.tell = self._note
+        self._thread = _begin_thread(self._run, f'player {_url_name(url)}')
+        atexit.register(self.close)
+
+    newest = property(lambda self: self._pictures.newest, doc="Does it hand out only the newest picture?")
+    sinks = property(lambda self: self._source.sinks,
+        doc="Add a `Sink` to these, and it gets each access unit of a live stream as it came, to record it for example")
+    lost = property(lambda self: self._source.lost,
+        doc="How many pictures came in part only, since the stream was last lost")
+    port = property(lambda self: self._source.port, doc="The UDP port on which it listens")
+    size = property(lambda self: (frame := self._pictures.last) and frame.size,
+        doc="(width, height) of the newest picture, pixels; `None` when there is none")
+    ended = property(lambda self: self._pictures.over, doc="Will no picture come any more?")
+
+    def __repr__(self):
+        state = 'playing' if self.connected else 'no picture yet'
+        return f'Player {_url_name(self.url)}: {self.fault or state}'
+
+    def close(self):
+        "Stop, within a second; may be called twice"
+        atexit.unregister(self.close)
+        self._closing.set()
+        self._source.stop()
+        self._pictures.end(forget=True)
+        if self._thread is not clock.current_thread(): self._thread.join(1)
+
+    def watching(self):
+        "For a `with`, as a source of frames has it: a player plays all the time"
+        return nullcontext(self)
+
+    def __iter__(self):
+        while (frame := self.read()) is not None: yield frame
+
+# %% ../../nbs/api/video/08_player.ipynb #26d78d0d
+def _url_name(url)->str: return re.sub(r'(?<=://)[^/]+@', '', str(url))      # for people: without user and password
+
+# %% ../../nbs/api/video/08_player.ipynb #aec379e9
+@patch
+def _play(self:Player):
+    "Hand out pictures, until the file ends or the stream is lost"
+    with closing(self._source.pictures()) as pictures:
+        for picture in pictures:
+            self._pictures.put(*picture)
+            if self.fault: self.log.info('%s is back', _url_name(self.url))
+            self.connected,self.fault = True,None
+
+# %% ../../nbs/api/video/08_player.ipynb #d29c3aa5
+@patch
+def _note(self:Player, said:str, surprise=None):
+    "Note why there are no pictures"
+    if said!=self.fault: self.log.warning('%s: %s', _url_name(self.url), said, exc_info=surprise)
+    self.connected,self.fault = False,said
+
+@patch
+def _lose(self:Player, error)->bool:
+    "Note why there is no stream; true when all we can do is to listen on"
+    said = (error.strerror if isinstance(error, OSError) else None) or str(error) or type(error).__name__
+    self._note(said, None if isinstance(error, OSError) else error)
+    return isinstance(error, TimeoutError) and not self._source.connects
+
+# %% ../../nbs/api/video/08_player.ipynb #03ee16cb
+@patch
+def _run(self:Player):
+    "The thread: play, and try again after a fault"
+    retry = self.first_retry
+    while not self._closing.is_set():
+        before = self._pictures.count
+        try:
+            self._play()
+            self._pictures.end()                            # only a file comes here
+            break
+        except _Stopped: break
+        except Exception as e: listens = self._lose(e)
+        if self._pictures.count>before: retry = self.first_retry
+        if not listens and self._closing.wait(retry): break
+        retry = min(2*retry, self.last_retry)
+    self._source.close()
+
+# %% ../../nbs/api/video/08_player.ipynb #6f1a0323
+@patch
+def read(self:Player, timeout:float|None=None, # s to wait for it; `None` waits until there is one
+        )->Decoded|None:
+    "The next picture; `None` when none comes in time, the file is at its end, or the player is closed"
+    return self._pictures.wait(self._pictures.take, timeout)
+
+# %% ../../nbs/api/video/08_player.ipynb #c1f4b713
+@patch
+def next(self:Player, after:int=-1, # The number of the last picture seen
+         timeout:float|None=None, # s to wait; `None` waits until there is one
+        )->Decoded|None:
+    "The newest picture later than `after`, as a source gives it; `None` as for `read`"
+    return self._pictures.wait(lambda: self._pictures.later(after), timeout)
+
+# %% ../../nbs/api/video/08_player.ipynb #2c9bb91d
+@patch
+def __aiter__(self:Player): "Each new frame, for an `async for`"; return self
+
+@patch
+async def __anext__(self:Player):
+    frame = await self._pictures.wait_async(self._pictures.take)
+    if frame is None: raise StopAsyncIteration
+    return frame
+
+# %% ../../nbs/api/video/08_player.ipynb #cbbf7d17
+class Decoded:
+    "A decoded picture"
+    def __init__(self, decoded, # `av.VideoFrame`
+                 number:int, # Counts the pictures of a player
+                 time:float, # When it came, by the sender's time stamp, monotonic s; in a file, when it is due
+                 time_utc:float): # When it was taken, if the sender says so (RTCP), else when it came; s since 1970
+        store_attr()
+        self._turns = _frame_turns(decoded)
+        size = decoded.width,decoded.height
+        self.size = size[::-1] if self._turns and self._turns[0] else size
+
+    def __repr__(self): return f'Decoded({self.number}, {self.size[0]}×{self.size[1]})'
+    def _repr_jpeg_(self): return Thumbnail(self.image)._repr_jpeg_()
+
+    @cached_property
+    def image(self):
+        "BGR, `uint8`"
+        return self.scaled(*self.size)
+
+    def scaled(self, width:int, # px
+               height:int, # px
+              )->np.ndarray:
+        "The picture in another size, upright, BGR, `uint8`; threads may ask at the same time"
+        size = (height,width) if self._turns and self._turns[0] else (width,height)
+        image = av.video.reformatter.VideoReformatter().reformat(self.decoded, *size, 'bgr24').to_ndarray()
+        return _turned(image, self._turns)
+
+# %% ../../nbs/api/video/08_player.ipynb #4b2af606
+def _decoder(codec:str):
+    "FFmpeg's decoder, set up for no delay"
+    decoder = av.CodecContext.create(dict(h264='h264', h265='hevc')[codec], 'r')
+    decoder.thread_count,decoder.flags = 1,decoder.flags|av.codec.context.Flags.low_delay
+    decoder.options = dict(max_pixels=str(pixel_limit()))
+    return decoder
+
+# %% ../../nbs/api/video/08_player.ipynb #e58e4870
+def _decode(decoder, data:bytes, number:int|None=None)->list:
+    "The pictures that come out, each with the `number` of its data as `pts`; none for bytes that are wrong"
+    packet = av.Packet(data)
+    packet.pts = number
+    try: return decoder.decode(packet)
+    except av.FFmpegError: return []
+
+class _Decoding:
+    "Decodes access units; with B-frames, pictures come out in another order than they went in"
+    most = 32           # that may be inside
+    def __init__(self): self._codec,self._decoder,self._inside,self._number = None,None,{},0
+
+    def __call__(self, unit)->list:
+        "`(av.VideoFrame, time, time_utc)` of each picture that comes out, with the times of its own unit"
+        if unit.format.codec!=self._codec: self._codec,self._decoder = unit.format.codec,_decoder(unit.format.codec)
+        self._number += 1
+        self._inside[self._number] = times = unit.time,unit.time_utc
+        self._inside.pop(self._number-self.most, None)
+        pictures = _decode(self._decoder, unit.data, self._number)
+        return [(picture, *self._inside.pop(picture.pts, times)) for picture in pictures]
+
+# %% ../../nbs/api/video/08_player.ipynb #8d4c2fde
+class _Pictures:
+    "Decoded pictures, between the thread that decodes and those who wait"
+    most = 30           # that may lie here when each is wanted
+    def __init__(self, newest:bool):
+        self.newest,self.over = newest,False            # `over`: no picture will come any more
+        self.last,self.count,self.given = None,0,-1     # the newest; how many came; the number that `take` gave last
+        self.frames,self.waiting,self.changed = deque(),[],clock.Condition()
+
+    def wake(self):
+        "Wake all who wait; inside `changed`"
+        self.changed.notify_all()
+        waiting,self.waiting = self.waiting,[]
+        for loop,future in waiting:
+            try: loop.call_soon_threadsafe(lambda future=future: future.done() or future.set_result(None))
+            except RuntimeError: pass                   # its event loop is closed
+
+    def put(self, picture, came:float, utc:float):
+        "Another `av.VideoFrame`, which arrived at `came`, monotonic s; raises `_Stopped` when all is over"
+        with self.changed:
+            if not self.newest: self.changed.wait_for(lambda: len(self.frames)<self.most or self.over)
+            if self.over: raise _Stopped
+            if self.newest: self.frames.clear()
+            self.last = Decoded(picture, self.count, came, utc)
+            self.frames.append(self.last)
+            self.count += 1
+            self.wake()
+
+    def end(self, forget:bool=False):
+        "No more of them come; those that lie here can still be had, unless you `forget` them"
+        with self.changed:
+            self.over = True
+            if forget:
+                self.frames.clear()
+                self.last = None
+            self.wake()
+
+    def later(self, after:int)->Decoded|None:
+        "The newest picture, when it is later than `after`"
+        return frame if (frame := self.last) and frame.number>after else None
+
+    def wait(self, find, timeout:float|None):
+        "Wait for a result of `find`, such as `take`; `None` after `timeout` s, or when closed"
+        with self.changed: found = self.changed.wait_for(lambda: find() or self.over, timeout)
+        return found if isinstance(found, Decoded) else None
+
+# %% ../../nbs/api/video/08_player.ipynb #96cc227c
+@patch
+def take(self:_Pictures)->Decoded|None:
+    "The next picture, `None` when there is none yet"
+    with self.changed:
+        if not self.frames or self.frames[0].number<=self.given: return None
+        frame = self.frames[0] if self.newest else self.frames.popleft()
+        self.given = frame.number
+        self.changed.notify_all()                   # there is a place
+        return frame
+
+# %% ../../nbs/api/video/08_player.ipynb #1931a8ca
+@patch
+async def wait_async(self:_Pictures, find):
+    "As `wait`, for an event loop; one call into the loop for each picture"
+    while True:
+        future = asyncio.get_running_loop().create_future()
+        with self.changed:
+            if (frame := find()) is not None or self.over: return frame
+            self.waiting.append((future.get_loop(),future))
+        await future
 
 # %% ../../nbs/api/video/08_player.ipynb #473100ff
 @dataclass
@@ -37,7 +280,7 @@ class _AnswerReader(_RequestReader):
     most_head = most_body = 1<<16 # bytes
     @staticmethod
     def parse(head:bytes)->_Answer:
-        first,*lines = re.split(r'\r?\n', re.sub(r'\r?\n[ \t]+', ' ', head.decode('utf-8', 'replace')))
+        first,*lines = _head_lines(head)
         answer,lists = _Answer(first, {}),('www-authenticate','public')
         for name,_,value in (line.partition(':') for line in lines):
             name,value = name.strip().lower(),value.strip()
@@ -297,9 +540,6 @@ class PlayerError(OSError): "There is no such video"
 
 receivers = dict(rtsp=RTSPReceiver, udp=TSReceiver, tcp=TSReceiver, rtp=RTPReceiver)
 
-# %% ../../nbs/api/video/08_player.ipynb #26d78d0d
-def _url_name(url)->str: return re.sub(r'(?<=://)[^/]+@', '', str(url))      # for people: without user and password
-
 # %% ../../nbs/api/video/08_player.ipynb #df7e9f83
 _theirs = dict(rtspt='rtsp', rtspu='rtsp', mpegts='udp', udp264='rtp', udp265='rtp')     # schemes of GStreamer and QGC
 
@@ -319,64 +559,6 @@ def _scheme(url)->str:
     if scheme not in receivers: raise ValueError(f'{_url_name(url)}: a player knows {", ".join(receivers)} and files')
     if scheme!='rtsp' and urlsplit(url).port is None: raise ValueError(f'{_url_name(url)} has no port')
     return scheme
-
-# %% ../../nbs/api/video/08_player.ipynb #cbbf7d17
-class Decoded:
-    "A decoded picture"
-    def __init__(self, decoded, # `av.VideoFrame`
-                 number:int, # Counts the pictures of a player
-                 time:float, # When it came, by the sender's time stamp, monotonic s; in a file, when it is due
-                 time_utc:float): # When it was taken, if the sender says so (RTCP), else when it came; s since 1970
-        store_attr()
-        self._turns = _frame_turns(decoded)
-        size = decoded.width,decoded.height
-        self.size = size[::-1] if self._turns and self._turns[0] else size
-
-    def __repr__(self): return f'Decoded({self.number}, {self.size[0]}×{self.size[1]})'
-    def _repr_jpeg_(self): return Thumbnail(self.image)._repr_jpeg_()
-
-    @cached_property
-    def image(self):
-        "BGR, `uint8`"
-        return self.scaled(*self.size)
-
-    def scaled(self, width:int, # px
-               height:int, # px
-              )->np.ndarray:
-        "The picture in another size, upright, BGR, `uint8`; threads may ask at the same time"
-        size = (height,width) if self._turns and self._turns[0] else (width,height)
-        image = av.video.reformatter.VideoReformatter().reformat(self.decoded, *size, 'bgr24').to_ndarray()
-        return _turned(image, self._turns)
-
-# %% ../../nbs/api/video/08_player.ipynb #4b2af606
-def _decoder(codec:str):
-    "FFmpeg's decoder, set up for no delay"
-    decoder = av.CodecContext.create(dict(h264='h264', h265='hevc')[codec], 'r')
-    decoder.thread_count,decoder.flags = 1,decoder.flags|av.codec.context.Flags.low_delay
-    decoder.options = dict(max_pixels=str(pixel_limit()))
-    return decoder
-
-# %% ../../nbs/api/video/08_player.ipynb #e58e4870
-def _decode(decoder, data:bytes, number:int|None=None)->list:
-    "The pictures that come out, each with the `number` of its data as `pts`; none for bytes that are wrong"
-    packet = av.Packet(data)
-    packet.pts = number
-    try: return decoder.decode(packet)
-    except av.FFmpegError: return []
-
-class _Decoding:
-    "Decodes access units; with B-frames, pictures come out in another order than they went in"
-    most = 32           # that may be inside
-    def __init__(self): self._codec,self._decoder,self._inside,self._number = None,None,{},0
-
-    def __call__(self, unit)->list:
-        "`(av.VideoFrame, time, time_utc)` of each picture that comes out, with the times of its own unit"
-        if unit.format.codec!=self._codec: self._codec,self._decoder = unit.format.codec,_decoder(unit.format.codec)
-        self._number += 1
-        self._inside[self._number] = times = unit.time,unit.time_utc
-        self._inside.pop(self._number-self.most, None)
-        pictures = _decode(self._decoder, unit.data, self._number)
-        return [(picture, *self._inside.pop(picture.pts, times)) for picture in pictures]
 
 # %% ../../nbs/api/video/08_player.ipynb #b889899a
 class _LivePictures(GetAttr):
@@ -439,188 +621,6 @@ def _open_pictures(url, timeout:float=5., paced:bool=True, transport:str|None=No
     if scheme!='sdp': return _LivePictures(receivers[scheme](url, timeout))
     if not os.path.isfile(path): raise PlayerError(f'there is no file {path!r}')
     return _LivePictures(RTPReceiver(path, timeout))
-
-# %% ../../nbs/api/video/08_player.ipynb #8d4c2fde
-class _Pictures:
-    "Decoded pictures, between the thread that decodes and those who wait"
-    most = 30           # that may lie here when each is wanted
-    def __init__(self, newest:bool):
-        self.newest,self.over = newest,False            # `over`: no picture will come any more
-        self.last,self.count,self.given = None,0,-1     # the newest; how many came; the number that `take` gave last
-        self.frames,self.waiting,self.changed = deque(),[],clock.Condition()
-
-    def wake(self):
-        "Wake all who wait; inside `changed`"
-        self.changed.notify_all()
-        waiting,self.waiting = self.waiting,[]
-        for loop,future in waiting:
-            try: loop.call_soon_threadsafe(lambda future=future: future.done() or future.set_result(None))
-            except RuntimeError: pass                   # its event loop is closed
-
-    def put(self, picture, came:float, utc:float):
-        "Another `av.VideoFrame`, which arrived at `came`, monotonic s; raises `_Stopped` when all is over"
-        with self.changed:
-            if not self.newest: self.changed.wait_for(lambda: len(self.frames)<self.most or self.over)
-            if self.over: raise _Stopped
-            if self.newest: self.frames.clear()
-            self.last = Decoded(picture, self.count, came, utc)
-            self.frames.append(self.last)
-            self.count += 1
-            self.wake()
-
-    def end(self, forget:bool=False):
-        "No more of them come; those that lie here can still be had, unless you `forget` them"
-        with self.changed:
-            self.over = True
-            if forget:
-                self.frames.clear()
-                self.last = None
-            self.wake()
-
-    def later(self, after:int)->Decoded|None:
-        "The newest picture, when it is later than `after`"
-        return frame if (frame := self.last) and frame.number>after else None
-
-    def wait(self, find, timeout:float|None):
-        "Wait for a result of `find`, such as `take`; `None` after `timeout` s, or when closed"
-        with self.changed: found = self.changed.wait_for(lambda: find() or self.over, timeout)
-        return found if isinstance(found, Decoded) else None
-
-# %% ../../nbs/api/video/08_player.ipynb #96cc227c
-@patch
-def take(self:_Pictures)->Decoded|None:
-    "The next picture, `None` when there is none yet"
-    with self.changed:
-        if not self.frames or self.frames[0].number<=self.given: return None
-        frame = self.frames[0] if self.newest else self.frames.popleft()
-        self.given = frame.number
-        self.changed.notify_all()                   # there is a place
-        return frame
-
-# %% ../../nbs/api/video/08_player.ipynb #1931a8ca
-@patch
-async def wait_async(self:_Pictures, find):
-    "As `wait`, for an event loop; one call into the loop for each picture"
-    while True:
-        future = asyncio.get_running_loop().create_future()
-        with self.changed:
-            if (frame := find()) is not None or self.over: return frame
-            self.waiting.append((future.get_loop(),future))
-        await future
-
-# %% ../../nbs/api/video/08_player.ipynb #b6158c85
-class Player(Closes):
-    "Watch a live stream, or a file"
-    first_retry,last_retry = .25,5.                 # s between attempts to come back, doubled each time
-    def __init__(self,
-        url, # As `_open_pictures` takes it
-        timeout:float=5., # s without a packet after which the stream counts as lost
-        newest:bool=True, # Only the newest picture? `False` hands out each, and plays a file as fast as you read
-        transport:str|None=None, # Of RTSP: 'tcp' or 'udp'; `None` is TCP, or UDP when the server refuses that
-    ):
-        self.url,self.fault,self.connected = url,None,False     # `fault`: why there are no pictures
-        self.log = get_logger('video.player')
-        self._source,self._pictures = _open_pictures(url, timeout, newest, transport),_Pictures(newest)
-        self._closing = clock.Event()
-        if receiver := getattr(self._source, 'receiver', None): receiver.tell = self._note
-        self._thread = _begin_thread(self._run, f'player {_url_name(url)}')
-        atexit.register(self.close)
-
-    newest = property(lambda self: self._pictures.newest, doc="Does it hand out only the newest picture?")
-    sinks = property(lambda self: self._source.sinks,
-        doc="Add a `Sink` to these, and it gets each access unit of a live stream as it came, to record it for example")
-    lost = property(lambda self: self._source.lost,
-        doc="How many pictures came in part only, since the stream was last lost")
-    port = property(lambda self: self._source.port, doc="The UDP port on which it listens")
-    size = property(lambda self: (frame := self._pictures.last) and frame.size,
-        doc="(width, height) of the newest picture, pixels; `None` when there is none")
-    ended = property(lambda self: self._pictures.over, doc="Will no picture come any more?")
-
-    def __repr__(self):
-        state = 'playing' if self.connected else 'no picture yet'
-        return f'Player {_url_name(self.url)}: {self.fault or state}'
-
-    def close(self):
-        "Stop, within a second; may be called twice"
-        atexit.unregister(self.close)
-        self._closing.set()
-        self._source.stop()
-        self._pictures.end(forget=True)
-        if self._thread is not clock.current_thread(): self._thread.join(1)
-
-    def watching(self):
-        "For a `with`, as a source of frames has it: a player plays all the time"
-        return nullcontext(self)
-
-    def __iter__(self):
-        while (frame := self.read()) is not None: yield frame
-
-# %% ../../nbs/api/video/08_player.ipynb #aec379e9
-@patch
-def _play(self:Player):
-    "Hand out pictures, until the file ends or the stream is lost"
-    with closing(self._source.pictures()) as pictures:
-        for picture in pictures:
-            self._pictures.put(*picture)
-            if self.fault: self.log.info('%s is back', _url_name(self.url))
-            self.connected,self.fault = True,None
-
-# %% ../../nbs/api/video/08_player.ipynb #d29c3aa5
-@patch
-def _note(self:Player, said:str, surprise=None):
-    "Note why there are no pictures"
-    if said!=self.fault: self.log.warning('%s: %s', _url_name(self.url), said, exc_info=surprise)
-    self.connected,self.fault = False,said
-
-@patch
-def _lose(self:Player, error)->bool:
-    "Note why there is no stream; true when all we can do is to listen on"
-    said = (error.strerror if isinstance(error, OSError) else None) or str(error) or type(error).__name__
-    self._note(said, None if isinstance(error, OSError) else error)
-    return isinstance(error, TimeoutError) and not self._source.connects
-
-# %% ../../nbs/api/video/08_player.ipynb #03ee16cb
-@patch
-def _run(self:Player):
-    "The thread: play, and try again after a fault"
-    retry = self.first_retry
-    while not self._closing.is_set():
-        before = self._pictures.count
-        try:
-            self._play()
-            self._pictures.end()                            # only a file comes here
-            break
-        except _Stopped: break
-        except Exception as e: listens = self._lose(e)
-        if self._pictures.count>before: retry = self.first_retry
-        if not listens and self._closing.wait(retry): break
-        retry = min(2*retry, self.last_retry)
-    self._source.close()
-
-# %% ../../nbs/api/video/08_player.ipynb #6f1a0323
-@patch
-def read(self:Player, timeout:float|None=None, # s to wait for it; `None` waits until there is one
-        )->Decoded|None:
-    "The next picture; `None` when none comes in time, the file is at its end, or the player is closed"
-    return self._pictures.wait(self._pictures.take, timeout)
-
-# %% ../../nbs/api/video/08_player.ipynb #c1f4b713
-@patch
-def next(self:Player, after:int=-1, # The number of the last picture seen
-         timeout:float|None=None, # s to wait; `None` waits until there is one
-        )->Decoded|None:
-    "The newest picture later than `after`, as a source gives it; `None` as for `read`"
-    return self._pictures.wait(lambda: self._pictures.later(after), timeout)
-
-# %% ../../nbs/api/video/08_player.ipynb #2c9bb91d
-@patch
-def __aiter__(self:Player): "Each new frame, for an `async for`"; return self
-
-@patch
-async def __anext__(self:Player):
-    frame = await self._pictures.wait_async(self._pictures.take)
-    if frame is None: raise StopAsyncIteration
-    return frame
 
 # %% ../../nbs/api/video/08_player.ipynb #29b1fd7b
 def strip(player, # `Player`

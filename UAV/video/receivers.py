@@ -20,7 +20,237 @@ from .units import (AccessUnit, _begins_decoding, byte_stream, clock_rate, codec
     nal_units, _parameter_sets as _set_kinds, _slices, VideoFormat)
 
 # %% auto #0
-__all__ = ['ts_size', 'RTPReader', 'Receiver', 'own_host', 'TSReceiver', 'RTPReceiver']
+__all__ = ['ts_size', 'Receiver', 'TSReceiver', 'RTPReceiver', 'listen_host', 'RTPReader']
+
+# %% ../../nbs/api/video/03_receivers.ipynb #a3bf5f35
+class _Stopped(Exception): "The receiver was told to stop"
+
+# %% ../../nbs/api/video/03_receivers.ipynb #7b3c819d
+class Receiver(Closes):
+    "Reads access units from the network; `stop`, called from any thread, ends it at once"
+    connects,port,_socks = True,None,()         # False: it only listens; the UDP port and sockets for that
+    patience = 5.                               # s of packets, and not one picture, that are a fault
+    def __init__(self, url:str, # Where the stream is
+                 timeout:float=5.): # s that it may be silent
+        if not 0<timeout<float('inf'): raise ValueError(f'timeout is some seconds, not {timeout}')
+        store_attr()
+        self._reader,self._stopped,self._process = None,False,os.getpid()
+        self.tell,self._vain = (lambda problem: None),None      # called with a fault; since when data are in vain
+        self._inside,self._outside = socket.socketpair()
+        self._selector = selectors.DefaultSelector()
+        self._selector.register(self._inside, selectors.EVENT_READ)
+
+    def close(self):
+        "Let go of all sockets; not while another thread reads"
+        self._selector.close()
+        for sock in (self._inside,self._outside,*self._socks): sock.close()
+
+    lost = property(lambda self: self._reader.lost if self._reader else 0, doc="How many pictures came in part only")
+
+    def stop(self):
+        "End what waits, now and later"
+        self._stopped = True
+        if os.getpid()!=self._process: return   # a forked one, and the pipe is the parent's
+        try: self._outside.send(b'.')
+        except OSError: pass                    # it is closed already
+
+    def _wait(self, socks:dict, until:float|None=None)->list:
+        "Those of `{socket: selectors.EVENT_…}` that are ready by then, monotonic s; raises `_Stopped`, `TimeoutError`"
+        for sock,event in socks.items(): self._selector.register(sock, event)
+        try: ready = self._selector.select(self.timeout if until is None else max(0, until-clock.monotonic()))
+        finally:
+            for sock in socks: self._selector.unregister(sock)
+        if self._stopped: raise _Stopped
+        if not ready: raise TimeoutError(f'silent for {self.timeout:g} s')
+        return [key.fileobj for key,_ in ready]
+
+    def _receive(self, sock, until:float|None=None)->bytes:
+        "Read more, by then (monotonic s) or within `timeout`; empty at the end of a TCP connection"
+        self._wait({sock:selectors.EVENT_READ}, until)
+        return sock.recv(1<<16)
+
+# %% ../../nbs/api/video/03_receivers.ipynb #3a0e5f51
+@patch
+def _read(self:Receiver, data:bytes)->list:
+    "The access units that the reader makes of `data`; tells when there are none for too long, once"
+    units,now = self._reader(data),clock.monotonic()
+    if units: self._vain = None
+    elif self._vain is None: self._vain = now
+    elif now-self._vain>self.patience:
+        self._vain = float('inf')
+        self.tell(f'no {"picture" if self._reader.begun else "key frame"} for {self.patience:g} s')
+    return units
+
+# %% ../../nbs/api/video/03_receivers.ipynb #9e2d2dad
+class TSReceiver(Receiver):
+    "MPEG-TS, from `udp://HOST:PORT` (ours) or `tcp://HOST:PORT` (the server's)"
+    def __init__(self, url:str, # `udp://…` or `tcp://…`; port 0 is a free one
+                 timeout:float=5.): # s that it may be silent
+        place = urlsplit(url)
+        self._host,self.connects,self.port = listen_host(place),place.scheme=='tcp',place.port or 0
+        if not self.connects:
+            self._socks = (_listen(self._host, self.port),)
+            self.port = self._socks[0].getsockname()[1]
+        super().__init__(url, timeout)
+
+    def units(self):
+        "Access units, until the stream ends; raises `OSError`"
+        self._reader,sender = _TSReader(),_OneSender(_has_packets)
+        while not self.connects:
+            self._wait(dict.fromkeys(self._socks, selectors.EVENT_READ))
+            yield from self._read(sender.receive(*self._socks))
+        with closing(self._connect(self._host, self.port)) as sock:
+            while data := self._receive(sock): yield from self._read(data)
+        raise ConnectionError('the server has closed the connection')
+
+# %% ../../nbs/api/video/03_receivers.ipynb #73e59758
+class RTPReceiver(Receiver):
+    "RTP over UDP, from an SDP file, or from `rtp://HOST:PORT` (ours; `?codec=h265` when it is not H.264)"
+    connects = False
+    def __init__(self, url:str, # Path of an SDP file, or `rtp://…`
+                 timeout:float=5.): # s that it may be silent
+        self.media = _rtp_media(str(url)) if str(url).startswith('rtp://') else _read_sdp(Path(url).read_text())
+        self._socks = _listen_pair(self.media.host, self.media.port)
+        self.port = self._socks[0].getsockname()[1]
+        super().__init__(url, timeout)
+
+    def units(self):
+        "Access units, until the stream is silent; raises `OSError`"
+        media,sender = self.media,_OneSender(_rtp_parts)
+        self._reader = RTPReader(media.codec, media.headers, media.payload_type)
+        while True:
+            for sock in self._wait(dict.fromkeys(self._socks, selectors.EVENT_READ)):
+                if sock is self._socks[0]: yield from self._read(sender.receive(sock))
+                else:
+                    report,address = sock.recvfrom(1<<16)           # from a port of its own
+                    if sender.address and address[0]==sender.address[0]: self._reader.clock.report(report)
+
+# %% ../../nbs/api/video/03_receivers.ipynb #a61cce50
+def listen_host(place, # From `urlsplit`
+            )->str:
+    "The address of a split URL; `@` and nothing are all of ours, as VLC writes them"
+    return place.netloc.rpartition('@')[2] and host_in(place)
+
+# %% ../../nbs/api/video/03_receivers.ipynb #91458a68
+@patch
+def _try(self:Receiver, family, kind, protocol, _, address):
+    "A connection to one address; raises `OSError`"
+    sock = socket.socket(family, kind, protocol)
+    try:
+        sock.setblocking(False)
+        error = sock.connect_ex(address)
+        if error in (errno.EINPROGRESS, errno.EWOULDBLOCK):
+            self._wait({sock:selectors.EVENT_WRITE})
+            error = sock.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR)
+        if error: raise OSError(error, os.strerror(error))
+    except BaseException:
+        sock.close()
+        raise
+    return sock
+
+# %% ../../nbs/api/video/03_receivers.ipynb #39fabf13
+@patch
+def _connect(self:Receiver, host:str, port:int):
+    "A TCP connection; raises `OSError` that says why not"
+    for place in socket.getaddrinfo(host, port, type=socket.SOCK_STREAM):
+        try: return self._try(*place)
+        except OSError as e: problem = e            # perhaps another address is better
+    raise problem
+
+# %% ../../nbs/api/video/03_receivers.ipynb #da0560bb
+def _listen(host:str, port:int, blocking:bool=False):
+    "Listen for datagrams; raises `OSError` when the port is taken"
+    family,_,_,_,address = socket.getaddrinfo(host or '0.0.0.0', port, type=socket.SOCK_DGRAM)[0]
+    sock = socket.socket(family, socket.SOCK_DGRAM)
+    try:
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1<<20)
+        sock.setblocking(blocking)
+        if family==socket.AF_INET6: sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 0)
+        _bind(sock, family, address)
+    except BaseException:
+        sock.close()
+        raise
+    return sock
+
+# %% ../../nbs/api/video/03_receivers.ipynb #78db5ab8
+def _bind(sock, family, address:tuple):
+    "To the address, to all of ours when it is not one of them, or to a multicast group, of which it becomes a member"
+    host,port = address[:2]
+    if is_group(host):
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        sock.bind(('', port))
+        group = socket.inet_pton(family, host.partition('%')[0])+bytes(4)
+        if family==socket.AF_INET6: return sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_JOIN_GROUP, group)
+        return sock.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, group)
+    try: sock.bind(address)
+    except OSError as e:
+        if e.errno!=errno.EADDRNOTAVAIL: raise
+        sock.bind(('', port))
+
+# %% ../../nbs/api/video/03_receivers.ipynb #4ed9e295
+def _listen_pair(host:str, port:int=0, blocking:bool=False)->list:
+    "Sockets for RTP and, if possible, for RTCP, on the port after it; raises `OSError`"
+    for _ in range(50):
+        sock = _listen(host, port, blocking)
+        first = sock.getsockname()[1]
+        try:
+            if port or first%2==0: return [sock,_listen(host, first+1, blocking)]
+        except OSError:
+            if port: return [sock]
+        sock.close()
+    raise OSError('no two neighbouring UDP ports are free')
+
+# %% ../../nbs/api/video/03_receivers.ipynb #325e7303
+@dataclass
+class _Media:
+    "An SDP's video description"
+    codec:str # One of `UAV.video.units.codecs`
+    payload_type:int|None # Of the RTP packets; `None` is any
+    host:str='' # Where the packets come to
+    port:int=0 # UDP
+    headers:bytes=b'' # The parameter sets, as a byte stream
+    control:str='' # Its URL for RTSP, often relative
+    session_control:str='' # The URL of all of it
+
+# %% ../../nbs/api/video/03_receivers.ipynb #b72d834a
+def _parameter_sets(fmtp)->bytes:
+    "The `sprop-…` of RFC 6184 and RFC 7798, as a byte stream"
+    said = dict(re.findall(r'sprop-(parameter-sets|vps|sps|pps) *= *"?([^;\s"]+)', fmtp))
+    texts = ','.join(said[name] for name in ('parameter-sets','vps','sps','pps') if name in said)
+    return byte_stream(filter(None, map(_decoded, texts.split(','))))
+
+def _decoded(text:str)->bytes:
+    "The bytes of a base64, with its padding or without; none when it's invalid"
+    text = text.rstrip('=')
+    try: return b64decode(text+'='*(-len(text)%4), validate=True)
+    except ValueError: return b''
+
+# %% ../../nbs/api/video/03_receivers.ipynb #378912fa
+def _find(pattern:str, text:str, default='')->str:
+    "Return the pattern's group"
+    found = re.search(pattern, text, re.M|re.I)
+    return found[1].strip() if found else default
+
+# %% ../../nbs/api/video/03_receivers.ipynb #f89b283e
+def _read_sdp(text:str)->_Media:
+    "The first H.264 or H.265 video of an SDP; raises `ValueError` when it has none"
+    session,*sections = re.split(r'^(?=m=)', re.sub(r'\r\n?', '\n', text), flags=re.M)
+    for section in sections:
+        found = re.search(r'^a=rtpmap: *(\d+) +(H264|H265)(?:/90000|\s*$)', section, re.M|re.I)
+        if not section.startswith('m=video') or not found: continue
+        fmtp = _find(rf'^a=fmtp: *{found[1]} +(.*)', section)
+        host = _find(r'^c=IN IP[46] ([^/\s]+)', section) or _find(r'^c=IN IP[46] ([^/\s]+)', session)
+        return _Media(found[2].lower(), int(found[1]), host, int(_find(r'^m=video (\d+)', section, 0)),
+            _parameter_sets(fmtp), _find(r'^a=control:(.*)', section), _find(r'^a=control:(.*)', session))
+    raise ValueError('the SDP has no H.264 or H.265 video')
+
+# %% ../../nbs/api/video/03_receivers.ipynb #2f4331ab
+def _rtp_media(url:str)->_Media:
+    "Parse `rtp://HOST:PORT?codec=h265`; raises `ValueError` for an unknown codec"
+    place = urlsplit(url)
+    codec = _find(r'codec=(\w+)', place.query, 'h264').lower()
+    if codec not in codecs: raise ValueError(f'codec is one of {codecs}, not {codec!r}')
+    return _Media(codec, None, listen_host(place), place.port or 0)
 
 # %% ../../nbs/api/video/03_receivers.ipynb #9d2f61c8
 class _SenderTimes:
@@ -46,7 +276,7 @@ class _SenderTimes:
 
 # %% ../../nbs/api/video/03_receivers.ipynb #974a59c6
 class _UnitMaker:
-    "Makes access units of the bytes of pictures, from the first key picture on"
+    "Makes access units of the bytes of pictures, from the first key frame on"
     most = 16<<20               # bytes of one picture; a larger one is lost
     def __init__(self, codec:str='h264', headers:bytes=b'', bits:int=32): # Of a time stamp
         store_attr()
@@ -72,7 +302,7 @@ class _UnitMaker:
         return [AccessUnit(data, key, time, taken or clock.time(), self.number-1, form, self._decode_times(time))]
 
     def _keep_sets(self, nals:list, kinds:set):
-        "Remember the parameter sets that came, for key pictures without them; of a kind that didn't come, those before"
+        "Remember the parameter sets that came, for key frames without them; of a kind that didn't come, those before"
         if not kinds & _sps[self.codec]: return
         def kind(nal): return _nal_type(nal, self.codec)
         before = [nal for nal in nal_units(self.headers) if kind(nal) not in kinds]
@@ -185,7 +415,7 @@ class RTPReader:
     "RTP packets in, access units out"
     patience = 1.           # s that a sender is silent before one that it replaced is read again
     lost = property(lambda self: self._make.lost, doc="How many pictures came in part only")
-    begun = property(lambda self: self._make.begun, doc="True if there was a key picture")
+    begun = property(lambda self: self._make.begun, doc="True if there was a key frame")
     def __init__(self, codec:str='h264', # One of `UAV.video.units.codecs`
                  headers:bytes=b'', # Parameter sets, when the description of the stream has them
                  payload_type:int|None=None): # Only these packets; `None` takes all
@@ -196,7 +426,7 @@ class RTPReader:
         self._whole = True                                      # `None`: it was too large, and is counted already
         self._marked,self._sliced = False,False     # had the last packet the mark; has the picture a slice?
         self.trust = None                           # does the mark end a picture? `None`: nobody knows yet
-        self._source,self._heard,self._left = None,0.,set()     # SSRC, last heard when (monotonic s), and those before
+        self._source,self._received,self._left = None,0.,set()     # SSRC, its last packet (monotonic s), and those before
 
     def __call__(self, packet:bytes)->list:
         "The access units that this packet completes"
@@ -211,14 +441,14 @@ def _is_ours(self:RTPReader, source:bytes)->bool:
     "Whether we read this sender (SSRC): the newest, unless it had its turn and another one sends now"
     now = clock.monotonic()
     if source!=self._source:
-        if source in self._left and now-self._heard<self.patience: return False
+        if source in self._left and now-self._received<self.patience: return False
         if len(self._left)>16: self._left.clear()
         if self._source:
             self._left.add(self._source)
             self._reorder,self._last = _Reorder(),None
         self._left.discard(source)
         self._source = source
-    self._heard = now
+    self._received = now
     return True
 
 # %% ../../nbs/api/video/03_receivers.ipynb #d5a91b0e
@@ -324,7 +554,7 @@ def _is_packet(data:bytes, n:int)->bool:
 class _TSReader:
     "The bytes of an MPEG transport stream in, access units out"
     lost = property(lambda self: self._make.lost if self._make else 0, doc="How many pictures came in part only")
-    begun = property(lambda self: bool(self._make and self._make.begun), doc="True if there was a key picture")
+    begun = property(lambda self: bool(self._make and self._make.begun), doc="True if there was a key frame")
     def __init__(self):
         self.programs,self.pid,self._make = None,None,None      # PID of the program map, and of the video
         self._rest,self._pes,self._size = b'',None,None         # bytes of a packet not yet complete; the picture so far
@@ -393,252 +623,22 @@ def _complete(self:_TSReader)->list:
     data,self._pes = bytes(self._pes or b''),None
     return self._make(data[9+data[8]:], stamp=_pes_stamp(data)) if len(data)>9 else []
 
-# %% ../../nbs/api/video/03_receivers.ipynb #a3bf5f35
-class _Stopped(Exception): "The receiver was told to stop"
-
-# %% ../../nbs/api/video/03_receivers.ipynb #7b3c819d
-class Receiver(Closes):
-    "Reads access units from the network; `stop`, called from any thread, ends it at once"
-    connects,port,_socks = True,None,()         # False: it only listens; the UDP port and sockets for that
-    patience = 5.                               # s of packets, and not one picture, that are a fault
-    def __init__(self, url:str, # Where the stream is
-                 timeout:float=5.): # s that it may be silent
-        if not 0<timeout<float('inf'): raise ValueError(f'timeout is some seconds, not {timeout}')
-        store_attr()
-        self._reader,self._stopped,self._process = None,False,os.getpid()
-        self.tell,self._vain = (lambda problem: None),None      # called with a fault; since when data are in vain
-        self._inside,self._outside = socket.socketpair()
-        self._selector = selectors.DefaultSelector()
-        self._selector.register(self._inside, selectors.EVENT_READ)
-
-    def close(self):
-        "Let go of all sockets; not while another thread reads"
-        self._selector.close()
-        for sock in (self._inside,self._outside,*self._socks): sock.close()
-
-    lost = property(lambda self: self._reader.lost if self._reader else 0, doc="How many pictures came in part only")
-
-    def stop(self):
-        "End what waits, now and later"
-        self._stopped = True
-        if os.getpid()!=self._process: return   # a forked one, and the pipe is the parent's
-        try: self._outside.send(b'.')
-        except OSError: pass                    # it is closed already
-
-    def _wait(self, socks:dict, until:float|None=None)->list:
-        "Those of `{socket: selectors.EVENT_…}` that are ready by then, monotonic s; raises `_Stopped`, `TimeoutError`"
-        for sock,event in socks.items(): self._selector.register(sock, event)
-        try: ready = self._selector.select(self.timeout if until is None else max(0, until-clock.monotonic()))
-        finally:
-            for sock in socks: self._selector.unregister(sock)
-        if self._stopped: raise _Stopped
-        if not ready: raise TimeoutError(f'silent for {self.timeout:g} s')
-        return [key.fileobj for key,_ in ready]
-
-    def _receive(self, sock, until:float|None=None)->bytes:
-        "Read more, by then (monotonic s) or within `timeout`; empty at the end of a TCP connection"
-        self._wait({sock:selectors.EVENT_READ}, until)
-        return sock.recv(1<<16)
-
-# %% ../../nbs/api/video/03_receivers.ipynb #3a0e5f51
-@patch
-def _read(self:Receiver, data:bytes)->list:
-    "The access units that the reader makes of `data`; tells when there are none for too long, once"
-    units,now = self._reader(data),clock.monotonic()
-    if units: self._vain = None
-    elif self._vain is None: self._vain = now
-    elif now-self._vain>self.patience:
-        self._vain = float('inf')
-        self.tell(f'no {"picture" if self._reader.begun else "key frame"} for {self.patience:g} s')
-    return units
-
-# %% ../../nbs/api/video/03_receivers.ipynb #91458a68
-@patch
-def _try(self:Receiver, family, kind, protocol, _, address):
-    "A connection to one address; raises `OSError`"
-    sock = socket.socket(family, kind, protocol)
-    try:
-        sock.setblocking(False)
-        error = sock.connect_ex(address)
-        if error in (errno.EINPROGRESS, errno.EWOULDBLOCK):
-            self._wait({sock:selectors.EVENT_WRITE})
-            error = sock.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR)
-        if error: raise OSError(error, os.strerror(error))
-    except BaseException:
-        sock.close()
-        raise
-    return sock
-
-# %% ../../nbs/api/video/03_receivers.ipynb #39fabf13
-@patch
-def _connect(self:Receiver, host:str, port:int):
-    "A TCP connection; raises `OSError` that says why not"
-    for place in socket.getaddrinfo(host, port, type=socket.SOCK_STREAM):
-        try: return self._try(*place)
-        except OSError as e: problem = e            # perhaps another address is better
-    raise problem
-
-# %% ../../nbs/api/video/03_receivers.ipynb #da0560bb
-def _listen(host:str, port:int, blocking:bool=False):
-    "Listen for datagrams; raises `OSError` when the port is taken"
-    family,_,_,_,address = socket.getaddrinfo(host or '0.0.0.0', port, type=socket.SOCK_DGRAM)[0]
-    sock = socket.socket(family, socket.SOCK_DGRAM)
-    try:
-        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1<<20)
-        sock.setblocking(blocking)
-        if family==socket.AF_INET6: sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 0)
-        _bind(sock, family, address)
-    except BaseException:
-        sock.close()
-        raise
-    return sock
-
-# %% ../../nbs/api/video/03_receivers.ipynb #78db5ab8
-def _bind(sock, family, address:tuple):
-    "To the address, to all of ours when it is not one of them, or to a multicast group, of which it becomes a member"
-    host,port = address[:2]
-    if is_group(host):
-        sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        sock.bind(('', port))
-        group = socket.inet_pton(family, host.partition('%')[0])+bytes(4)
-        if family==socket.AF_INET6: return sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_JOIN_GROUP, group)
-        return sock.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, group)
-    try: sock.bind(address)
-    except OSError as e:
-        if e.errno!=errno.EADDRNOTAVAIL: raise
-        sock.bind(('', port))
-
-# %% ../../nbs/api/video/03_receivers.ipynb #4ed9e295
-def _listen_pair(host:str, port:int=0, blocking:bool=False)->list:
-    "Sockets for RTP and, if possible, for RTCP, on the port after it; raises `OSError`"
-    for _ in range(50):
-        sock = _listen(host, port, blocking)
-        first = sock.getsockname()[1]
-        try:
-            if port or first%2==0: return [sock,_listen(host, first+1, blocking)]
-        except OSError:
-            if port: return [sock]
-        sock.close()
-    raise OSError('no two neighbouring UDP ports are free')
-
-# %% ../../nbs/api/video/03_receivers.ipynb #a61cce50
-def own_host(place, # From `urlsplit`
-            )->str:
-    "The address of a split URL; `@` and nothing are all of ours, as VLC writes them"
-    return place.netloc.rpartition('@')[2] and host_in(place)
-
 # %% ../../nbs/api/video/03_receivers.ipynb #4116b092
 def _has_packets(data:bytes)->bool:
     "Whether TS packets are in a datagram"
     return data[:1]==b'G' or any(data[n]==data[n+ts_size]==0x47 for n in range(min(ts_size, len(data)-ts_size)))
-
-# %% ../../nbs/api/video/03_receivers.ipynb #9e2d2dad
-class TSReceiver(Receiver):
-    "MPEG-TS, from `udp://HOST:PORT` (ours) or `tcp://HOST:PORT` (the server's)"
-    def __init__(self, url:str, # `udp://…` or `tcp://…`; port 0 is a free one
-                 timeout:float=5.): # s that it may be silent
-        place = urlsplit(url)
-        self._host,self.connects,self.port = own_host(place),place.scheme=='tcp',place.port or 0
-        if not self.connects:
-            self._socks = (_listen(self._host, self.port),)
-            self.port = self._socks[0].getsockname()[1]
-        super().__init__(url, timeout)
-
-    def units(self):
-        "Access units, until the stream ends; raises `OSError`"
-        self._reader,sender = _TSReader(),_OneSender(_has_packets)
-        while not self.connects:
-            self._wait(dict.fromkeys(self._socks, selectors.EVENT_READ))
-            yield from self._read(sender.receive(*self._socks))
-        with closing(self._connect(self._host, self.port)) as sock:
-            while data := self._receive(sock): yield from self._read(data)
-        raise ConnectionError('the server has closed the connection')
 
 # %% ../../nbs/api/video/03_receivers.ipynb #0a1c1e4b
 class _OneSender:
     "Of all who send to a UDP port, the first with data that `fits`, until it is silent"
     patience = 1.           # s
     def __init__(self, fits):
-        self.fits,self.address,self._heard = fits,None,-self.patience
+        self.fits,self.address,self._received = fits,None,-self.patience
 
     def receive(self, sock)->bytes:
         "Read a packet; empty when it's from another sender. Raises `OSError`"
         data,address = sock.recvfrom(1<<16)
         now = clock.monotonic()
-        if address!=self.address and (now-self._heard<self.patience or not self.fits(data)): return b''
-        self.address,self._heard = address,now
+        if address!=self.address and (now-self._received<self.patience or not self.fits(data)): return b''
+        self.address,self._received = address,now
         return data
-
-# %% ../../nbs/api/video/03_receivers.ipynb #325e7303
-@dataclass
-class _Media:
-    "An SDP's video description"
-    codec:str # One of `UAV.video.units.codecs`
-    payload_type:int|None # Of the RTP packets; `None` is any
-    host:str='' # Where the packets come to
-    port:int=0 # UDP
-    headers:bytes=b'' # The parameter sets, as a byte stream
-    control:str='' # Its URL for RTSP, often relative
-    session_control:str='' # The URL of all of it
-
-# %% ../../nbs/api/video/03_receivers.ipynb #b72d834a
-def _parameter_sets(fmtp)->bytes:
-    "The `sprop-…` of RFC 6184 and RFC 7798, as a byte stream"
-    said = dict(re.findall(r'sprop-(parameter-sets|vps|sps|pps) *= *"?([^;\s"]+)', fmtp))
-    texts = ','.join(said[name] for name in ('parameter-sets','vps','sps','pps') if name in said)
-    return byte_stream(filter(None, map(_decoded, texts.split(','))))
-
-def _decoded(text:str)->bytes:
-    "The bytes of a base64, with its padding or without; none when it's invalid"
-    text = text.rstrip('=')
-    try: return b64decode(text+'='*(-len(text)%4), validate=True)
-    except ValueError: return b''
-
-# %% ../../nbs/api/video/03_receivers.ipynb #378912fa
-def _find(pattern:str, text:str, default='')->str:
-    "Return the pattern's group"
-    found = re.search(pattern, text, re.M|re.I)
-    return found[1].strip() if found else default
-
-# %% ../../nbs/api/video/03_receivers.ipynb #f89b283e
-def _read_sdp(text:str)->_Media:
-    "The first H.264 or H.265 video of an SDP; raises `ValueError` when it has none"
-    session,*sections = re.split(r'^(?=m=)', re.sub(r'\r\n?', '\n', text), flags=re.M)
-    for section in sections:
-        found = re.search(r'^a=rtpmap: *(\d+) +(H264|H265)(?:/90000|\s*$)', section, re.M|re.I)
-        if not section.startswith('m=video') or not found: continue
-        fmtp = _find(rf'^a=fmtp: *{found[1]} +(.*)', section)
-        host = _find(r'^c=IN IP[46] ([^/\s]+)', section) or _find(r'^c=IN IP[46] ([^/\s]+)', session)
-        return _Media(found[2].lower(), int(found[1]), host, int(_find(r'^m=video (\d+)', section, 0)),
-            _parameter_sets(fmtp), _find(r'^a=control:(.*)', section), _find(r'^a=control:(.*)', session))
-    raise ValueError('the SDP has no H.264 or H.265 video')
-
-# %% ../../nbs/api/video/03_receivers.ipynb #2f4331ab
-def _rtp_media(url:str)->_Media:
-    "Parse `rtp://HOST:PORT?codec=h265`; raises `ValueError` for an unknown codec"
-    place = urlsplit(url)
-    codec = _find(r'codec=(\w+)', place.query, 'h264').lower()
-    if codec not in codecs: raise ValueError(f'codec is one of {codecs}, not {codec!r}')
-    return _Media(codec, None, own_host(place), place.port or 0)
-
-# %% ../../nbs/api/video/03_receivers.ipynb #73e59758
-class RTPReceiver(Receiver):
-    "RTP over UDP, from an SDP file, or from `rtp://HOST:PORT` (ours; `?codec=h265` when it is not H.264)"
-    connects = False
-    def __init__(self, url:str, # Path of an SDP file, or `rtp://…`
-                 timeout:float=5.): # s that it may be silent
-        self.media = _rtp_media(str(url)) if str(url).startswith('rtp://') else _read_sdp(Path(url).read_text())
-        self._socks = _listen_pair(self.media.host, self.media.port)
-        self.port = self._socks[0].getsockname()[1]
-        super().__init__(url, timeout)
-
-    def units(self):
-        "Access units, until the stream is silent; raises `OSError`"
-        media,sender = self.media,_OneSender(_rtp_parts)
-        self._reader = RTPReader(media.codec, media.headers, media.payload_type)
-        while True:
-            for sock in self._wait(dict.fromkeys(self._socks, selectors.EVENT_READ)):
-                if sock is self._socks[0]: yield from self._read(sender.receive(sock))
-                else:
-                    report,address = sock.recvfrom(1<<16)           # from a port of its own
-                    if sender.address and address[0]==sender.address[0]: self._reader.clock.report(report)

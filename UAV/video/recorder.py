@@ -19,6 +19,101 @@ from .units import AccessUnit, Sink, VideoFormat, clock_rate
 # %% auto #0
 __all__ = ['Recorder']
 
+# %% ../../nbs/api/video/06_recorder.ipynb #a8063a84
+class _DiskFull(OSError): "There is no room for more of a recording"
+
+# %% ../../nbs/api/video/06_recorder.ipynb #4ad854d9
+class Recorder(Sink):
+    "Writes access units to MP4 files that survive a crash"
+    most = 300          # units that may wait, because a memory card may take seconds
+    def __init__(self, name, # Function that gives the path of segment n, from 0
+                 segment:float=60., # s, then the next key frame begins a new file
+                 quota:float|None=None, # MiB that it may fill; `None` is the whole disk
+                 reserve:float=100., # MiB of the disk that stay free, for pictures
+                 on_end=None, # Called with the recorder when it ends by itself; `fault` says why
+                 interval:float=1.): # s between two looks at the disk, each of which waits until all is written
+        if not segment>0: raise ValueError(f'segment must be above 0 s, not {segment}')
+        super().__init__('recorder')
+        store_attr('segment,quota,reserve,on_end,interval')
+        self.videos,self._path_of,self._looked = [],name,0.     # `videos`: an `_MP4File` each segment
+        self._before_gap = None         # `dropped` before the gap that is not told yet
+
+    files = property(lambda self: [video.path for video in self.videos], doc="The paths of all segments")
+    bytes = property(lambda self: sum(video.bytes for video in self.videos), doc="What it takes on the disk")
+    seconds = property(lambda self: sum(video.seconds for video in self.videos), doc="How much is recorded")
+
+    def __repr__(self):
+        count = len(self.videos)
+        return f'Recorder, {count} file{"s"*(count!=1)}, {self.seconds:.1f} s, {self.bytes/1e3:.0f} kB'
+
+    def _check_room(self, folder:Path):
+        "Raises `_DiskFull` when the reserve would be touched"
+        free = shutil.disk_usage(folder).free/2**20
+        why = f'{free:.0f} MiB of the disk are free, and {self.reserve:g} MiB must stay'
+        if free<self.reserve: raise _DiskFull(why)
+
+    def _needs_file(self, unit:AccessUnit)->bool:
+        "Whether this key frame must begin a new file"
+        last = self.videos[-1] if self.videos else None
+        return not last or unit.time-last.began>=self.segment or _shape(unit.format)!=_shape(last.format)
+
+    def _drop(self):
+        "The disk is too slow: forget what waits, and remember that there is a gap"
+        if self._before_gap is None: self._before_gap = self.dropped
+        super()._drop()
+
+    def _tell_gap(self):
+        "Say how much is missing, if a gap has ended"
+        with self._changed: before,self._before_gap = self._before_gap,None
+        if before is None: return
+        get_logger('video').warning('%r: the disk was too slow, %d pictures are missing', self, self.dropped-before)
+
+# %% ../../nbs/api/video/06_recorder.ipynb #466859f7
+def _shape(format:VideoFormat)->tuple: return format.codec,format.width,format.height,format.headers     # one in a file
+
+# %% ../../nbs/api/video/06_recorder.ipynb #5bab8215
+@patch
+def _check(self:Recorder):
+    "Look at the disk, once in a while"
+    if clock.monotonic()-self._looked<self.interval: return
+    file = self.videos[-1].file
+    if not file.is_there(): raise FileNotFoundError(f'{file.path.name} was removed while it was written')
+    self._check_room(file.path.parent)
+    file.sync()
+    self._looked = clock.monotonic()
+
+# %% ../../nbs/api/video/06_recorder.ipynb #46793bb2
+def _plainly(error:OSError)->OSError:
+    "The error as we name it: a disk that is full is a `_DiskFull`"
+    return _DiskFull('the disk is full') if error.errno in (errno.ENOSPC,errno.EDQUOT) else error
+
+# %% ../../nbs/api/video/06_recorder.ipynb #5f2f4784
+@patch
+def send(self:Recorder, unit:AccessUnit):
+    "Write a picture; raises `OSError`, which ends the recording"
+    self._tell_gap()
+    try:
+        if unit.key and self._needs_file(unit):
+            if self.videos: self.videos[-1].close()
+            path = Path(self._path_of(len(self.videos)))
+            self._check_room(path.parent)
+            self.videos.append(_MP4File(path, unit))
+        self._check()
+        full = self.quota is not None and self.bytes+len(unit.data)>self.quota*2**20
+        if full: raise _DiskFull(f'the recording has filled its {self.quota:g} MiB')
+        self.videos[-1].write(unit)
+    except OSError as e: raise _plainly(e)
+
+# %% ../../nbs/api/video/06_recorder.ipynb #cb8f51b7
+@patch
+def end(self:Recorder):
+    "Close the file, and tell when the recording has ended by itself"
+    self._tell_gap()
+    try:
+        if self.videos: self.videos[-1].close()
+    except OSError as e: self._fail(_plainly(e))
+    if self.fault and self.on_end: self.on_end(self)
+
 # %% ../../nbs/api/video/06_recorder.ipynb #ab0579cf
 class _SafeFile:
     "A new file that only grows, made with its first bytes; what must be corrected in it is written last"
@@ -128,98 +223,3 @@ class _MP4File(Closes):
         except Exception:
             if not is_broken: raise     # else it was told
         finally: self.file.close()
-
-# %% ../../nbs/api/video/06_recorder.ipynb #a8063a84
-class _DiskFull(OSError): "There is no room for more of a recording"
-
-# %% ../../nbs/api/video/06_recorder.ipynb #4ad854d9
-class Recorder(Sink):
-    "Writes access units to MP4 files that survive a crash"
-    most = 300          # units that may wait, because a memory card may take seconds
-    def __init__(self, name, # Function that gives the path of segment n, from 0
-                 segment:float=60., # s, then the next key picture begins a new file
-                 quota:float|None=None, # MiB that it may fill; `None` is the whole disk
-                 reserve:float=100., # MiB of the disk that stay free, for pictures
-                 on_end=None, # Called with the recorder when it ends by itself; `fault` says why
-                 interval:float=1.): # s between two looks at the disk, each of which waits until all is written
-        if not segment>0: raise ValueError(f'segment must be above 0 s, not {segment}')
-        super().__init__('recorder')
-        store_attr('segment,quota,reserve,on_end,interval')
-        self.videos,self._path_of,self._looked = [],name,0.     # `videos`: an `_MP4File` each segment
-        self._before_gap = None         # `dropped` before the gap that is not told yet
-
-    files = property(lambda self: [video.path for video in self.videos], doc="The paths of all segments")
-    bytes = property(lambda self: sum(video.bytes for video in self.videos), doc="What it takes on the disk")
-    seconds = property(lambda self: sum(video.seconds for video in self.videos), doc="How much is recorded")
-
-    def __repr__(self):
-        count = len(self.videos)
-        return f'Recorder, {count} file{"s"*(count!=1)}, {self.seconds:.1f} s, {self.bytes/1e3:.0f} kB'
-
-    def _check_room(self, folder:Path):
-        "Raises `_DiskFull` when the reserve would be touched"
-        free = shutil.disk_usage(folder).free/2**20
-        why = f'{free:.0f} MiB of the disk are free, and {self.reserve:g} MiB must stay'
-        if free<self.reserve: raise _DiskFull(why)
-
-    def _needs_file(self, unit:AccessUnit)->bool:
-        "Whether this key picture must begin a new file"
-        last = self.videos[-1] if self.videos else None
-        return not last or unit.time-last.began>=self.segment or _shape(unit.format)!=_shape(last.format)
-
-    def _drop(self):
-        "The disk is too slow: forget what waits, and remember that there is a gap"
-        if self._before_gap is None: self._before_gap = self.dropped
-        super()._drop()
-
-    def _tell_gap(self):
-        "Say how much is missing, if a gap has ended"
-        with self._changed: before,self._before_gap = self._before_gap,None
-        if before is None: return
-        get_logger('video').warning('%r: the disk was too slow, %d pictures are missing', self, self.dropped-before)
-
-# %% ../../nbs/api/video/06_recorder.ipynb #466859f7
-def _shape(format:VideoFormat)->tuple: return format.codec,format.width,format.height,format.headers     # one in a file
-
-# %% ../../nbs/api/video/06_recorder.ipynb #5bab8215
-@patch
-def _check(self:Recorder):
-    "Look at the disk, once in a while"
-    if clock.monotonic()-self._looked<self.interval: return
-    file = self.videos[-1].file
-    if not file.is_there(): raise FileNotFoundError(f'{file.path.name} was removed while it was written')
-    self._check_room(file.path.parent)
-    file.sync()
-    self._looked = clock.monotonic()
-
-# %% ../../nbs/api/video/06_recorder.ipynb #46793bb2
-def _plainly(error:OSError)->OSError:
-    "The error as we name it: a disk that is full is a `_DiskFull`"
-    return _DiskFull('the disk is full') if error.errno in (errno.ENOSPC,errno.EDQUOT) else error
-
-# %% ../../nbs/api/video/06_recorder.ipynb #5f2f4784
-@patch
-def send(self:Recorder, unit:AccessUnit):
-    "Write a picture; raises `OSError`, which ends the recording"
-    self._tell_gap()
-    try:
-        if unit.key and self._needs_file(unit):
-            if self.videos: self.videos[-1].close()
-            path = Path(self._path_of(len(self.videos)))
-            self._check_room(path.parent)
-            self.videos.append(_MP4File(path, unit))
-        self._check()
-        full = self.quota is not None and self.bytes+len(unit.data)>self.quota*2**20
-        if full: raise _DiskFull(f'the recording has filled its {self.quota:g} MiB')
-        self.videos[-1].write(unit)
-    except OSError as e: raise _plainly(e)
-
-# %% ../../nbs/api/video/06_recorder.ipynb #cb8f51b7
-@patch
-def end(self:Recorder):
-    "Close the file, and tell when the recording has ended by itself"
-    self._tell_gap()
-    try:
-        if self.videos: self.videos[-1].close()
-    except OSError as e: self._fail(_plainly(e))
-    if self.fault and self.on_end: self.on_end(self)

@@ -6,6 +6,7 @@
 from __future__ import annotations
 from base64 import b64encode
 from dataclasses import dataclass, field
+from functools import partial
 from urllib.parse import quote, unquote, urlsplit
 from zlib import crc32
 import hashlib, hmac, random, re, secrets, socket, struct
@@ -255,9 +256,13 @@ class _Request:
         except ValueError as e: raise RTSPError(400) from e
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #ebcf25eb
+def _head_lines(head:bytes)->list:
+    "The first line and the headers of a request or answer; a header that goes on is one"
+    return re.split(r'\r?\n', re.sub(r'\r?\n[ \t]+', ' ', head.decode(errors='replace')))
+
 def _parse_head(head:bytes)->_Request:
     "The request that it begins; raises `RTSPError`"
-    first,*lines = re.split(r'\r?\n', re.sub(r'\r?\n[ \t]+', ' ', head.decode(errors='replace')))
+    first,*lines = _head_lines(head)
     match = re.fullmatch(r'([\w$!#-]+) (\S+) RTSP/(\d+\.\d+)', first)
     if not match: raise RTSPError(400)
     method,uri,version = match.groups()
@@ -271,13 +276,15 @@ def _parse_head(head:bytes)->_Request:
     return request
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #d96b2e31
+_inside = partial(struct.Struct('!cBH').pack, b'$')       # the four bytes before a packet: channel, size
+
 @dataclass
 class _Interleaved:
     "A packet inside the RTSP connection (RFC 2326, section 10.12)"
     channel:int # As agreed by SETUP
     data:bytes # RTP or RTCP
 
-    def __bytes__(self): return b'$'+bytes([self.channel])+len(self.data).to_bytes(2, 'big')+self.data
+    def __bytes__(self): return _inside(self.channel, len(self.data))+self.data
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #edf98f9d
 class _RequestReader:
@@ -369,7 +376,7 @@ class _Session:
     track = 'track1'        # a video has one stream, and this is its name
     def __init__(self, videos, digest:_Digest|None=None, ports:tuple=(0,0), timeout:float=60., wake=lambda path: None):
         store_attr()            # `videos`: a `VideoFormat` by path; `ports`: ours, for RTP and RTCP; `timeout`: s
-        self.nonce,self.heard = secrets.token_hex(16),0.        # `heard`: the last sign of life, monotonic s
+        self.nonce,self.last_seen = secrets.token_hex(16),0.        # `last_seen`: the last sign of life, monotonic s
         self._begin()
 
     def _begin(self):
@@ -378,7 +385,7 @@ class _Session:
 
     def overdue(self, now:float)->bool:
         "Whether the client has been silent longer than `timeout`, at `now` (monotonic s)"
-        return now-self.heard>self.timeout
+        return now-self.last_seen>self.timeout
 
     def _options(self, request:_Request)->_Response: return _Response(200, {'Public': ', '.join(_offered)})
 

@@ -14,7 +14,7 @@ from ..utils import clock
 from ..utils.threads import Closes
 from ..utils.sockets import _Guesses, url_host
 from .receivers import _listen_pair
-from .rtsp import _Digest, _Interleaved, _is_report, _Request, _RequestReader, _Response
+from .rtsp import _Digest, _inside, _is_report, _Request, _RequestReader, _Response
 from .rtsp import _RTPStream, RTSPError, _Session
 from .senders import listen_tcp, Loop, _Outbox, plain_host, _tune
 from .units import AccessUnit, Sink
@@ -25,9 +25,191 @@ __all__ = ['log', 'RTSPServer']
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #c4c5a536
 log = get_logger('video')
 
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #175b5d86
+class RTSPServer(Closes):
+    "Serves videos by RTSP; `with` closes it"
+    most,each,timeout = 32,8,60.    # connections at once, and from one address; s without a sign of life
+    def __init__(self, port:int=8554, # TCP; 0: any that is free
+                 host:str='', # Our own address or name; '': all that we have, IPv4 and IPv6
+                 user:str|None=None, # Who may watch; `None`: all who ask
+                 password:str|None=None): # Of that user
+        if password is not None and not user: raise ValueError('a password needs a user')
+        host = host.strip('[]')
+        self.host,self.digest = host,_Digest(user, password or '') if user else None
+        self.videos,self.connections,self.helpers = _Videos(),{},set()   # connections by socket; threads that describe
+        self.resting = {}           # `{path: function that starts its video}`
+        self.guesses = _Guesses()
+        self.listener = listen_tcp(host, port)          # raises `OSError`
+        host,self.port = self.listener.getsockname()[:2]
+        try: self.udp = _listen_pair(host, blocking=True)        # RTP for all players leaves by this pair
+        except OSError:
+            self.listener.close()
+            raise
+        self.udp_ports = tuple(sock.getsockname()[1] for sock in self.udp)
+        self.udp[1].setblocking(False)
+        self.loop = Loop(f'rtsp server {self.port}', tick=self._drop_lost)
+        self.loop.serve(self.listener, self._admit)
+        self.loop.call(lambda: self.loop.watch(self.udp[1], self._read_report))
+
+    def _make_room(self, connections:list, host:str|None=None):
+        "End the oldest of them that neither plays nor waits for a turn at `host`; first who agreed on nothing"
+        idle = [c for c in connections if c.session.state!='playing' and not (c.held and c.host==host)]
+        if idle: min(idle, key=lambda c: c.session.state!='init').close()
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #7ea8425f
+class _Videos(dict):
+    "Encoders by path; `videos[path]` is the format of one, as soon as that is known"
+    patience = 5.       # s
+    def __getitem__(self, path:str):
+        "Its `VideoFormat`; raises `RTSPError` (503) when that is not known in time"
+        encoder,format = self.get(path),None
+        try: format = encoder and encoder.wait_format(self.patience)
+        except Exception as e: log.warning('rtsp %s: %s', path, e)
+        if not format: raise RTSPError(503)
+        return format
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #c6f33185
+@patch
+def _crowd(self:RTSPServer, host:str)->list:
+    "The connections of which there are too many for one more from `host`: its own, or all; empty when there is a place"
+    every = list(self.connections.values())
+    same = [c for c in every if c.host==host]
+    return same if len(same)>=self.each else every if len(every)>=self.most else []
+
+@patch
+def _admit(self:RTSPServer, sock, address:tuple):
+    "A connection for a newcomer, if there is a place"
+    host = plain_host(address[0])
+    for connection in self._crowd(host): connection.ready(0)            # has it hung up?
+    self._make_room(self._crowd(host), host)
+    if self._crowd(host): return self._turn_away(sock)
+    try: _tune(sock)
+    except OSError: return sock.close()                         # it has gone already
+    self.connections[sock] = _Connection(self, sock, address)
+    self.connections[sock].watch()
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #c087461e
+@patch
+def _turn_away(self:RTSPServer, sock):
+    "All places are taken: 503"
+    with sock:
+        try: sock.send(bytes(_Response(503)))
+        except OSError as e: log.debug('rtsp server %d: %s', self.port, e)
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #9f14118c
+@patch
+def _drop_lost(self:RTSPServer):
+    "End what gives no sign of life, or has no encoder any more; send the answers that waited long enough"
+    for connection in sorted(self.connections.values(), key=lambda c: c.held or 0.):
+        connection.send_late(clock.monotonic())
+        if connection.held: connection._go_on()
+        session,viewer = connection.session,connection.viewer
+        if viewer: session.last_seen = max(session.last_seen, viewer.taken)
+        if session.overdue(clock.monotonic()): connection.close()
+        else: connection._check_viewer()
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #e662357e
+@patch
+def _read_report(self:RTSPServer, events:int):
+    "A report of a player over UDP: a sign of life"
+    try: data,address = self.udp[1].recvfrom(2048)
+    except OSError: return
+    for connection in self.connections.values():
+        viewer = connection.viewer
+        if isinstance(viewer, _UDPViewer) and viewer.addresses[1]==address and _is_report(data):
+            connection.session.last_seen = clock.monotonic()
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #110b6971
+@patch
+def close(self:RTSPServer):
+    "End all, and leave nothing behind; may be called twice"
+    viewers = []
+    def end():
+        for connection in list(self.connections.values()):
+            if connection.viewer: viewers.append(connection.viewer)
+            connection.close()
+        for sock in (self.listener,*self.udp):
+            self.loop.forget(sock)
+            sock.close()
+    self.loop.ask(end)
+    self.loop.close()
+    for viewer in viewers: viewer.close()
+    for helper in list(self.helpers): helper.join(_Videos.patience)
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #0a339aff
+@patch
+def add(self:RTSPServer, path:str, # Behind `rtsp://host:port/`
+        encoder, # An `Encoder`
+       )->str:
+    "Offer a video, and give its URL; raises `ValueError` when there is one of this name"
+    path = path.strip('/')
+    if path in self.videos: raise ValueError(f'there is a video {path!r} already')
+    self.videos[path] = encoder
+    self.resting.pop(path, None)
+    return self.url(path)
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #382289a7
+@patch
+def url(self:RTSPServer, path:str, # Of a video
+        host:str|None=None, # Our address, as the player can reach it; `None`: where we listen, or this computer
+       )->str:
+    "The URL for players"
+    if not host: host = '127.0.0.1' if self.host in ('','0.0.0.0','::') else self.host
+    return f'rtsp://{url_host(host)}:{self.port}/{quote(path.strip("/"))}'
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #067a65ed
+@patch
+def hosts(self:RTSPServer, path:str|None=None, # Of a video; `None`: of all
+         )->list:
+    "The address of each player that plays it now"
+    playing = [c for c in list(self.connections.values()) if c.viewer]
+    return [c.host for c in playing if path in (None, c.session.path)]
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #d8ddd4c2
+@patch
+def viewers(self:RTSPServer, path:str|None=None, # Of a video; `None`: of all
+           )->int:
+    "How many players play it now"
+    return len(self.hosts(path and path.strip('/')))
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #726831fe
+@patch
+def send_away(self:RTSPServer, path:str, # Of a video
+              leaves=lambda host: True): # Which players: a function of their address
+    "End the sessions of a video"
+    path = path.strip('/')
+    def end():
+        for connection in list(self.connections.values()):
+            if connection.session.path==path and leaves(connection.host): connection.close()
+    self.loop.ask(end)
+
+@patch
+def remove(self:RTSPServer, path:str): # Of a video; others are ignored
+    "Offer it no more; its players see the end"
+    self.videos.pop(path.strip('/'), None)
+    self.resting.pop(path.strip('/'), None)
+    self.send_away(path)
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #31a681df
+@patch
+def rest(self:RTSPServer, path:str, # Of a video
+         start): # Called on a thread of its own when a player asks for the video: must `add` it again
+    "Send its players away, and offer it no more until one asks for it"
+    self.resting[path.strip('/')] = start       # first: a player that comes back at once finds it
+    self.videos.pop(path.strip('/'), None)
+    self.send_away(path)
+
+@patch
+def wake(self:RTSPServer, path:str):
+    "Start a video that rests; others are ignored"
+    start = self.resting.get(path)
+    try: start and start()
+    except Exception as e: log.warning('rtsp %s: %s', path, e)      # and it is not there: 404
+
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #950acff7
 class _Viewer(Sink):
     "Gives one player its pictures; a subclass has `deliver(packets, report)`"
+    taken = 0.          # when the player had taken all, monotonic s; by UDP that is not known
     def __init__(self, rtp:_RTPStream, name:str, on_end=lambda: None):
         super().__init__(name)
         self.rtp,self.end = rtp,on_end          # `end`: called on our thread when nothing more will come
@@ -65,16 +247,17 @@ class _UDPViewer(_Viewer):
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #1a0a1ee5
 class _InsideViewer(_Viewer):
     "Inside the RTSP connection"
-    def __init__(self, rtp, name, on_end, outbox:_Outbox, channels:tuple, alive=lambda now: None):
+    def __init__(self, rtp, name, on_end, outbox:_Outbox, channels:tuple):
         super().__init__(rtp, name, on_end)
-        store_attr('outbox,channels,alive')
+        store_attr('outbox,channels')
 
     def deliver(self, packets:list, report:bytes):
         "Send the packets of one picture and a report, and wait until the player has taken them"
-        data = [bytes(_Interleaved(self.channels[0], packet)) for packet in packets]
-        if report: data.append(bytes(_Interleaved(self.channels[1], report)))
+        first,second = self.channels
+        data = [part for packet in packets for part in (_inside(first, len(packet)), packet)]
+        if report: data += _inside(second, len(report)),report
         self.outbox.write(b''.join(data))
-        if self.outbox.wait_empty(): self.alive(clock.monotonic())
+        if self.outbox.wait_empty(): self.taken = clock.monotonic()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #d7d3af39
 class _Connection:
@@ -83,7 +266,7 @@ class _Connection:
     def __init__(self, server, sock, address:tuple):
         store_attr()
         self.session = _Session(server.videos, server.digest, server.udp_ports, server.timeout, server.wake)
-        self.session.heard = clock.monotonic()
+        self.session.last_seen = clock.monotonic()
         self.outbox = _Outbox(sock, full=lambda: server.loop.call(self.watch))
         self.reader,self.asked,self.busy = _RequestReader(),deque(),False        # busy: what was `asked` must wait
         self.viewer,self.refused,self.host = None,0,plain_host(address[0])      # how often the password was wrong
@@ -97,9 +280,8 @@ class _Connection:
         session,encoder = self.session,self.server.videos.get(self.session.path)
         if encoder is None: return self.close()             # removed just now
         def on_end(): self.server.loop.call(self._check_viewer)
-        def on_alive(now): session.heard = now
         way = session.transport
-        if way.tcp: self.viewer = _InsideViewer(session.rtp, repr(self), on_end, self.outbox, way.pair, on_alive)
+        if way.tcp: self.viewer = _InsideViewer(session.rtp, repr(self), on_end, self.outbox, way.pair)
         else:
             addresses = tuple((self.address[0], port, *self.address[2:]) for port in way.pair)
             self.viewer = _UDPViewer(session.rtp, repr(self), on_end, self.server.udp, addresses)
@@ -218,7 +400,7 @@ def _read(self:_Connection):
     if self.reader is None: return
     try:
         for item in self.reader.feed(data):
-            self.session.heard = clock.monotonic()               # also a report is a sign of life
+            self.session.last_seen = clock.monotonic()               # also a report is a sign of life
             if isinstance(item, _Request): self.asked.append(item)
             if len(self.asked)>20: raise RTSPError(503)
             self._go_on()
@@ -243,185 +425,3 @@ def ready(self:_Connection, events:int):
     except Exception as e:
         log.error('%r: %s', self, e, exc_info=e)
         self.close()
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #0f7dbf2f
-log = get_logger('video')
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #7ea8425f
-class _Videos(dict):
-    "Encoders by path; `videos[path]` is the format of one, as soon as that is known"
-    patience = 5.       # s
-    def __getitem__(self, path:str):
-        "Its `VideoFormat`; raises `RTSPError` (503) when that is not known in time"
-        encoder,format = self.get(path),None
-        try: format = encoder and encoder.wait_format(self.patience)
-        except Exception as e: log.warning('rtsp %s: %s', path, e)
-        if not format: raise RTSPError(503)
-        return format
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #175b5d86
-class RTSPServer(Closes):
-    "Serves videos by RTSP; `with` closes it"
-    most,each,timeout = 32,8,60.    # connections at once, and from one address; s without a sign of life
-    def __init__(self, port:int=8554, # TCP; 0: any that is free
-                 host:str='', # Our own address or name; '': all that we have, IPv4 and IPv6
-                 user:str|None=None, # Who may watch; `None`: all who ask
-                 password:str|None=None): # Of that user
-        if password is not None and not user: raise ValueError('a password needs a user')
-        host = host.strip('[]')
-        self.host,self.digest = host,_Digest(user, password or '') if user else None
-        self.videos,self.connections,self.helpers = _Videos(),{},set()   # connections by socket; threads that describe
-        self.resting = {}           # `{path: function that starts its video}`
-        self.guesses = _Guesses()
-        self.listener = listen_tcp(host, port)          # raises `OSError`
-        host,self.port = self.listener.getsockname()[:2]
-        try: self.udp = _listen_pair(host, blocking=True)        # RTP for all players leaves by this pair
-        except OSError:
-            self.listener.close()
-            raise
-        self.udp_ports = tuple(sock.getsockname()[1] for sock in self.udp)
-        self.udp[1].setblocking(False)
-        self.loop = Loop(f'rtsp server {self.port}', tick=self._drop_lost)
-        self.loop.serve(self.listener, self._admit)
-        self.loop.call(lambda: self.loop.watch(self.udp[1], self._hear))
-
-    def _make_room(self, connections:list, host:str|None=None):
-        "End the oldest of them that neither plays nor waits for a turn at `host`; first who agreed on nothing"
-        idle = [c for c in connections if c.session.state!='playing' and not (c.held and c.host==host)]
-        if idle: min(idle, key=lambda c: c.session.state!='init').close()
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #c6f33185
-@patch
-def _crowd(self:RTSPServer, host:str)->list:
-    "The connections of which there are too many for one more from `host`: its own, or all; empty when there is a place"
-    every = list(self.connections.values())
-    same = [c for c in every if c.host==host]
-    return same if len(same)>=self.each else every if len(every)>=self.most else []
-
-@patch
-def _admit(self:RTSPServer, sock, address:tuple):
-    "A connection for a newcomer, if there is a place"
-    host = plain_host(address[0])
-    for connection in self._crowd(host): connection.ready(0)            # has it hung up?
-    self._make_room(self._crowd(host), host)
-    if self._crowd(host): return self._turn_away(sock)
-    try: _tune(sock)
-    except OSError: return sock.close()                         # it has gone already
-    self.connections[sock] = _Connection(self, sock, address)
-    self.connections[sock].watch()
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #c087461e
-@patch
-def _turn_away(self:RTSPServer, sock):
-    "All places are taken: 503"
-    with sock:
-        try: sock.send(bytes(_Response(503)))
-        except OSError as e: log.debug('rtsp server %d: %s', self.port, e)
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #9f14118c
-@patch
-def _drop_lost(self:RTSPServer):
-    "End what gives no sign of life, or has no encoder any more; send the answers that waited long enough"
-    for connection in sorted(self.connections.values(), key=lambda c: c.held or 0.):
-        connection.send_late(clock.monotonic())
-        if connection.held: connection._go_on()
-        if connection.session.overdue(clock.monotonic()): connection.close()
-        else: connection._check_viewer()
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #e662357e
-@patch
-def _hear(self:RTSPServer, events:int):
-    "A report"
-    try: data,address = self.udp[1].recvfrom(2048)
-    except OSError: return
-    for connection in self.connections.values():
-        viewer = connection.viewer
-        if isinstance(viewer, _UDPViewer) and viewer.addresses[1]==address and _is_report(data):
-            connection.session.heard = clock.monotonic()
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #110b6971
-@patch
-def close(self:RTSPServer):
-    "End all, and leave nothing behind; may be called twice"
-    viewers = []
-    def end():
-        for connection in list(self.connections.values()):
-            if connection.viewer: viewers.append(connection.viewer)
-            connection.close()
-        for sock in (self.listener,*self.udp):
-            self.loop.forget(sock)
-            sock.close()
-    self.loop.ask(end)
-    self.loop.close()
-    for viewer in viewers: viewer.close()
-    for helper in list(self.helpers): helper.join(_Videos.patience)
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #0a339aff
-@patch
-def add(self:RTSPServer, path:str, # Behind `rtsp://host:port/`
-        encoder, # An `Encoder`
-       )->str:
-    "Offer a video, and give its URL; raises `ValueError` when there is one of this name"
-    path = path.strip('/')
-    if path in self.videos: raise ValueError(f'there is a video {path!r} already')
-    self.videos[path] = encoder
-    self.resting.pop(path, None)
-    return self.url(path)
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #382289a7
-@patch
-def url(self:RTSPServer, path:str, # Of a video
-        host:str|None=None, # Our address, as the player can reach it; `None`: where we listen, or this computer
-       )->str:
-    "The URL for players"
-    if not host: host = '127.0.0.1' if self.host in ('','0.0.0.0','::') else self.host
-    return f'rtsp://{url_host(host)}:{self.port}/{quote(path.strip("/"))}'
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #067a65ed
-@patch
-def hosts(self:RTSPServer, path:str|None=None, # Of a video; `None`: of all
-         )->list:
-    "The address of each player that plays it now"
-    playing = [c for c in list(self.connections.values()) if c.viewer]
-    return [c.host for c in playing if path in (None, c.session.path)]
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #d8ddd4c2
-@patch
-def viewers(self:RTSPServer, path:str|None=None, # Of a video; `None`: of all
-           )->int:
-    "How many players play it now"
-    return len(self.hosts(path and path.strip('/')))
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #726831fe
-@patch
-def send_away(self:RTSPServer, path:str, # Of a video
-              leaves=lambda host: True): # Which players: a function of their address
-    "End the sessions of a video"
-    path = path.strip('/')
-    def end():
-        for connection in list(self.connections.values()):
-            if connection.session.path==path and leaves(connection.host): connection.close()
-    self.loop.ask(end)
-
-@patch
-def remove(self:RTSPServer, path:str): # Of a video; others are ignored
-    "Offer it no more; its players see the end"
-    self.videos.pop(path.strip('/'), None)
-    self.resting.pop(path.strip('/'), None)
-    self.send_away(path)
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #31a681df
-@patch
-def rest(self:RTSPServer, path:str, # Of a video
-         start): # Called on a thread of its own when a player asks for the video: must `add` it again
-    "Send its players away, and offer it no more until one asks for it"
-    self.resting[path.strip('/')] = start       # first: a player that comes back at once finds it
-    self.videos.pop(path.strip('/'), None)
-    self.send_away(path)
-
-@patch
-def wake(self:RTSPServer, path:str):
-    "Start a video that rests; others are ignored"
-    start = self.resting.get(path)
-    try: start and start()
-    except Exception as e: log.warning('rtsp %s: %s', path, e)      # and it is not there: 404

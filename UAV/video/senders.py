@@ -26,53 +26,6 @@ _all_ = ['Loop', 'listen_tcp', 'plain_host']
 # %% ../../nbs/api/video/02_senders.ipynb #25d12e23
 log = get_logger('video')
 
-# %% ../../nbs/api/video/02_senders.ipynb #7b00dbfd
-class _Outbox:
-    "Data that the peer hasn't taken yet; `full` is called when something must wait"
-    most = 4<<20            # bytes that may wait; a player that leaves more is given up
-    waiting = property(lambda self: len(self._data), doc="How many bytes wait")
-    def __init__(self, sock, full=lambda: None):
-        store_attr()
-        self._data,self._changed,self.closed = bytearray(),clock.Condition(),False
-
-    def flush(self):
-        "Send what waits, as far as the socket takes it"
-        with self._changed:
-            try:
-                while self._data: del self._data[:self.sock.send(self._data)]
-            except BlockingIOError: pass
-            except OSError: self.close()
-            if len(self._data)>self.most: self.close()
-            self._changed.notify_all()
-
-    def close(self):
-        "Nothing goes out any more"
-        with self._changed:
-            self.closed = True
-            self._data.clear()
-            self._changed.notify_all()
-
-    def write(self, data:bytes):
-        "Send it, and keep what cannot be sent now"
-        with self._changed:
-            if self.closed: return
-            self._data += data
-            self.flush()
-        if self._data or self.closed: self.full()
-
-    def wait_empty(self)->bool:
-        "Wait until all is sent; false when the connection is closed instead"
-        with self._changed: self._changed.wait_for(lambda: not self._data or self.closed)
-        return not self.closed
-
-# %% ../../nbs/api/video/02_senders.ipynb #ff4b6916
-def _tune(sock):
-    "Small packets at once, little in the system's buffer, and no waiting; raises `OSError`"
-    sock.setblocking(False)
-    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-    if hasattr(socket, 'TCP_NOTSENT_LOWAT'): sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NOTSENT_LOWAT, 128<<10)
-    else: sock.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 256<<10)
-
 # %% ../../nbs/api/video/02_senders.ipynb #f08e5844
 def is_group(host:str, # An address, or a name
             )->bool:
@@ -126,7 +79,7 @@ def send_datagram(self:UDPSink, data:bytes, # For the other side
 
 # %% ../../nbs/api/video/02_senders.ipynb #64d5c226
 def _add_video(container, unit:AccessUnit):
-    "PyAV's stream for units like this key picture, which go into it as they are; raises `av.FFmpegError`"
+    "PyAV's stream for units like this key frame, which go into it as they are; raises `av.FFmpegError`"
     demuxer = 'hevc' if unit.format.codec=='h265' else unit.format.codec
     with av.open(io.BytesIO(unit.data), format=demuxer) as probe:
         stream = container.add_stream_from_template(probe.streams.video[0])
@@ -176,7 +129,7 @@ class TSMuxer:
 
     def mux(self, unit:AccessUnit, # The next picture
            )->bytes:
-        "Its packets, 188 bytes each; empty before the first key picture"
+        "Its packets, 188 bytes each; empty before the first key frame"
         if unit.key and unit.format.codec!=self.codec: self._open(unit)
         if self._stream is None: return b''
         self._container.mux(_as_packet(unit, self._stream, *self._ticks(unit)))
@@ -306,3 +259,50 @@ def close(self:TSServer):
     self._loop.close()
     self.listener.close()
     self.send_away()
+
+# %% ../../nbs/api/video/02_senders.ipynb #7b00dbfd
+class _Outbox:
+    "Data that the peer hasn't taken yet; `full` is called when something must wait"
+    most = 4<<20            # bytes that may wait; a player that leaves more is given up
+    waiting = property(lambda self: len(self._data), doc="How many bytes wait")
+    def __init__(self, sock, full=lambda: None):
+        store_attr()
+        self._data,self._changed,self.closed = bytearray(),clock.Condition(),False
+
+    def flush(self):
+        "Send what waits, as far as the socket takes it"
+        with self._changed:
+            try:
+                while self._data: del self._data[:self.sock.send(self._data)]
+            except BlockingIOError: pass
+            except OSError: self.close()
+            if len(self._data)>self.most: self.close()
+            self._changed.notify_all()
+
+    def close(self):
+        "Nothing goes out any more"
+        with self._changed:
+            self.closed = True
+            self._data.clear()
+            self._changed.notify_all()
+
+    def write(self, data:bytes):
+        "Send it, and keep what cannot be sent now"
+        with self._changed:
+            if self.closed: return
+            self._data += data
+            self.flush()
+        if self._data or self.closed: self.full()
+
+    def wait_empty(self)->bool:
+        "Wait until all is sent; false when the connection is closed instead"
+        with self._changed: self._changed.wait_for(lambda: not self._data or self.closed)
+        return not self.closed
+
+# %% ../../nbs/api/video/02_senders.ipynb #ff4b6916
+def _tune(sock):
+    "Small packets at once, little in the system's buffer, and no waiting; raises `OSError`"
+    sock.setblocking(False)
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    if hasattr(socket, 'TCP_NOTSENT_LOWAT'): sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NOTSENT_LOWAT, 128<<10)
+    else: sock.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 256<<10)

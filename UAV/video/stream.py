@@ -24,47 +24,6 @@ default_ports = dict(rtsp=8554, rtp=5600, mpegts=5610, tcp=5620)
 
 senders = dict(rtp=RTPSender, mpegts=TSSender)
 
-# %% ../../nbs/api/video/07_stream.ipynb #d12a38c7
-_servers,_servers_lock = {},clock.Lock()        # `{(host, port): [server, how many use it]}`
-
-# %% ../../nbs/api/video/07_stream.ipynb #5f66b242
-def _rtsp_server(host:str='', port:int=8554)->RTSPServer:
-    "The server of this process at that port, or one of its own (0); `_let_go` gives it back; raises `OSError`"
-    with _servers_lock:
-        if (host,port) not in _servers: _servers[host,port] = [RTSPServer(port, host), 0]
-        _servers[host,port][1] += 1
-        return _servers[host,port][0] if port else _servers.pop((host,port))[0]
-
-# %% ../../nbs/api/video/07_stream.ipynb #ffba49f2
-def _let_go(server:RTSPServer):
-    "Close the server, unless others use it"
-    with _servers_lock:
-        key,entry = next(((k,e) for k,e in _servers.items() if e[0] is server), (None,[server,1]))
-        entry[1] -= 1
-        if entry[1]: return
-        _servers.pop(key, None)
-    server.close()
-
-# %% ../../nbs/api/video/07_stream.ipynb #3660650c
-@in_child
-def _after_fork():
-    "In a forked process: no server is ours"
-    global _servers_lock
-    _servers.clear()
-    _servers_lock = clock.Lock()        # a thread that is not here may have held it
-
-# %% ../../nbs/api/video/07_stream.ipynb #ce98a247
-def _port(kind:str, port:int|None)->int:
-    "Where it sends to, or listens; raises `ValueError`"
-    if port is None: return default_ports[kind]
-    if port in range(kind in senders, 1<<16): return port           # only a server may have a free one, 0
-    raise ValueError(f'{port} is no port for {kind!r}')
-
-# %% ../../nbs/api/video/07_stream.ipynb #493d3e90
-def _path_of(name:str, stream_id:int)->str:
-    "A path for this name, on an RTSP server"
-    return re.sub(r'[^a-z0-9]+', '_', name.lower()).strip('_') or f'stream_{stream_id}'
-
 # %% ../../nbs/api/video/07_stream.ipynb #4dc351ee
 class VideoStream(Closes):
     "An encoder and the way its pictures take"
@@ -107,6 +66,47 @@ class VideoStream(Closes):
                 self.path = path
                 return
         raise ValueError(f'the path {self.path} is taken, and a hundred more')
+
+# %% ../../nbs/api/video/07_stream.ipynb #ce98a247
+def _port(kind:str, port:int|None)->int:
+    "Where it sends to, or listens; raises `ValueError`"
+    if port is None: return default_ports[kind]
+    if port in range(kind in senders, 1<<16): return port           # only a server may have a free one, 0
+    raise ValueError(f'{port} is no port for {kind!r}')
+
+# %% ../../nbs/api/video/07_stream.ipynb #493d3e90
+def _path_of(name:str, stream_id:int)->str:
+    "A path for this name, on an RTSP server"
+    return re.sub(r'[^a-z0-9]+', '_', name.lower()).strip('_') or f'stream_{stream_id}'
+
+# %% ../../nbs/api/video/07_stream.ipynb #d12a38c7
+_servers,_servers_lock = {},clock.Lock()        # `{(host, port): [server, how many use it]}`
+
+# %% ../../nbs/api/video/07_stream.ipynb #5f66b242
+def _rtsp_server(host:str='', port:int=8554)->RTSPServer:
+    "The server of this process at that port, or one of its own (0); `_let_go` gives it back; raises `OSError`"
+    with _servers_lock:
+        if (host,port) not in _servers: _servers[host,port] = [RTSPServer(port, host), 0]
+        _servers[host,port][1] += 1
+        return _servers[host,port][0] if port else _servers.pop((host,port))[0]
+
+# %% ../../nbs/api/video/07_stream.ipynb #ffba49f2
+def _let_go(server:RTSPServer):
+    "Close the server, unless others use it"
+    with _servers_lock:
+        key,entry = next(((k,e) for k,e in _servers.items() if e[0] is server), (None,[server,1]))
+        entry[1] -= 1
+        if entry[1]: return
+        _servers.pop(key, None)
+    server.close()
+
+# %% ../../nbs/api/video/07_stream.ipynb #3660650c
+@in_child
+def _after_fork():
+    "In a forked process: no server is ours"
+    global _servers_lock
+    _servers.clear()
+    _servers_lock = clock.Lock()        # a thread that is not here may have held it
 
 # %% ../../nbs/api/video/07_stream.ipynb #81862daf
 @patch(as_prop=True)

@@ -52,7 +52,7 @@ class AccessUnit:
     format:VideoFormat=VideoFormat() # How it is encoded
     decode_time:float|None=None # When to decode it, monotonic s, if that isn't `time`: streams with B-frames
 
-    def __repr__(self): return f'{"key " if self.key else ""}picture {self.number}, {len(self.data)} bytes'
+    def __repr__(self): return f'{"key frame" if self.key else "picture"} {self.number}, {len(self.data)} bytes'
 
 # %% ../../nbs/api/video/00_units.ipynb #94b45db7
 def nal_units(data:bytes, # A byte stream
@@ -143,7 +143,7 @@ class Sink(Closes):
     most = 30           # units that may wait; more are too late
     patience = 5.       # s of units without a key frame to begin with that are a fault
     def __init__(self, name:str='sink'): # For its thread and its log lines
-        self.name,self.source = name,None           # `source`: the encoder, which is asked for a key picture
+        self.name,self.source = name,None           # `source`: the encoder, which is asked for a key frame
         self.dropped,self.fault = 0,None            # units that came too late; why it ended, or what it waits for
         self._missed,self._begun = None,False       # since when it waits for a key frame, monotonic s; had it one?
         self._queue,self._changed = deque(),clock.Condition()
@@ -159,7 +159,7 @@ class Sink(Closes):
     def end(self): "Called on the sink's thread when the last unit was sent"
 
     def _drop(self):
-        "Too slow: forget what waits, and ask for a key picture"
+        "Too slow: forget what waits, and ask for a key frame"
         self.dropped,self._needs_key = self.dropped+len(self._queue),True
         self._queue.clear()
         if source := self.source: source.key_frame()
@@ -314,7 +314,7 @@ class Codec:
                  format:VideoFormat): # What it shall make; `headers` are known after the first picture
         self.name,self.format = name,format
         self.wanted = format # As asked for: to compare with
-        self.key_time = None # When the frame of the last key picture came, monotonic s
+        self.key_time = None # When the frame of the last key frame came, monotonic s
         self._context,self._planes = _opened(name, format),_Planes(format.width, format.height)
         self._count,self._inside = 0,deque()            # pictures so far; what we know of those still in the encoder
 
@@ -322,7 +322,7 @@ class Codec:
 
     def encode(self, frame, # With `image`, `number` and `time_utc`
                time:float, # When it came, monotonic s
-               key:bool=False, # As a key picture?
+               key:bool=False, # As a key frame?
               )->list: # Access units
         "Encode a frame to one access unit; raises `av.FFmpegError` when the encoder fails"
         types = av.video.frame.PictureType
@@ -347,7 +347,7 @@ class Codec:
 # %% ../../nbs/api/video/00_units.ipynb #068a3747
 @lru_cache(maxsize=None)
 def _works(name:str)->bool:
-    "Does it turn pictures into H.264 or H.265 on this machine, and the fourth of six into a key picture? Tried once"
+    "Does it turn pictures into H.264 or H.265 on this machine, and the fourth of six into a key frame? Tried once"
     format = VideoFormat(next((c for c,names in _candidates.items() if name in names), 'h264'))
     black = SimpleNamespace(image=np.zeros((format.height,format.width,3), np.uint8), number=0, time_utc=0.)
     try:
