@@ -405,7 +405,8 @@ def _close_cameras():
 def _after_fork(self:Camera):
     "In a forked process: this camera is the parent's. Its locks are made anew: a thread may have held them"
     self._make_parts()
-    self.frames.closed = self.filming.closed = self.tracking.closed = True
+    self.frames.end(f'{self!r} is closed')
+    self.filming.closed = self.tracking.closed = True
     self.storages._after_fork()
     self.captures.refusal = CameraError,f'{self!r} is closed: it belongs to process {os.getppid()}'
     self._closing.set()

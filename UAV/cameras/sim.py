@@ -358,7 +358,7 @@ class SimDualCamera(SimCamera):
     def _after_fork(self):
         super()._after_fork()
         self.thermal_frames = Frames(_ThermalEye(self))
-        self.thermal_frames.closed = True
+        self.thermal_frames.end(f'{self!r} is closed')
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #e2e4c16c
 @patch
