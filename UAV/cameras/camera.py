@@ -9,7 +9,7 @@ from dataclasses import replace
 from inspect import getattr_static, signature
 from numbers import Real
 from pathlib import Path
-import atexit, math, os
+import atexit, math
 
 from fastcore.basics import patch
 from .exif import _OwnTags
@@ -30,7 +30,7 @@ from ..utils.pictures import as_bgr
 __all__ = ['mode_numbers', 'Camera', 'mode_parameter']
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #b6ebb124
-_cameras = Opened(lambda camera: camera._after_fork())       # all that are open
+_cameras = Opened()
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #aa440f3b
 def _whole(what, value, low, high):
@@ -117,18 +117,12 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
         self.storages = Storages(*(given or [Storage(folder, quota)]))
         self.log = get_logger(f'camera.{self.information.model}')
         self._event_callbacks,self._storage_status,self._begun = [],'ready',True
-        self._make_parts()
+        self._fault_now,self.captures = None,CaptureQueue(self)
+        self.frames,self.filming,self.tracking = Frames(self),Filming(self),Tracker(self)
+        self._state_lock,self._closing = clock.Lock(),clock.Event()
         _cameras.add(self)
 
     def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #e5968451
-@patch
-def _make_parts(self:Camera):
-    "Set up the parts"
-    self._fault_now,self.captures = None,CaptureQueue(self)
-    self.frames,self.filming,self.tracking = Frames(self),Filming(self),Tracker(self)
-    self._state_lock,self._closing = clock.Lock(),clock.Event()
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #43ea7393
 @patch
@@ -399,18 +393,6 @@ def _close_cameras():
     "Close every camera that is still open; waits for a device that hangs for its `patience` at most"
     for camera in _cameras: camera.image_stop_capture()
     for camera in _cameras: camera.close()
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #3e47a00f
-@patch
-def _after_fork(self:Camera):
-    "In a forked process: this camera is the parent's. Its locks are made anew: a thread may have held them"
-    self._make_parts()
-    self.frames.end(f'{self!r} is closed')
-    self.filming.closed = self.tracking.closed = True
-    self.storages._after_fork()
-    self.captures.refusal = CameraError,f'{self!r} is closed: it belongs to process {os.getppid()}'
-    self._closing.set()
-    self._fault_now = 'closed'
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #262355e7
 @patch

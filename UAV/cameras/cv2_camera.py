@@ -316,12 +316,10 @@ class CV2Camera(_LiveCamera):
     def close(self):
         "Stop the reader, and release the source; may be called twice"
         super().close()
-        if self._reader: self._stop_reader()        # a copy in a forked process has none
-
-    def _after_fork(self):
-        super()._after_fork()
-        self._reader,self._newest = None,NewestFrame()
+        timers.cancel(self._watch)
         self._newest.end(f'{self!r} is closed', forget=True)
+        ended = _has_ended(self._reader, self.open_timeout+self.read_timeout+1)         # a driver may hang
+        if not ended: self.log.error('%r does not let go of %s', self, _source_name(self.source))
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #52556ee6
 @patch
@@ -348,15 +346,6 @@ def _fit(self:CV2Camera, image):
     wanted = (self.width or round(width*(self.height or height)/height),        # one of them alone keeps the shape
               self.height or round(height*(self.width or width)/width))
     return image if wanted == (width,height) else cv2.resize(image, wanted, interpolation=cv2.INTER_AREA)
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #1d778b8a
-@patch
-def _stop_reader(self:CV2Camera):
-    "Wait for the reader, but not for ever"
-    timers.cancel(self._watch)
-    self._newest.end(f'{self!r} is closed', forget=True)
-    ended = _has_ended(self._reader, self.open_timeout+self.read_timeout+1)
-    if not ended: self.log.error('%r does not let go of %s', self, _source_name(self.source))
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #bb9dab1c
 @patch

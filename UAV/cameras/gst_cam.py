@@ -250,11 +250,6 @@ class GSTCamera(_LiveCamera):
         self.newest.end(f'{self!r} is closed', forget=True)
         if not self.keeper.close(self.close_timeout): self.log.error('%r does not let go of its source', self)
 
-    def _after_fork(self):
-        super()._after_fork()
-        self.newest,self.keeper = _AskedFrame(),_Keeper(self.line, self, self.information.model)
-        self.newest.end(f'{self!r} is closed', forget=True)
-
     _coded = property(lambda self: bool(self.encoder and not self.recipe.encoder),
         doc="Does the source itself give H.264 or H.265?")
 

@@ -76,7 +76,10 @@ class URLCamera(_LiveCamera):
         if _scheme(url) not in receivers: raise ValueError(f'{_source_name(url)}: write {", ".join(receivers)}://…')
         self.information = replace(self.information, vendor=vendor, model=model)
         super().__init__(folder, quota, storages=storages)
-        self._make_source()
+        self._newest,self._encoder = _AskedFrame(),_CodedSource('h264', model)
+        self._frames = _FrameSink(self._newest, model)
+        self._receiver,self._sets = None,None       # while it is connected; parameter sets of its video
+        self._problem,self._vain = None,None        # why no picture comes; since when none can be decoded, monotonic s
         if not wait: self._tell('no picture has come yet')
         self._thread = _begin_thread(self._run, f'url {model}')
         if not wait: return
@@ -84,13 +87,6 @@ class URLCamera(_LiveCamera):
         except BaseException:
             self.close()
             raise
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #e1e2d6ae
-@patch
-def _make_source(self:URLCamera):
-    model,self._newest = self.information.model,_AskedFrame()
-    self._encoder,self._frames = _CodedSource('h264', model),_FrameSink(self._newest, model)
-    self._thread,self._receiver,self._sets,self._problem,self._vain = None,None,None,None,None
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #411369ab
 @patch
@@ -102,13 +98,6 @@ def close(self:URLCamera):
     self._encoder.close()
     ended = _has_ended(self._thread, self.open_timeout)
     if not (self._frames.close() and ended): self.log.error('%r does not hang up', self)
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #c2bad6ef
-@patch
-def _after_fork(self:URLCamera):
-    _LiveCamera._after_fork(self)
-    self._make_source()
-    self._newest.end(f'{self!r} is closed', forget=True)
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #948c9ad5
 @patch

@@ -13,7 +13,7 @@ import atexit, os, re, selectors, socket
 from fastcore.basics import GetAttr, patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.general import _begin_thread, av, Closes, np
+from ..utils.general import _begin_thread, av, Closes, np, Opened
 from ..utils.pictures import contact_sheet, NewestFrame, pixel_limit, Thumbnail, _frame_turns, _turned
 from ..utils.sockets import host_in, plain_host
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
@@ -456,7 +456,7 @@ class Player(Closes):
         self._closing = clock.Event()
         if receiver := getattr(self._source, 'receiver', None): receiver.tell = self._note
         self._thread = _begin_thread(self._run, f'player {_url_name(url)}')
-        atexit.register(self.close)
+        _players.add(self)
 
     newest = property(lambda self: self._pictures.most is None, doc="Does it hand out only the newest picture?")
     sinks = property(lambda self: self._source.sinks,
@@ -474,7 +474,7 @@ class Player(Closes):
 
     def close(self):
         "Stop, within a second; may be called twice"
-        atexit.unregister(self.close)
+        _players.discard(self)
         self._closing.set()
         self._source.stop()
         self._pictures.end('closed', forget=True)
@@ -486,6 +486,14 @@ class Player(Closes):
 
     def __iter__(self):
         while (frame := self.read()) is not None: yield frame
+
+# %% ../../nbs/api/video/08_player.ipynb #cf513a9e
+_players = Opened()
+
+@atexit.register
+def _close_players():
+    "Close every player that is still open"
+    for player in _players: player.close()
 
 # %% ../../nbs/api/video/08_player.ipynb #aec379e9
 @patch
