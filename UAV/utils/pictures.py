@@ -162,11 +162,6 @@ class NewestFrame:
             try: future.get_loop().call_soon_threadsafe(lambda future=future: future.done() or future.set_result(None))
             except RuntimeError: pass                   # its event loop is closed
 
-    def wait_room(self):
-        "Wait until another frame has room, or it's over"
-        if self.most is None: return
-        with self.changed: self.changed.wait_for(lambda: len(self._queue)<self.most or self.over)
-
     def put(self, frame)->bool: # Its `number` is higher than the last one's
         "Replace the newest frame, once there's room; false when it's over. Only one thread puts"
         self.wait_room()
@@ -217,6 +212,12 @@ async def take_async(self:NewestFrame):
         await future
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #158fae30
+@patch
+def wait_room(self:NewestFrame):
+    "Wait until another frame has room, or it's over"
+    if self.most is None: return
+    with self.changed: self.changed.wait_for(lambda: len(self._queue)<self.most or self.over)
+
 @patch
 def _untaken(self:NewestFrame):
     "Return the frame to take next; `None` without one"
