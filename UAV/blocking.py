@@ -11,7 +11,7 @@ import asyncio, atexit, inspect
 
 import UAV
 from .logging import get_logger
-from .utils.threads import Opened
+from .utils.threads import Opened, ForkError
 from .utils.sockets import LoopClosed, LoopThread
 from .wire.dialect import LinkError
 from .utils.values import UAVError
@@ -22,12 +22,13 @@ __all__ = ['MAVCom', 'capture_together', 'ask_all', 'Blocking', 'BlockingMAVCom'
 # %% ../nbs/api/02_blocking.ipynb #6adb2304
 _in_a_loop = ("an event loop runs in this thread, and waiting would stop it: write `from UAV import MAVCom` and "
               "`await`, or call this in a thread of its own, with `asyncio.to_thread`")
-_gone = 'this MAVCom is closed, or was opened before the fork of this process: open another one'
+_gone = 'this MAVCom is closed: open another one'
 
 def _check(loop:LoopThread):
-    "Raise `RuntimeError` where an event loop runs, `LinkError` when ours doesn't"
+    "Raise `RuntimeError` where an event loop runs, `LinkError` when ours doesn't, `ForkError` in a forked process"
     if asyncio._get_running_loop() is not None: raise RuntimeError(_in_a_loop)
-    if loop.closed or loop.orphaned: raise LinkError(_gone)
+    if loop.orphaned: raise ForkError('this MAVCom was opened before the fork: open one after the fork')
+    if loop.closed: raise LinkError(_gone)
 
 # %% ../nbs/api/02_blocking.ipynb #dfc50d78
 def _wait(loop:LoopThread, start):
@@ -188,7 +189,7 @@ _all_ = ["MAVCom"]
 MAVCom = BlockingMAVCom      # the name that programs import
 
 # %% ../nbs/api/02_blocking.ipynb #49884f67
-_open = Opened(lambda com: None)        # a forked process has none
+_open = Opened()
 
 @atexit.register
 def _close_all():

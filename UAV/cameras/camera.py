@@ -9,7 +9,7 @@ from dataclasses import replace
 from inspect import getattr_static, signature
 from numbers import Real
 from pathlib import Path
-import atexit, math, os
+import atexit, math
 
 from fastcore.basics import patch
 from .exif import _OwnTags
@@ -32,58 +32,10 @@ from ..utils.pictures import as_bgr
 __all__ = ['mode_numbers', 'Camera', 'mode_parameter']
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #b6ebb124
-_cameras = Opened(lambda camera: camera._after_fork())       # all that are open
+_cameras = Opened()
 
-# %% ../../nbs/api/cameras/09_camera.ipynb #aa440f3b
-def _whole(what, value, low, high):
-    if inside(what, value, low, high)!=int(value): raise ValueError(f'{what} must be a whole number, not {value}')
-
-def _words(what, value):
-    fits = isinstance(value, (tuple,list)) and value and all(mode in ('image','video','image_survey') for mode in value)
-    if not fits: raise ValueError(f"{what} must be words in brackets, such as ('image','video'), not {value!r}")
-
-def _function(what, value):
-    if value is not None and not callable(value): raise ValueError(f'{what} must be a function or None, not {value!r}')
-
-def _angles(what, value):
-    if value is not None and not (isinstance(value, (tuple,list)) and len(value)==3):
-        raise ValueError(f'{what} must be None, or roll, pitch and yaw in degrees, not {value!r}')
-    for angle in value or (): inside(f'each angle of {what}', angle, -360, 360)
-
-def _described(what, value):
-    if not isinstance(value, CameraInformation):
-        raise ValueError(f"{what} must be a CameraInformation, such as CameraInformation(model='Mine'), not {value!r}")
-    texts = [name for name in ('vendor','model') if not isinstance(getattr(value, name), str)]
-    if texts: raise ValueError(f'{what}: {texts[0]} must be a text, not {getattr(value, texts[0])!r}')
-    numbers = 'focal_length','sensor_size_h','sensor_size_v','resolution_h','resolution_v','lens_id'
-    wrong = [name for name in numbers if not isinstance(getattr(value, name), Real)]
-    if wrong: raise ValueError(f'{what}: {wrong[0]} must be a number, not {getattr(value, wrong[0])!r}')
-
-def _has(*members):
-    "Return a check for `None` or an object that has these"
-    def check(what, value):
-        missing = [] if value is None else [name for name in members if not hasattr(value, name)]
-        if missing: raise ValueError(f'{what} must be None or have `{missing[0]}`, not {value!r}')
-    return check
-
-def _text(what, value):
-    if not isinstance(value, str): raise ValueError(f"{what} must be a text, such as 'image', not {value!r}")
-
-def _logger(what, value):
-    if value is not None and not hasattr(value, 'warning'): raise ValueError(f'{what} must be a logger, not {value!r}')
-
-_times = dict.fromkeys(('min_interval','patience','frame_rate'), lambda what, value: inside(what, value, 0, 1e6))
-_checks = _times | dict(jpeg_quality=lambda what, value: _whole(what, value, 0, 100), information=_described,
-    modes=_words, gimbal_device_id=lambda what, value: _whole(what, value, 0, 255), mounted=_angles, pose=_function,
-    velocity=_function, clock_error=lambda what, value: inside(what, value), lens=_has('focal_length'),
-    focus=_has('percent'), log=_logger, mode=_text)
-
-def _check_class(kind:type):
-    "Raise `ValueError` for an attribute of a camera's class that is not as it must be, `TypeError` for a taken name"
-    kind._check_names()
-    for name,check in _checks.items():
-        value = getattr_static(kind, name, None)
-        if not hasattr(value, '__get__') or callable(value): check(f'{kind.__name__}.{name}', value)
+mode_numbers = {'image':0, 'video':1, 'image_survey':2}
+_all_ = ['mode_numbers']
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #ded77811
 class Camera(KeepsNames, Closes, metaclass=CompleteLater):
@@ -112,25 +64,18 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
                  storages:list|None=None): # Several, in place of all three
         "Raises `StorageInUse` when another camera uses the folder or storage"
         _check_class(type(self))
-        given,used = list(storages or ([] if storage is None else [storage])),[s for c in _cameras for s in c.storages]
-        for one in given:           # it counts for one camera
-            no_class(one, 'storage')
-            if any(one is storage for storage in used): raise StorageInUse(f'{one!r} has a camera already')
-        self.storages = Storages(*(given or [Storage(folder, quota)]))
+        self.storages = _storages_of(folder, quota, storage, storages)
         self.log = get_logger(f'camera.{self.information.model}')
         self._event_callbacks,self._storage_status,self._begun = [],'ready',True
-        self._make_parts()
+        self._fault_now,self.captures = None,CaptureQueue(self)
+        self.frames,self.filming,self.tracking = Frames(self),Filming(self),Tracker(self)
+        self._state_lock,self._closing = clock.Lock(),clock.Event()
         _cameras.add(self)
 
     def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #e5968451
-@patch
-def _make_parts(self:Camera):
-    "Set up the parts"
-    self._fault_now,self.captures = None,CaptureQueue(self)
-    self.frames,self.filming,self.tracking = Frames(self),Filming(self),Tracker(self)
-    self._state_lock,self._closing = clock.Lock(),clock.Event()
+    def __setattr__(self, name, value):
+        if name in _checks: _check(name, name, value)
+        super().__setattr__(name, value)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #43ea7393
 @patch
@@ -143,6 +88,59 @@ def _complete(self:Camera):
         raise
     if 'CAM_MODE' in self.parameters: self.subscribe(self._follow_mode)
 
+# %% ../../nbs/api/cameras/09_camera.ipynb #bf99d417
+def _storages_of(folder, quota, storage, storages)->Storages:
+    "The storages of a new camera; raises `StorageInUse` when another one has one of them"
+    given = list(storages or ([] if storage is None else [storage]))
+    used = [storage for camera in _cameras for storage in camera.storages]
+    for one in given:
+        no_class(one, 'storage')
+        if any(one is storage for storage in used): raise StorageInUse(f'{one!r} has a camera already')
+    return Storages(*(given or [Storage(folder, quota)]))
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #aa440f3b
+def _is_number(value, low:float, high:float)->bool: return isinstance(value, Real) and low<=value<=high
+def _time(value)->bool: return _is_number(value, 0, 1e6)
+
+def _are_angles(value)->bool:
+    return isinstance(value, (tuple,list)) and len(value)==3 and all(_is_number(angle, -360, 360) for angle in value)
+
+def _describes(value)->bool:
+    if not isinstance(value, CameraInformation): return False
+    numbers = 'focal_length','sensor_size_h','sensor_size_v','resolution_h','resolution_v','lens_id'
+    texts = isinstance(value.vendor, str) and isinstance(value.model, str)
+    return texts and all(isinstance(getattr(value, name), Real) for name in numbers)
+
+_times = 'a number from 0 to 1e+06',_time
+_checks = dict(         # name: what its value must be, in words and as a function
+    min_interval=_times, patience=_times, frame_rate=_times,
+    jpeg_quality=('a whole number from 0 to 100', lambda value: value in range(101)),
+    gimbal_device_id=('a whole number from 0 to 255', lambda value: value in range(256)),
+    clock_error=('a number', lambda value: _is_number(value, -1e9, 1e9)),
+    information=("a CameraInformation of texts and numbers, such as CameraInformation(model='Mine')", _describes),
+    modes=("words in brackets, such as ('image','video')",
+           lambda value: isinstance(value, (tuple,list)) and value and all(mode in [*mode_numbers] for mode in value)),
+    mode=("a text, such as 'image'", lambda value: isinstance(value, str)),
+    mounted=('None, or roll, pitch and yaw in degrees', lambda value: value is None or _are_angles(value)),
+    pose=('a function or None', lambda value: value is None or callable(value)),
+    velocity=('a function or None', lambda value: value is None or callable(value)),
+    lens=('a Lens or None', lambda value: value is None or hasattr(value, 'focal_length')),
+    focus=('a Focus or None', lambda value: value is None or hasattr(value, 'percent')),
+    log=('a logger or None', lambda value: value is None or hasattr(value, 'warning')))
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #8bad12d3
+def _check(what:str, name:str, value):
+    "Raise `ValueError` unless `value` is right for an attribute"
+    words,is_right = _checks[name]
+    if not is_right(value): raise ValueError(f'{what} must be {words}, not {value!r}')
+
+def _check_class(kind:type):
+    "Raise `ValueError` for an attribute of a camera's class that isn't as it must be, `TypeError` for a taken name"
+    kind._check_names()
+    for name in _checks:
+        value = getattr_static(kind, name, None)
+        if not hasattr(value, '__get__') or callable(value): _check(f'{kind.__name__}.{name}', name, value)
+
 # %% ../../nbs/api/cameras/09_camera.ipynb #347a1d98
 @patch(as_prop=True)
 def fault(self:Camera)->str|None:
@@ -154,7 +152,6 @@ def pictures(self:Camera)->tuple:
     "All shots of the count, by index"
     return tuple(self.storages.pictures)
 
-# %% ../../nbs/api/cameras/09_camera.ipynb #075e38a8
 @patch(as_prop=True)
 def recording(self:Camera)->bool:
     "True while a video is being recorded"
@@ -197,15 +194,6 @@ def close(self:Camera):
 def read(self:Camera)->Frame:
     "Return the newest frame; written by subclasses"
     raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #8bad12d3
-def _set_checked(self:Camera, name:str, value):
-    "Set an attribute after checking its value"
-    if check := _checks.get(name): check(name, value)
-    else: self._check_name(name, value)
-    object.__setattr__(self, name, value)
-
-Camera.__setattr__ = _set_checked
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #ae963dfb
 @patch
@@ -402,17 +390,6 @@ def _close_cameras():
     for camera in _cameras: camera.image_stop_capture()
     for camera in _cameras: camera.close()
 
-# %% ../../nbs/api/cameras/09_camera.ipynb #3e47a00f
-@patch
-def _after_fork(self:Camera):
-    "In a forked process: this camera is the parent's. Its locks are made anew: a thread may have held them"
-    self._make_parts()
-    self.frames.closed = self.filming.closed = self.tracking.closed = True
-    self.storages._after_fork()
-    self.captures.refusal = CameraError,f'{self!r} is closed: it belongs to process {os.getppid()}'
-    self._closing.set()
-    self._fault_now = 'closed'
-
 # %% ../../nbs/api/cameras/09_camera.ipynb #262355e7
 @patch
 def add_stream(self:Camera,
@@ -471,9 +448,6 @@ def video_stop_capture(self:Camera, stream_id:int=0): # There is one recording: 
     self.filming.stop_recording()
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #35b34e7f
-mode_numbers = {'image':0, 'video':1, 'image_survey':2}
-_all_ = ['mode_numbers']
-
 def mode_parameter(
     *modes, # As in `Camera.modes`, the first one at first
 )->Parameter:

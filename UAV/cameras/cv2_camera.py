@@ -9,7 +9,6 @@ from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 import os, re
-
 from fastcore.basics import patch, store_attr
 from .camera import Camera
 from .parameters import Option, Parameter
@@ -17,51 +16,10 @@ from .values import *
 from ..utils import clock
 from ..utils.lazy import cv2
 from ..utils.threads import _begin_thread, _has_ended, timers
-from ..utils.pictures import _open_film
+from ..utils.pictures import _open_film, NewestFrame
 
 # %% auto #0
 __all__ = ['CV2Camera']
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #5c0a5701
-class _NewestFrame:
-    "The newest frame of a source, for all who wait for a later one"
-    def __init__(self):
-        self.frame,self.number,self.problem = None,0,None           # `problem`: why no frame will come any more
-        self.arrived,self.taken,self.fresh = clock.monotonic(),False,clock.Condition()
-
-    def put(self, image, time_utc:float|None=None):
-        "Replace the newest frame; `time_utc` (s since 1970) says when it was taken, `None`: now"
-        with self.fresh:
-            self.frame = Frame(image, self.number, time_utc or clock.time())
-            self.number,self.arrived,self.taken = self.number+1,clock.monotonic(),False
-            self.fresh.notify_all()
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #9bec75bc
-@patch
-def next(self:_NewestFrame, after:int, timeout:float, untaken:bool=False, fails=lambda: None)->Frame|None:
-    "Wait for a frame later than `after`; `None` on timeout or a reason of `fails()`; raises `CameraError` after `end`"
-    def is_there(): return self.frame is not None and self.frame.number>after and not (untaken and self.taken)
-    with self.fresh:
-        self.fresh.wait_for(lambda: is_there() or self.problem or fails(), timeout)
-        if self.problem: raise CameraError(self.problem)
-        if not is_there(): return None
-        self.taken = True
-        self.fresh.notify_all()
-        return self.frame
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #67f02e75
-@patch
-def end(self:_NewestFrame, problem:str):
-    "No frame will come any more"
-    with self.fresh:
-        self.problem = problem
-        self.fresh.notify_all()
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6df137ec
-@patch
-def wait_taken(self:_NewestFrame):
-    "Wait until the newest frame was read, or there is a problem"
-    with self.fresh: self.fresh.wait_for(lambda: self.taken or self.problem)
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6a0f5061
 def _takes(capture, number:int, value:float)->bool:
@@ -326,7 +284,7 @@ class _LiveCamera(Camera):
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #fa7b6ac9
 class CV2Camera(_LiveCamera):
     "A camera that OpenCV can open"
-    _parts = dict(controls=_Controls, kind=lambda value: value in ('file','device','url'), _newest=_NewestFrame)
+    _parts = dict(controls=_Controls, kind=lambda value: value in ('file','device','url'), _newest=NewestFrame)
     def __init__(self, source, # Device number or path, file name, or URL (rtsp, http, udp, tcp)
                  width:int|None=None, height:int|None=None, # px; frames are scaled when the source has another size
                  fps:float|None=None, # Frames per second; `None` is what the source says
@@ -350,7 +308,7 @@ class CV2Camera(_LiveCamera):
         except BaseException:
             self._capture.release()
             raise
-        self._newest = _NewestFrame()
+        self._newest = NewestFrame(1 if self.lockstep else None)
         self._publish(image)
         self._reader = _begin_thread(self._read_on, f'reader {model}')
         self._watch = timers.every(max(read_timeout/4, .1), self._look, delay=read_timeout)
@@ -358,12 +316,10 @@ class CV2Camera(_LiveCamera):
     def close(self):
         "Stop the reader, and release the source; may be called twice"
         super().close()
-        if self._reader: self._stop_reader()        # a copy in a forked process has none
-
-    def _after_fork(self):
-        super()._after_fork()
-        self._reader,self._newest = None,_NewestFrame()
-        self._newest.end(f'{self!r} is closed')
+        timers.cancel(self._watch)
+        self._newest.end(f'{self!r} is closed', forget=True)
+        ended = _has_ended(self._reader, self.open_timeout+self.read_timeout+1)         # a driver may hang
+        if not ended: self.log.error('%r does not let go of %s', self, _source_name(self.source))
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #52556ee6
 @patch
@@ -391,19 +347,11 @@ def _fit(self:CV2Camera, image):
               self.height or round(height*(self.width or width)/width))
     return image if wanted == (width,height) else cv2.resize(image, wanted, interpolation=cv2.INTER_AREA)
 
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #1d778b8a
-@patch
-def _stop_reader(self:CV2Camera):
-    "Wait for the reader, but not for ever"
-    timers.cancel(self._watch)
-    self._newest.end(f'{self!r} is closed')
-    ended = _has_ended(self._reader, self.open_timeout+self.read_timeout+1)
-    if not ended: self.log.error('%r does not let go of %s', self, _source_name(self.source))
-
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #bb9dab1c
 @patch
 def _publish(self:CV2Camera, image):
-    self._newest.put(image)
+    self._arrived = clock.monotonic()
+    self._newest.put(Frame(image, self._newest.number+1, clock.time()))
     if self.fault: self.set_fault(None)
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #3a0e5c03
@@ -424,7 +372,7 @@ def _read_on(self:CV2Camera):
     due = clock.monotonic()
     try:
         while not self._closing.is_set():
-            if self.lockstep: self._newest.wait_taken()
+            self._newest.wait_room()
             if self.paced:
                 due = max(due+1/self.frame_rate, clock.monotonic()-.5)
                 if self._closing.wait(max(0, due-clock.monotonic())): return
@@ -449,7 +397,7 @@ def _again(self:CV2Camera):
     if self.kind == 'file' and not self.loop:
         ended = f'{_source_name(self.source)} has ended'
         self.set_fault(ended)
-        return self._newest.end(ended)
+        return self._newest.end(ended, forget=True)
     wait = 0. if self.kind == 'file' else self.first_retry
     while not self._closing.is_set():
         self._capture.release()
@@ -465,7 +413,7 @@ def _again(self:CV2Camera):
 @patch
 def _silence(self:CV2Camera)->str|None:
     "Return the error of a silent device: no frame for `read_timeout`; a film that waits for us isn't silent"
-    silent = clock.monotonic()-self._newest.arrived
+    silent = clock.monotonic()-self._arrived
     if silent <= self.read_timeout or self.lockstep: return None
     return f'{_source_name(self.source)} has given no frame for {silent:.0f} s'
 
@@ -480,8 +428,9 @@ def _look(self:CV2Camera):
 def next_frame(self:CV2Camera, after:int=-1, # The number of the last frame seen
               )->Frame:
     "Wait for a frame later than `after`; raises `CameraError` when none comes for `read_timeout`"
-    frame = self._newest.next(after, self.read_timeout, untaken=self.lockstep)
-    if silence := self._silence(): raise CameraError(silence)
+    if self.lockstep: frame = self._newest.take(self.read_timeout)
+    else: frame = self._newest.next(after, self.read_timeout)
+    if why := self._newest.over or self._silence(): raise CameraError(why)
     if frame is None: raise CameraError(f'{_source_name(self.source)} has given no frame for {self.read_timeout:g} s')
     return frame
 

@@ -7,58 +7,51 @@ from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import replace
 from numbers import Integral
-
 from fastcore.basics import patch
 from .values import CameraBusy, CameraError, Frame, RecordingEnded, VideoStatus
 from ..utils import clock
 from ..utils.threads import _begin_thread, _has_ended, timers
+from ..utils.pictures import NewestFrame
 
 # %% auto #0
 __all__ = ['Frames', 'Filming']
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #27437f3c
-class Frames:
-    "The newest frame of a camera, for all who look"
+class Frames(NewestFrame):
+    "The newest frame of a camera, read while somebody watches"
     def __init__(self,
         camera, # Its `read`, `set_fault`, `frame_rate` and `patience` are used; and `next_frame(after)`, if it has that
     ):
-        self.camera,self.newest = camera,None
-        self.watchers,self.closed = 0,False             # how many look
-        self._changed,self._thread,self._reads = clock.Condition(),None,False
-        self._device = clock.Lock()                 # held by the one thread that reads
+        super().__init__()
+        self.camera,self.watchers = camera,0
+        self._thread,self._reads = None,False
+        self._device = clock.Lock()                     # held by the one thread that reads
         self._seen,self._since = None,None              # what was read last; when the read began that is under way
         self._failed = None                             # the error of the last read that failed
 
-    def __repr__(self): return f'Frames: {self.newest or "none yet"}, {self.watchers} look'
+    def __repr__(self): return f'Frames: {self.newest or "none yet"}, {self.watchers} watch'
 
-# %% ../../nbs/api/cameras/08_frames.ipynb #a59dddca
-@patch
-@contextmanager
-def watching(self:Frames):
-    "For a `with`: have the camera read; raises `CameraError` when it is closed, or the system has no thread left"
-    with self._changed:
-        if self.closed: raise CameraError(f'{self.camera!r} is closed')
-        if not self._reads:
-            try: self._thread = _begin_thread(self._run, f'frames {self.camera.information.model}')
-            except RuntimeError as e: raise CameraError(f'no thread for frames: {e}') from e
-            self._reads = True
-        self.watchers += 1
-    try: yield self
-    finally:
-        with self._changed:
-            self.watchers -= 1
-            self._changed.notify_all()
+    @contextmanager
+    def watching(self):
+        "For a `with`: have the camera read; raises `CameraError` when it is closed, or the system has no thread left"
+        with self.changed:
+            if self.over: raise CameraError(self.over)
+            if not self._reads:
+                try: self._thread = _begin_thread(self._run, f'frames {self.camera.information.model}')
+                except RuntimeError as e: raise CameraError(f'no thread for frames: {e}') from e
+                self._reads = True
+            self.watchers += 1
+        try: yield self
+        finally:
+            with self.changed:
+                self.watchers -= 1
+                self.changed.notify_all()
 
-# %% ../../nbs/api/cameras/08_frames.ipynb #b9aa24f1
-@patch
-def next(self:Frames, after:int=-1, # The number of the last frame seen
-         timeout:float|None=None, # s; `None` waits as long as it takes
-        )->Frame|None:
-    "The newest frame, but later than `after`: waits for it. `None` on timeout, and after `close`"
-    def is_there(): return self.newest is not None and self.newest.number>after
-    with self._changed:
-        self._changed.wait_for(lambda: self.closed or is_there(), timeout)
-        return self.newest if is_there() else None
+    def close(self, timeout:float=1., # s that a read under way may take
+             )->bool:
+        "Read no more; false when the device does not come back. May be called twice"
+        self.end(f'{self.camera!r} is closed')
+        return _has_ended(self._thread, timeout)
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #63ffd7be
 @patch
@@ -66,10 +59,7 @@ def _publish(self:Frames, frame:Frame):
     "Make `frame` the newest one, unless it is the same as before"
     seen,self._seen = self._seen,frame
     if seen is not None and (frame.number,frame.time_utc)==(seen.number,seen.time_utc): return
-    with self._changed:
-        last = -1 if self.newest is None else self.newest.number
-        self.newest = frame if frame.number>last else replace(frame, number=last+1)
-        self._changed.notify_all()
+    self.put(frame if frame.number>self.number else replace(frame, number=self.number+1))
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #d300b95e
 @patch
@@ -92,7 +82,7 @@ def _turn(self:Frames, seconds:float):
     "For a `with`: have the device alone; raises `CameraError` when our turn does not come, or the camera is closed"
     if not self._device.acquire(timeout=max(0, seconds)): raise self._none_came()
     try:
-        if self.closed: raise CameraError(f'{self.camera!r} is closed')
+        if self.over: raise CameraError(self.over)
         yield
     finally: self._device.release()
 
@@ -104,11 +94,11 @@ def _read_one(self:Frames)->float:
     try:
         with self._turn(self.camera.patience): frame = self._read()
     except BaseException as e:              # no error of a device may end the thread
-        if self.closed: return 0.
+        if self.over: return 0.
         self.camera.set_fault(str(e) or type(e).__name__, None if isinstance(e, CameraError) else e)
-        with self._changed:
+        with self.changed:
             self._failed = e
-            self._changed.notify_all()
+            self.changed.notify_all()
         return .1
     finally: self._since = None
     if self.camera.fault: self.camera.set_fault(None)
@@ -120,15 +110,15 @@ def _read_one(self:Frames)->float:
 def _run(self:Frames):
     "The thread: read while there is a reader"
     watch,due = timers.every(max(self.camera.patience/4, .01), self._look),clock.monotonic()
-    def is_over(): return self.closed or not self.watchers
+    def is_over(): return self.over or not self.watchers
     try:
         while True:
-            with self._changed:
+            with self.changed:
                 self._reads = not is_over()
                 if not self._reads: return
             wait = self._read_one()
             due = max(due+1/self.camera.frame_rate, clock.monotonic())
-            with self._changed: self._changed.wait_for(is_over, max(0, wait or due-clock.monotonic()))
+            with self.changed: self.changed.wait_for(is_over, max(0, wait or due-clock.monotonic()))
     finally: timers.cancel(watch)
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #3b5e2c31
@@ -143,24 +133,14 @@ def _look(self:Frames):
 def still(self:Frames)->Frame:
     "A frame that comes after the call; raises `CameraError` when none comes for `patience`, and what `read` raises"
     end = clock.monotonic()+self.camera.patience
-    with self._changed:
+    with self.changed:
         newest,failed = self.newest,self._failed
         def is_over():
-            return self.closed or not self.watchers or self.newest is not newest or self._failed is not failed
-        self._changed.wait_for(is_over, self.camera.patience)
+            return self.over or not self.watchers or self.newest is not newest or self._failed is not failed
+        self.changed.wait_for(is_over, self.camera.patience)
         if self.newest is not newest: return self.newest
         if self.watchers: raise self._none_came()
     with self._turn(end-clock.monotonic()): return self.camera.read()
-
-# %% ../../nbs/api/cameras/08_frames.ipynb #e2364dad
-@patch
-def close(self:Frames, timeout:float=1., # s that a read under way may take
-         )->bool:
-    "Read no more; false when the device does not come back. May be called twice"
-    with self._changed:
-        self.closed,thread = True,self._thread
-        self._changed.notify_all()
-    return _has_ended(thread, timeout)
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #0c6d4af4
 class Filming:

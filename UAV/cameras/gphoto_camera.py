@@ -208,11 +208,6 @@ def close(self:GPhotoCamera):
     super(GPhotoCamera, self).close()
     self._body.close()
 
-@patch
-def _after_fork(self:GPhotoCamera):
-    super(GPhotoCamera, self)._after_fork()
-    self._body.closed = True
-
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #d8a8f065
 @patch
 def _value_of(self:GPhotoCamera, camera, widget:str)->str:

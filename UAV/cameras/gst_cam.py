@@ -8,10 +8,9 @@ from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 import re
-
 from fastcore.basics import patch, store_attr
 from .camera import Camera
-from .cv2_camera import CV2Camera, _LiveCamera, _NewestFrame
+from .cv2_camera import CV2Camera, _LiveCamera
 from .gst_pipeline import _as_image, config_file, gst, GSTPipeline, _read_sections, _recipe_of, _whole_line
 from .parameters import Parameter
 from .values import *
@@ -20,6 +19,7 @@ from ..utils import clock
 from ..utils.threads import _begin_thread, _has_ended
 from ..video.encoder import PassThrough
 from ..video.units import VideoFormat
+from ..utils.pictures import NewestFrame
 
 # %% auto #0
 __all__ = ['BaseCamera', 'GSTCamera', 'CV2Camera', 'config_file']
@@ -202,17 +202,17 @@ _all_ = ['BaseCamera', 'CV2Camera', 'config_file']
 BaseCamera = Camera         # its name in the first `UAV`
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #38d25435
-class _AskedFrame(_NewestFrame):
+class _AskedFrame(NewestFrame):
     "The newest frame of a source that makes frames while one asks"
     def __init__(self):
         super().__init__()
         self.open,self.asked,self.waiting = False,0.,0          # is the valve open? when did one ask? how many wait?
 
     def next(self, after:int, timeout:float, fails=lambda: None)->Frame|None:
-        with self.fresh: self.waiting += 1
-        try: return super().next(after, timeout, fails=fails)
+        with self.changed: self.waiting += 1
+        try: return super().next(after, timeout, fails)
         finally:
-            with self.fresh: self.waiting,self.asked = self.waiting-1,clock.monotonic()
+            with self.changed: self.waiting,self.asked = self.waiting-1,clock.monotonic()
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #0c8ef6fd
 class GSTCamera(_LiveCamera):
@@ -246,13 +246,8 @@ class GSTCamera(_LiveCamera):
         self.keeper.closing.set()
         super().close()
         if self.encoder: self.encoder.close()
-        self.newest.end(f'{self!r} is closed')
+        self.newest.end(f'{self!r} is closed', forget=True)
         if not self.keeper.close(self.close_timeout): self.log.error('%r does not let go of its source', self)
-
-    def _after_fork(self):
-        super()._after_fork()
-        self.newest,self.keeper = _AskedFrame(),_Keeper(self.line, self, self.information.model)
-        self.newest.end(f'{self!r} is closed')
 
     _coded = property(lambda self: bool(self.encoder and not self.recipe.encoder),
         doc="Does the source itself give H.264 or H.265?")
@@ -263,7 +258,7 @@ def _prepare(self:GSTCamera, pipeline):
     "Take what a new pipeline gives; called on the keeper's thread"
     self.controls.again(pipeline)
     pipeline.on_sample('uav_frames', self._on_frame)
-    with self.newest.fresh: pipeline.open_valve('uav_frames_valve', self.newest.open)
+    with self.newest.changed: pipeline.open_valve('uav_frames_valve', self.newest.open)
     if self.encoder: self.encoder.prepare(pipeline)
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #70ec494e
@@ -273,17 +268,18 @@ def _on_frame(self:GSTCamera, data, width, height, rate, taken):
     said = self.information.resolution_h,self.information.resolution_v
     if said != (width,height): self.information = replace(self.information, resolution_h=width, resolution_v=height)
     if rate: self.frame_rate = rate
-    self.newest.put(_as_image(data, width, height), clock.time()-clock.monotonic()+taken)
+    time_utc = clock.time()-clock.monotonic()+taken
+    self.newest.put(Frame(_as_image(data, width, height), self.newest.number+1, time_utc))
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #c2b2daad
 @patch
 def _ask(self:GSTCamera)->int:
     "Have frames made, for a while; the number of the last frame that is too old"
     newest,pipeline = self.newest,self.keeper.pipeline
-    with newest.fresh:
+    with newest.changed:
         newest.asked = clock.monotonic()
         if newest.open: return -1
-        newest.open,old = True,newest.number-1
+        newest.open,old = True,newest.number
         if pipeline: pipeline.open_valve('uav_frames_valve', at_key=self._coded)
     if pipeline and self._coded: pipeline.ask_key()
     return old
@@ -293,7 +289,7 @@ def _ask(self:GSTCamera)->int:
 def _on_beat(self:GSTCamera):
     "Close the valve when none has asked for a while; the keeper calls it"
     newest = self.newest
-    with newest.fresh:
+    with newest.changed:
         if not newest.open or newest.waiting or clock.monotonic()-newest.asked < self.lease: return
         newest.open = False
         self.keeper.pipeline.open_valve('uav_frames_valve', False)
@@ -302,12 +298,13 @@ def _on_beat(self:GSTCamera):
 @patch
 def next_frame(self:GSTCamera,
     after:int=-1, # The number of the last frame seen
-    timeout:float|None=None, # s; `None`: `read_timeout`, or `open_timeout` when a key picture must come first
+    timeout:float|None=None, # s; `None`: `read_timeout`, or `open_timeout` when a key frame must come first
 )->Frame:
     "Wait for a frame later than `after`; raises `CameraError` when none comes"
     newest,keeper = self.newest,self.keeper
     if timeout is None: timeout = self.open_timeout if self._coded else self.read_timeout
     frame = newest.next(max(after, self._ask()), timeout, lambda: keeper.problem)
+    if newest.over: raise CameraError(newest.over)
     if frame and not keeper.problem: return frame
     raise CameraError(f'{self.information.model}: {keeper.problem or f"no frame for {timeout:g} s"}')
 
@@ -329,9 +326,9 @@ def _begin(self:GSTCamera):
 @patch
 def _on_problem(self:GSTCamera, problem:str|None):
     "The source has a problem, or has it no longer; called by the keeper"
-    with self.newest.fresh: self.newest.fresh.notify_all()
+    self.newest.wake()
     if problem is None: self.controls.again(self.keeper.pipeline)       # a device has its channels now
-    if self.newest.frame is not None: self.set_fault(problem and f'{self.information.model}: {problem}')
+    if self.newest.newest is not None: self.set_fault(problem and f'{self.information.model}: {problem}')
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #bfa520cb
 @patch

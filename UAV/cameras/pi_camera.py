@@ -125,11 +125,6 @@ def close(self:PiCamera):
     device.cancel_all_and_flush()
     device.close()
 
-@patch
-def _after_fork(self:PiCamera):
-    _LiveCamera._after_fork(self)
-    self._device,self._turn = None,clock.Lock()
-
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #8918c657
 @patch
 def _start(self:PiCamera, size:tuple, fps:float, still_width:int|None):

@@ -355,11 +355,6 @@ class SimDualCamera(SimCamera):
         super().close()
         self.thermal_frames.close(1.)
 
-    def _after_fork(self):
-        super()._after_fork()
-        self.thermal_frames = Frames(_ThermalEye(self))
-        self.thermal_frames.closed = True
-
 # %% ../../nbs/api/cameras/12_sim.ipynb #e2e4c16c
 @patch
 def _temperatures(self:SimDualCamera, number:int, look:tuple, size:tuple|None=None):

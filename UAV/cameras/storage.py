@@ -12,14 +12,12 @@ from dataclasses import replace
 from operator import attrgetter
 from pathlib import Path
 import errno, itertools, os, re, shutil, tempfile, weakref
-
 from fastcore.basics import patch, store_attr
-from .exif import add_metadata, sidecar
-from .values import *
-from .values import _as_line, _from_line, _suffix
-from ..logging import get_logger
-from ..utils import clock
-from ..utils.threads import Closes, in_child, Opened
+from UAV.cameras.exif import add_metadata, sidecar
+from UAV.cameras.values import *, _as_line, _from_line, _suffix
+from UAV.logging import get_logger
+from UAV.utils import clock
+from UAV.utils.threads import Closes, in_child, Opened
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #f73c4201
 def _file_size(path:Path)->int:
@@ -71,6 +69,7 @@ class _FolderLock:
         self.path,self.file = Path(folder)/'.lock',None
         try:
             while self.file is None: self._try()
+            _locks.add(self)
             self.file.truncate(0)
             self.file.write(b'%d' % os.getpid())
         except OSError as e:
@@ -109,6 +108,9 @@ def release(self:_FolderLock):
     if os.name == 'posix' and self.here:
         with suppress(OSError): self.path.unlink()          # while it is locked, or it could be another's
     self.file.close()
+
+_locks = Opened(lambda lock: lock.file.close())         # a child that held it would keep the folder when we are killed
+_storages = Opened()
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #6aab1d13
 @patch
@@ -249,8 +251,6 @@ MiB = 2**20
 _all_ = ['MiB']
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #efae48fb
-_storages = Opened()           # all that are open, for a fork
-
 storage_kinds = 'unknown','usb_stick','sd','microsd','cf','cfe','xqd','hd','other'     # as MAVLink names them
 
 def _let_go(lock:_FolderLock, temporary:Path|None):
@@ -503,16 +503,6 @@ def elsewhere(self:Storage, time_utc:float, # When it was taken, s since 1970
              )->Picture:
     "Keep the record of a shot whose file isn't here, such as one on the card of a device"
     return self._without_file(time_utc, pose=pose)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #5c0a5018
-@in_child
-def _after_fork():
-    "In a forked process: no storage is ours"
-    for storage in _storages:
-        lock,_ = (storage._release.detach() or (None,None,(None,None)))[2]
-        if lock and lock.file: lock.file.close()       # without releasing it
-        storage._lock = clock.RLock()        # a thread that is not here may have held it
-    _storages.clear()
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #7739a536
 @patch

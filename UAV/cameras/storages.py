@@ -40,7 +40,6 @@ class Storages:
         used = [' and '.join(self.usage(s.storage_id)) or 'nothing' for s in self.all]
         return '\n'.join(f'{s.storage_id} {s.name}: for {u}, {len(s)} pictures' for s,u in zip(self.all, used))
 
-    def _after_fork(self): self._lock = clock.RLock()       # a thread that is not here may have held the old one
 
     def close(self):
         "Close them all"

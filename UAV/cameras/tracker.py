@@ -439,7 +439,7 @@ def _run(self:Tracker):
         with self.camera.frames.watching() as frames:
             number = -1 if frames.newest is None else frames.newest.number     # it may be an old one
             while (pursuit := self._target()) is not None:
-                if frames.closed: raise CameraError(f'{self.camera!r} is closed')
+                if frames.over: raise CameraError(frames.over)
                 pursuit.number = number = max(number, pursuit.number)
                 self.see(pursuit, frames.next(number, .2))
                 number = pursuit.number

@@ -43,7 +43,8 @@ class _FrameSink(Sink):
     def send(self, unit):
         "Decode one unit"
         for picture,_,time_utc in self._decoding(unit):
-            self.newest.put(_turned(picture.to_ndarray(format='bgr24'), _frame_turns(picture)), time_utc)
+            image = _turned(picture.to_ndarray(format='bgr24'), _frame_turns(picture))
+            self.newest.put(Frame(image, self.newest.number+1, time_utc or clock.time()))
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #344b884e
 def _measure(unit)->tuple:
@@ -75,7 +76,10 @@ class URLCamera(_LiveCamera):
         if _scheme(url) not in receivers: raise ValueError(f'{_source_name(url)}: write {", ".join(receivers)}://…')
         self.information = replace(self.information, vendor=vendor, model=model)
         super().__init__(folder, quota, storages=storages)
-        self._make_source()
+        self._newest,self._encoder = _AskedFrame(),_CodedSource('h264', model)
+        self._frames = _FrameSink(self._newest, model)
+        self._receiver,self._sets = None,None       # while it is connected; parameter sets of its video
+        self._problem,self._vain = None,None        # why no picture comes; since when none can be decoded, monotonic s
         if not wait: self._tell('no picture has come yet')
         self._thread = _begin_thread(self._run, f'url {model}')
         if not wait: return
@@ -84,30 +88,16 @@ class URLCamera(_LiveCamera):
             self.close()
             raise
 
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #e1e2d6ae
-@patch
-def _make_source(self:URLCamera):
-    model,self._newest = self.information.model,_AskedFrame()
-    self._encoder,self._frames = _CodedSource('h264', model),_FrameSink(self._newest, model)
-    self._thread,self._receiver,self._sets,self._problem,self._vain = None,None,None,None,None
-
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #411369ab
 @patch
 def close(self:URLCamera):
     "Stop, and hang up; may be called twice"
     super(URLCamera, self).close()
-    self._newest.end(f'{self!r} is closed')
+    self._newest.end(f'{self!r} is closed', forget=True)
     if receiver := self._receiver: receiver.stop()
     self._encoder.close()
     ended = _has_ended(self._thread, self.open_timeout)
     if not (self._frames.close() and ended): self.log.error('%r does not hang up', self)
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #c2bad6ef
-@patch
-def _after_fork(self:URLCamera):
-    _LiveCamera._after_fork(self)
-    self._make_source()
-    self._newest.end(f'{self!r} is closed')
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #948c9ad5
 @patch
@@ -136,7 +126,7 @@ def _on_unit(self:URLCamera, unit):
     i,newest = self.information,self._newest
     self._encoder.pass_on(unit, width=i.resolution_h, height=i.resolution_v, rate=self.frame_rate, bitrate=self.bitrate)
     self._tell(None)
-    with newest.fresh:
+    with newest.changed:
         if newest.open and not newest.waiting and clock.monotonic()-newest.asked>self.lease:
             newest.open = False
             self._encoder.remove(self._frames, wait=False)
@@ -160,7 +150,7 @@ def _tell(self:URLCamera, problem:str|None):
     "Note a problem, or that it is over"
     if not (problem or self._problem or self.fault): return
     self._problem = problem and f'{_source_name(self.url)}: {problem}'
-    with self._newest.fresh: self._newest.fresh.notify_all()
+    self._newest.wake()
     self.set_fault(self._problem)
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #683768c9
@@ -184,12 +174,12 @@ def _run(self:URLCamera):
 def _ask(self:URLCamera)->int:
     "Have frames decoded, for a while; returns the number of the last frame that is too old"
     newest = self._newest
-    with newest.fresh:
+    with newest.changed:
         newest.asked = clock.monotonic()
         if newest.open or self._closing.is_set(): return -1
         newest.open = True
         self._encoder.add(self._frames)
-        return newest.number-1
+        return newest.number
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #043d80e9
 @patch
@@ -200,6 +190,7 @@ def next_frame(self:URLCamera,
     "Wait for a frame later than `after`; raises `CameraError` when none comes"
     timeout = self.read_timeout if timeout is None else timeout
     frame = self._newest.next(max(after, self._ask()), timeout, lambda: self._problem)
+    if self._newest.over: raise CameraError(self._newest.over)
     if frame and not self._problem: return frame
     raise CameraError(self._problem or f'{_source_name(self.url)}: no frame for {timeout:g} s')
 

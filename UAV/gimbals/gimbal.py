@@ -14,7 +14,7 @@ from .values import *
 from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.clock import goes_by_itself
-from ..utils.threads import Timers
+from ..utils.threads import Timers, Closes, Opened
 from ..utils.values import inside, KeepsNames, Value
 from ..utils.geo import metres
 
@@ -38,7 +38,9 @@ _checks = dict.fromkeys(('rate_lasts','vehicle_lasts','carries','patience'), _se
     locks=_axes, follows=_axes, information=_described)
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #27464999
-class Gimbal(KeepsNames):
+_gimbals = Opened()
+
+class Gimbal(KeepsNames, Closes):
     "A gimbal; subclasses provide `information`, `drive`, `attitude` and optionally `retract`"
     information = GimbalInformation()
     locks = 'roll','pitch','yaw'    # axes that can hold their direction on earth
@@ -59,6 +61,7 @@ class Gimbal(KeepsNames):
         self.setpoint,self.closed,self._lock = Setpoint(),False,_clock.RLock()
         self._told = VehicleState(),-math.inf           # what we heard last of the vehicle, and when
         self._timers,self._alarm = Timers(f'timer of {self.information.model}'),None   # its own: it may hang
+        _gimbals.add(self)
 
     def __setattr__(self, name, value):
         if check := _checks.get(name): check(name, value)

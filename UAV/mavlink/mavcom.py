@@ -67,7 +67,7 @@ class MAVCom(Closes):
         who = f'MAVCom({self.connection_string!r}, source_system={self.source_system})'
         return f'{who} with components {sorted(self.component)}'
 
-_open = Opened(lambda com: setattr(com, '_closed', True))   # empty in a forked process
+_open = Opened()
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #a8b7a562
 @patch

@@ -11,7 +11,7 @@ from ..logging import get_logger
 from . import clock, clock as _clock
 
 # %% auto #0
-__all__ = ['log', 'timers', 'in_child', 'Closes', 'Opened', 'Timers', 'Worker', 'Lateness', 'HangWatch']
+__all__ = ['log', 'timers', 'in_child', 'ForkError', 'Closes', 'Opened', 'Timers', 'Worker', 'Lateness', 'HangWatch']
 
 # %% ../../nbs/api/utils/00_threads.ipynb #b1083063
 log = get_logger('timers')
@@ -31,27 +31,52 @@ def _forked():
 
 if hasattr(os,'register_at_fork'): os.register_at_fork(after_in_child=_forked)
 
+class ForkError(RuntimeError): "Something that was opened before a fork is used in the child"
+
+class _Inherited:
+    "What an open object is in a forked process; `close` leaves it to the parent"
+    def __repr__(self): return f'{vars(self)["kind"]} of the parent process'
+    def __getattr__(self, name):
+        kind = vars(self)['kind']
+        raise ForkError(f'this {kind} was opened before the fork: open one after the fork')
+    def __setattr__(self, name, value): self.__getattr__(name)
+    def __enter__(self): self.__getattr__('__enter__')
+    def __exit__(self, *args): pass
+    def close(self, *args, **kwargs): "Do nothing"
+
 # %% ../../nbs/api/utils/00_threads.ipynb #005d5858
 class Closes:
     "Base of what has a `close`: a `with` calls it"
     def __enter__(self): return self
     def __exit__(self, *args): self.close()
 
+_inherited = []         # in a forked process: the objects of its parent, and what was in them
+
+def _leave(one):
+    "Leave an object to the parent process"
+    from ctypes import py_object, pythonapi
+    if not _inherited: pythonapi.Py_IncRef(py_object(_inherited))       # so that no destructor runs at exit
+    _inherited.append((one,vars(one)))
+    kind = type(one).__name__
+    object.__setattr__(one, '__class__', _Inherited)
+    object.__setattr__(one, '__dict__', dict(kind=kind))
+
 class Opened:
     "The open objects of a kind, weakly referenced; any thread may change it while others iterate"
-    def __init__(self, abandon=None): # Called with each in a forked process, where none of them is ours
+    def __init__(self, in_a_child=_leave): # Called with each in a forked process
         self._found = weakref.WeakValueDictionary()
-        if abandon: in_child(lambda: self._abandon(abandon))
+        in_child(lambda: self._forked(in_a_child))
 
     def add(self, one): self._found[id(one)] = one
     def discard(self, one): self._found.pop(id(one), None)
-    def clear(self): self._found.clear()
     def __iter__(self): return iter([one for ref in self._found.valuerefs() if (one := ref()) is not None])
 
-    def _abandon(self, abandon):
+    def _forked(self, in_a_child):
         found = list(self)
-        self.clear()
-        for one in found: abandon(one)
+        self._found.clear()
+        for one in found:
+            try: in_a_child(one)
+            except Exception: log.exception('%r in a forked process', type(one))
 
 # %% ../../nbs/api/utils/00_threads.ipynb #65a837fb
 def _begin_thread(f, name:str)->clock.Thread:
@@ -106,7 +131,7 @@ class Timers:
             self._changed.notify_all()
         return job
 
-_timers = Opened(Timers._restart)        # a forked process has none of their threads
+_timers = Opened(Timers._restart)        # a forked process has none of their threads, and begins without jobs
 
 # %% ../../nbs/api/utils/00_threads.ipynb #8c5f0624
 @patch

@@ -118,32 +118,28 @@ def _clash(kind:type, base:type, name:str)->str:
 class KeepsNames:
     "Base of a class that others continue: names of theirs that replace its parts, methods or properties raise"
     _parts = {}         # what the constructor of this class sets: `{name: type, or function that is true for a value}`
-    _keeps = ()         # the classes that have `_parts`
+    _taken = {}         # `{name: the class that has it}`, of this class and its bases that have `_parts`
 
     def __init_subclass__(cls, **kwargs):
         super().__init_subclass__(**kwargs)
-        cls._keeps = tuple(c for c in cls.__mro__[:-1] if '_parts' in vars(c) and c is not KeepsNames)
         cls._check_names()
 
     @classmethod
     def _check_names(cls):
-        "Raise `TypeError` for a name in a class that's taken"
-        for base in cls._keeps:
-            for name in {*vars(base), *vars(base)['_parts']}:
-                value,ours = getattr_static(cls, name, _unset),getattr_static(base, name, _unset)
-                if value is not ours and not _serves(base, name, value, True): raise TypeError(_clash(cls, base, name))
-
-    def _check_name(self, name:str, value):
-        "Raise `AttributeError` for an attribute that's taken, unless a subclass has its own property there"
-        for base in self._keeps:
-            ours = base.__dict__
-            if name not in ours and name not in ours['_parts'] or _serves(base, name, value, False): continue
-            theirs = getattr_static(type(self), name, None)
-            if name in ours['_parts'] or not isdatadescriptor(theirs) or theirs is ours[name]:
-                raise AttributeError(_clash(type(self), base, name))
+        "Raise `TypeError` for a name in a class that's taken; constructors call it, too, since names may come later"
+        bases = [c for c in cls.__mro__ if '_parts' in vars(c) and c is not KeepsNames]
+        cls._taken = {name: c for c in reversed(bases) for name in (*vars(c), *vars(c)['_parts'])}
+        for name,base in cls._taken.items():
+            value,ours = getattr_static(cls, name, _unset),vars(base).get(name, _unset)
+            if value is not ours and not _serves(base, name, value, True): raise TypeError(_clash(cls, base, name))
 
     def __setattr__(self, name, value):
-        self._check_name(name, value)
+        "Set an attribute; raises `AttributeError` for a taken name, unless a subclass has its own property there"
+        base = self._taken.get(name)
+        if base is not None and not _serves(base, name, value, False):
+            theirs,ours = getattr_static(type(self), name, None),vars(base).get(name)
+            has_own = name not in vars(base)['_parts'] and isdatadescriptor(theirs) and theirs is not ours
+            if not has_own: raise AttributeError(_clash(type(self), base, name))
         super().__setattr__(name, value)
 
 # %% ../../nbs/api/utils/00_values.ipynb #d55b6d50

@@ -4,19 +4,17 @@
 
 # %% ../../nbs/api/video/08_player.ipynb #36bde153
 from __future__ import annotations
-from collections import deque
 from contextlib import closing, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property
 from urllib.parse import unquote, urljoin, urlsplit
-import asyncio, atexit, os, re, selectors, socket
-
+import atexit, os, re, selectors, socket
 from fastcore.basics import GetAttr, patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.lazy import av, np
-from ..utils.threads import _begin_thread, Closes
-from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned
+from ..utils.threads import _begin_thread, Closes, Opened
+from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned, NewestFrame
 from ..utils.sockets import host_in, plain_host
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
 from .rtsp import _authorization, _challenges, _head_lines, _Interleaved, _RequestReader, _Response, RTSPError
@@ -28,6 +26,7 @@ __all__ = ['transports', 'receivers', 'Player', 'Decoded', 'RTSPReceiver', 'Play
 class Player(Closes):
     "Watch a live stream, or a file"
     first_retry,last_retry = .25,5.                 # s between attempts to come back, doubled each time
+    _most = 30                                      # pictures that wait to be read when each is wanted
     def __init__(self,
         url, # As `_open_pictures` takes it
         timeout:float=5., # s without a packet after which the stream counts as lost
@@ -36,21 +35,22 @@ class Player(Closes):
     ):
         self.url,self.fault,self.connected = url,None,False     # `fault`: why there are no pictures
         self.log = get_logger('video.player')
-        self._source,self._pictures = _open_pictures(url, timeout, newest, transport),_Pictures(newest)
+        self._source = _open_pictures(url, timeout, newest, transport)
+        self._pictures = NewestFrame(None if newest else self._most)
         self._closing = clock.Event()
         if receiver := getattr(self._source, 'receiver', None): receiver.tell = self._note
         self._thread = _begin_thread(self._run, f'player {_url_name(url)}')
-        atexit.register(self.close)
+        _players.add(self)
 
-    newest = property(lambda self: self._pictures.newest, doc="Does it hand out only the newest picture?")
+    newest = property(lambda self: self._pictures.most is None, doc="Does it hand out only the newest picture?")
     sinks = property(lambda self: self._source.sinks,
         doc="Add a `Sink` to these, and it gets each access unit of a live stream as it came, to record it for example")
     lost = property(lambda self: self._source.lost,
         doc="How many pictures came in part only, since the stream was last lost")
     port = property(lambda self: self._source.port, doc="The UDP port on which it listens")
-    size = property(lambda self: (frame := self._pictures.last) and frame.size,
+    size = property(lambda self: (frame := self._pictures.newest) and frame.size,
         doc="(width, height) of the newest picture, pixels; `None` when there is none")
-    ended = property(lambda self: self._pictures.over, doc="Will no picture come any more?")
+    ended = property(lambda self: bool(self._pictures.over), doc="Will no picture come any more?")
 
     def __repr__(self):
         state = 'playing' if self.connected else 'no picture yet'
@@ -58,10 +58,10 @@ class Player(Closes):
 
     def close(self):
         "Stop, within a second; may be called twice"
-        atexit.unregister(self.close)
+        _players.discard(self)
         self._closing.set()
         self._source.stop()
-        self._pictures.end(forget=True)
+        self._pictures.end('closed', forget=True)
         if self._thread is not clock.current_thread(): self._thread.join(1)
 
     def watching(self):
@@ -71,6 +71,14 @@ class Player(Closes):
     def __iter__(self):
         while (frame := self.read()) is not None: yield frame
 
+# %% ../../nbs/api/video/08_player.ipynb #cf513a9e
+_players = Opened()
+
+@atexit.register
+def _close_players():
+    "Close every player that is still open"
+    for player in _players: player.close()
+
 # %% ../../nbs/api/video/08_player.ipynb #26d78d0d
 def _url_name(url)->str: return re.sub(r'(?<=://)[^/]+@', '', str(url))      # for people: without user and password
 
@@ -79,8 +87,8 @@ def _url_name(url)->str: return re.sub(r'(?<=://)[^/]+@', '', str(url))      # f
 def _play(self:Player):
     "Hand out pictures, until the file ends or the stream is lost"
     with closing(self._source.pictures()) as pictures:
-        for picture in pictures:
-            self._pictures.put(*picture)
+        for picture,came,utc in pictures:
+            if not self._pictures.put(Decoded(picture, self._pictures.number+1, came, utc)): raise _Stopped
             if self.fault: self.log.info('%s is back', _url_name(self.url))
             self.connected,self.fault = True,None
 
@@ -104,14 +112,14 @@ def _run(self:Player):
     "The thread: play, and try again after a fault"
     retry = self.first_retry
     while not self._closing.is_set():
-        before = self._pictures.count
+        before = self._pictures.number
         try:
             self._play()
-            self._pictures.end()                            # only a file comes here
+            self._pictures.end('the file is at its end')                            # only a file comes here
             break
         except _Stopped: break
         except Exception as e: listens = self._lose(e)
-        if self._pictures.count>before: retry = self.first_retry
+        if self._pictures.number>before: retry = self.first_retry
         if not listens and self._closing.wait(retry): break
         retry = min(2*retry, self.last_retry)
     self._source.close()
@@ -121,7 +129,7 @@ def _run(self:Player):
 def read(self:Player, timeout:float|None=None, # s to wait for it; `None` waits until there is one
         )->Decoded|None:
     "The next picture; `None` when none comes in time, the file is at its end, or the player is closed"
-    return self._pictures.wait(self._pictures.take, timeout)
+    return self._pictures.take(timeout)
 
 # %% ../../nbs/api/video/08_player.ipynb #c1f4b713
 @patch
@@ -129,7 +137,7 @@ def next(self:Player, after:int=-1, # The number of the last picture seen
          timeout:float|None=None, # s to wait; `None` waits until there is one
         )->Decoded|None:
     "The newest picture later than `after`, as a source gives it; `None` as for `read`"
-    return self._pictures.wait(lambda: self._pictures.later(after), timeout)
+    return self._pictures.next(after, timeout)
 
 # %% ../../nbs/api/video/08_player.ipynb #2c9bb91d
 @patch
@@ -137,7 +145,7 @@ def __aiter__(self:Player): "Each new frame, for an `async for`"; return self
 
 @patch
 async def __anext__(self:Player):
-    frame = await self._pictures.wait_async(self._pictures.take)
+    frame = await self._pictures.take_async()
     if frame is None: raise StopAsyncIteration
     return frame
 
@@ -198,74 +206,6 @@ class _Decoding:
         self._inside.pop(self._number-self.most, None)
         pictures = _decode(self._decoder, unit.data, self._number)
         return [(picture, *self._inside.pop(picture.pts, times)) for picture in pictures]
-
-# %% ../../nbs/api/video/08_player.ipynb #8d4c2fde
-class _Pictures:
-    "Decoded pictures, between the thread that decodes and those who wait"
-    most = 30           # that may lie here when each is wanted
-    def __init__(self, newest:bool):
-        self.newest,self.over = newest,False            # `over`: no picture will come any more
-        self.last,self.count,self.given = None,0,-1     # the newest; how many came; the number that `take` gave last
-        self.frames,self.waiting,self.changed = deque(),[],clock.Condition()
-
-    def wake(self):
-        "Wake all who wait; inside `changed`"
-        self.changed.notify_all()
-        waiting,self.waiting = self.waiting,[]
-        for loop,future in waiting:
-            try: loop.call_soon_threadsafe(lambda future=future: future.done() or future.set_result(None))
-            except RuntimeError: pass                   # its event loop is closed
-
-    def put(self, picture, came:float, utc:float):
-        "Another `av.VideoFrame`, which arrived at `came`, monotonic s; raises `_Stopped` when all is over"
-        with self.changed:
-            if not self.newest: self.changed.wait_for(lambda: len(self.frames)<self.most or self.over)
-            if self.over: raise _Stopped
-            if self.newest: self.frames.clear()
-            self.last = Decoded(picture, self.count, came, utc)
-            self.frames.append(self.last)
-            self.count += 1
-            self.wake()
-
-    def end(self, forget:bool=False):
-        "No more of them come; those that lie here can still be had, unless you `forget` them"
-        with self.changed:
-            self.over = True
-            if forget:
-                self.frames.clear()
-                self.last = None
-            self.wake()
-
-    def later(self, after:int)->Decoded|None:
-        "The newest picture, when it is later than `after`"
-        return frame if (frame := self.last) and frame.number>after else None
-
-    def wait(self, find, timeout:float|None):
-        "Wait for a result of `find`, such as `take`; `None` after `timeout` s, or when closed"
-        with self.changed: found = self.changed.wait_for(lambda: find() or self.over, timeout)
-        return found if isinstance(found, Decoded) else None
-
-# %% ../../nbs/api/video/08_player.ipynb #96cc227c
-@patch
-def take(self:_Pictures)->Decoded|None:
-    "The next picture, `None` when there is none yet"
-    with self.changed:
-        if not self.frames or self.frames[0].number<=self.given: return None
-        frame = self.frames[0] if self.newest else self.frames.popleft()
-        self.given = frame.number
-        self.changed.notify_all()                   # there is a place
-        return frame
-
-# %% ../../nbs/api/video/08_player.ipynb #1931a8ca
-@patch
-async def wait_async(self:_Pictures, find):
-    "As `wait`, for an event loop; one call into the loop for each picture"
-    while True:
-        future = asyncio.get_running_loop().create_future()
-        with self.changed:
-            if (frame := find()) is not None or self.over: return frame
-            self.waiting.append((future.get_loop(),future))
-        await future
 
 # %% ../../nbs/api/video/08_player.ipynb #473100ff
 @dataclass

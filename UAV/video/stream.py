@@ -9,7 +9,7 @@ import math, os, re
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.threads import Closes, in_child
+from ..utils.threads import Closes, in_child, Opened
 from ..utils.sockets import url_host, is_loopback
 from .rtsp import RTPSender
 from .rtsp_server import RTSPServer
@@ -47,6 +47,7 @@ class VideoStream(Closes):
         self.running,self.sink,self._lock = False,None,clock.Lock()         # `sink`: a sender, or a `TSServer`
         self._shared = self._closed = self._noted = False       # `_shared`: is `server` one that we must let go?
         self.path = _path_of(name, stream_id)       # on an RTSP server
+        _streams.add(self)
 
     viewers = property(lambda self: len(self.viewer_hosts) if self.kind not in senders else int(self.running),
         doc="How many watch; a sender does not know, and says 1")
@@ -81,6 +82,7 @@ def _path_of(name:str, stream_id:int)->str:
 
 # %% ../../nbs/api/video/07_stream.ipynb #d12a38c7
 _servers,_servers_lock = {},clock.Lock()        # `{(host, port): [server, how many use it]}`
+_streams = Opened()
 
 # %% ../../nbs/api/video/07_stream.ipynb #5f66b242
 def _rtsp_server(host:str='', port:int=8554)->RTSPServer:
@@ -102,8 +104,8 @@ def _let_go(server:RTSPServer):
 
 # %% ../../nbs/api/video/07_stream.ipynb #3660650c
 @in_child
-def _after_fork():
-    "In a forked process: no server is ours"
+def _no_servers():
+    "Begin without servers in a forked process"
     global _servers_lock
     _servers.clear()
     _servers_lock = clock.Lock()        # a thread that is not here may have held it
