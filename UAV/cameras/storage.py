@@ -13,11 +13,12 @@ from operator import attrgetter
 from pathlib import Path
 import errno, itertools, os, re, shutil, tempfile, weakref
 from fastcore.basics import patch, store_attr
-from UAV.cameras.exif import add_metadata, sidecar
-from UAV.cameras.values import *, _as_line, _from_line, _suffix
-from UAV.logging import get_logger
-from UAV.utils import clock
-from UAV.utils.threads import Closes, in_child, Opened
+from .exif import add_metadata, sidecar
+from .values import *
+from .values import _as_line, _from_line, _suffix
+from ..logging import get_logger
+from ..utils import clock
+from ..utils.threads import Closes, in_child, Opened
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #f73c4201
 def _file_size(path:Path)->int:
