@@ -678,13 +678,13 @@ def _no_ack(self:BaseComponent, command:Command)->Ack:
     if not command.dropped: self.num_acks_drop += 1
     command_id,*target = command.key
     lost = str(command.value or self.mav_com.lost(tuple(target)))       # the value may be the error `Lost`
-    heard = '' if lost or command.dropped else self._heard_instead(tuple(target), command_id)
-    ack = Ack(None, None, command_id, lost, target=tuple(target), heard=heard, copies=command.copies)
+    seen = '' if lost or command.dropped else self._seen_instead(tuple(target), command_id)
+    ack = Ack(None, None, command_id, lost, target=tuple(target), heard=seen, copies=command.copies)
     if not command.dropped: self.log.debug('← %r', ack)
     return ack
 
 @patch
-def _heard_instead(self:BaseComponent, target:tuple, command_id:int)->str:
+def _seen_instead(self:BaseComponent, target:tuple, command_id:int)->str:
     "List the components seen, if the single component `target` never was"
     known = target in self.remotes or any(target in c.sources for c in self.mav_com.channels)
     return '' if known or 0 in target else self.mav_com.who_was_heard(target[0])
