@@ -13,9 +13,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, LogLevels, _set_level
 from .retransmission import Commands
 from .mavcom import MAVCom, Member
-from .protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
+from UAV.mavlink.protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
     CommandError, contraries, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives,
-    _Seconds, Served, _Tables)
+    Served, _Tables)
 from ..utils import clock
 from ..utils.general import time_UTC_usec, timers, Worker
 from ..wire.dialect import Ack, address, command_cancel, enum_name, LinkError, timesync
@@ -30,8 +30,8 @@ class BaseComponent(Member):
     autopilot = mavlink.MAV_AUTOPILOT_INVALID       # for the heartbeat: not an autopilot
     base_mode = custom_mode = 0
     _results = {CommandError:None, NotImplementedError:mavlink.MAV_RESULT_UNSUPPORTED} # of errors; `None`: their own
-    command_timeout:float|None = _Seconds(None) # s until each next copy; `None`: from measured round trips
-    patience:float = _Seconds(patience) # s in which commands are retransmitted, unless `retries` is given
+    command_timeout:float|None = None # s until each next copy; `None`: from measured round trips
+    patience:float = patience # s in which commands are retransmitted, unless `retries` is given
     _in_progress_after = .3  # s until a slow command is acknowledged with IN_PROGRESS
     def __init__(self, source_component:int, # Our component id (MAV_COMP_ID), 1 to 255
                  mav_type:int, # Our MAV_TYPE for the heartbeat

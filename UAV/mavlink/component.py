@@ -318,11 +318,11 @@ async def _request(self:Component, command_id:int, params, msg_id:int, target:tu
 @patch
 async def _ask_until(self:Component, wanted, command_id:int, params, target:tuple, timeout, tries, retries)->Ack:
     "Repeat the request until the message `wanted` has come, or is refused"
-    end,asked = clock.monotonic()+self.patience,0
+    began,asked = clock.monotonic(),0
     while True:
         ack,asked = await self.send_command(*target, command_id, params, retries=retries, until=wanted),asked+1
         if ack and not wanted.there: await wanted.wait(timeout or max(.5, 2*self._rto(target)))
-        if wanted.there or not ack or asked==tries or clock.monotonic()>end: return ack
+        if wanted.there or not ack or asked==tries or clock.monotonic()>began+self.patience: return ack
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #a840784a
 @patch
