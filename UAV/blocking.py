@@ -39,7 +39,7 @@ def _wait(loop:LoopThread, start):
 
 # %% ../nbs/api/02_blocking.ipynb #ba7bf717
 log = get_logger('blocking')
-_said = MAVError,CameraError,GimbalError        # whose sentence says what's wrong
+_own_errors = MAVError,CameraError,GimbalError        # their sentence is enough
 
 def _is_inner(traceback)->bool:
     "True if all frames are of this package or of what it waits with"
@@ -102,7 +102,7 @@ def _call(f, loop:LoopThread):
     def call(*args, **kwargs):
         _check(loop)
         try: return _wrapped(f(*map(_bare, args), **{k: _bare(v) for k,v in kwargs.items()}), loop)
-        except _said as e: raise _short(e)
+        except _own_errors as e: raise _short(e)
     return call
 
 # %% ../nbs/api/02_blocking.ipynb #c00b3d7d
@@ -115,7 +115,7 @@ class Blocking:
     def __getattr__(self, name):
         if '_target' not in vars(self): raise AttributeError(name)      # a copy that is being made
         try: return _wrapped(getattr(self._target, name), self._loop)
-        except _said as e: raise _short(e)
+        except _own_errors as e: raise _short(e)
     def __setattr__(self, name, value): setattr(self._target, name, _bare(value))
     def __dir__(self): return dir(self._target)
     def __repr__(self): return repr(self._target)
@@ -128,7 +128,7 @@ def _forward(name:str):
     "Return a method that calls the handle's special method `name`"
     def method(self, *args):
         try: return _wrapped(getattr(self._target, name)(*map(_bare, args)), self._loop)
-        except _said as e: raise _short(e)
+        except _own_errors as e: raise _short(e)
     return method
 
 # %% ../nbs/api/02_blocking.ipynb #cc726b59
@@ -139,7 +139,7 @@ def _iterate(self):
         while True:
             try: item = _wait(self._loop, items.__anext__)
             except StopAsyncIteration: return
-            except _said as e: raise _short(e)
+            except _own_errors as e: raise _short(e)
             yield _wrapped(item, self._loop)
     finally:
         with suppress(LinkError): hasattr(items, 'aclose') and _wait(self._loop, items.aclose)
@@ -148,12 +148,12 @@ def _iterate(self):
 def _enter(self):
     "Open it for a `with`"
     try: return _wrapped(_wait(self._loop, self._target.__aenter__), self._loop)
-    except _said as e: raise _short(e)
+    except _own_errors as e: raise _short(e)
 
 def _exit(self, *error):
     "Close it"
     try: return _wait(self._loop, lambda: self._target.__aexit__(*error))
-    except _said as e: raise _short(e)
+    except _own_errors as e: raise _short(e)
 
 # %% ../nbs/api/02_blocking.ipynb #feea58c4
 _special = '__call__ __contains__ __enter__ __exit__ __getitem__ __iter__ __len__ __next__'.split()
@@ -173,7 +173,7 @@ class BlockingMAVCom(Blocking):
     @wraps(UAV.MAVCom.__init__)
     def __init__(self, *args, **kwargs):
         try: target = UAV.MAVCom(*map(_bare, args), **kwargs)
-        except _said as e: raise _short(e)
+        except _own_errors as e: raise _short(e)
         super().__init__(target, LoopThread('blocking'))
         _open.add(self)
 
