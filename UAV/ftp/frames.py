@@ -21,7 +21,7 @@ __all__ = ['FtpOp', 'ACK', 'NAK', 'FtpCode', 'most_data', 'FtpError', 'FtpFrame'
 FtpOp = IntEnum('FtpOp', 'NONE TERMINATE_SESSION RESET_SESSIONS LIST_DIRECTORY OPEN_FILE_RO READ_FILE CREATE_FILE '
     'WRITE_FILE REMOVE_FILE CREATE_DIRECTORY REMOVE_DIRECTORY OPEN_FILE_WO TRUNCATE_FILE RENAME CALC_FILE_CRC32 '
     'BURST_READ_FILE LIST_DIRECTORY_WITH_TIME', start=0)
-FtpOp.__doc__ = "What is asked for: MAVLink FTP's operations, by number"
+FtpOp.__doc__ = "Operations of MAVLink FTP, by number"
 ACK,NAK = 128,129           # what an answer has in the place of an operation
 
 FtpCode = IntEnum('FtpCode', 'NONE FAIL FAIL_ERRNO INVALID_DATA_SIZE INVALID_SESSION NO_SESSIONS_AVAILABLE EOF '
@@ -44,7 +44,7 @@ class FtpError(MAVError):
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #c3f4c2e9
 def _ftp_error(error:Exception)->FtpError:
-    "The error that a client is told"
+    "Return the error for a client"
     if isinstance(error, FtpError): return error
     if isinstance(error, FileNotFoundError): return FtpError(FtpCode.FILE_NOT_FOUND)
     if isinstance(error, FileExistsError): return FtpError(FtpCode.FILE_EXISTS)
@@ -70,7 +70,7 @@ class FtpFrame:
     data:bytes=b''
 
     def pack(self)->bytes:
-        "The 251 bytes; raises `ValueError` when something does not fit"
+        "Return the 251 bytes; raises `ValueError` if something does not fit"
         if len(self.data)>most_data: raise ValueError(f'{len(self.data)} bytes of data: at most {most_data} fit')
         try: head = _head.pack(self.seq&0xffff, self.session, self.opcode, self.size, self.req_opcode,
                                self.burst_complete, 0, self.offset)
@@ -78,13 +78,13 @@ class FtpFrame:
         return (head+self.data).ljust(12+most_data, b'\0')
 
     def answers(self, request:FtpFrame)->bool:
-        "Is this the answer to `request`? (In a burst the numbers go on.)"
+        "True if this is the answer to `request`; in a burst the numbers go on"
         return self.opcode in (ACK,NAK) and (self.req_opcode,self.seq)==(request.opcode,(request.seq+1)&0xffff)
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #5a36aab8
-def read_ftp(payload, # Of a message; what is missing at its end is zero
+def read_ftp(payload, # Of a message; missing bytes at its end are zero
             )->FtpFrame:
-    "The frame in a payload; it may be nonsense, but it can always be read"
+    "Return the frame in a payload, which may be nonsense"
     raw = bytes(payload)[:12+most_data].ljust(12+most_data, b'\0')
     seq,session,opcode,size,req_opcode,complete,_,offset = _head.unpack_from(raw)
     return FtpFrame(seq, opcode, session, size, req_opcode, complete, offset, raw[12:12+size])
@@ -92,14 +92,14 @@ def read_ftp(payload, # Of a message; what is missing at its end is zero
 # %% ../../nbs/api/ftp/00_frames.ipynb #18f38b93
 @patch
 def ack(self:FtpFrame, data:bytes=b'', **fields)->FtpFrame:
-    "The answer to this request"
+    "Return the answer to this request"
     return FtpFrame((self.seq+1)&0xffff, ACK, **{**dict(session=self.session, size=len(data), req_opcode=self.opcode,
                                                         offset=self.offset, data=data), **fields})
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #a05aca9c
 @patch
 def nak(self:FtpFrame, error:Exception)->FtpFrame:
-    "The refusal of this request"
+    "Return the refusal of this request"
     e = _ftp_error(error)
     data = bytes([e.code,e.errno]) if e.code==FtpCode.FAIL_ERRNO else bytes([e.code])
     return replace(self.ack(data), opcode=NAK)
@@ -107,7 +107,7 @@ def nak(self:FtpFrame, error:Exception)->FtpFrame:
 # %% ../../nbs/api/ftp/00_frames.ipynb #9a51f200
 @patch(as_prop=True)
 def error(self:FtpFrame)->FtpError|None:
-    "Why it was refused; `None` when it was not"
+    "Return the reason of a refusal, or `None`"
     if self.opcode!=NAK: return
     code,number = (*self.data,0,0)[:2]
     return FtpError(code or FtpCode.FAIL, number if code==FtpCode.FAIL_ERRNO else 0)
@@ -115,12 +115,12 @@ def error(self:FtpFrame)->FtpError|None:
 # %% ../../nbs/api/ftp/00_frames.ipynb #bf7e8a6b
 @patch(as_prop=True)
 def paths(self:FtpFrame)->list:
-    "The texts in the data of a request, at least one"
+    "Return the texts in the data of a request, at least one"
     return [part.decode(errors='surrogateescape') for part in self.data.removesuffix(b'\0').split(b'\0')]
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #e826f6fc
 def path_data(*paths)->bytes:
-    "The data of a request for these paths; raises `ValueError` when they are too long"
+    "Return the data of a request for these paths; raises `ValueError` if they are too long"
     data = b'\0'.join(path.encode() for path in paths)+b'\0'
     if len(data)>most_data: raise ValueError(f'{len(data)-1} bytes of path: at most {most_data-1} fit')
     return data
@@ -130,7 +130,7 @@ def listing(entries:list, # All there are
             index:int, # Of the first one that is wanted
             with_time:bool=False, # As LIST_DIRECTORY_WITH_TIME has it
            )->bytes:
-    "As many entries as fit; empty when there are no more"
+    "Return as many entries as fit; empty if there are no more"
     found = b''
     for entry in entries[index:]:
         fields = [('D' if entry.folder else 'F')+entry.name]
@@ -145,7 +145,7 @@ def listing(entries:list, # All there are
 # %% ../../nbs/api/ftp/00_frames.ipynb #8e267279
 def read_listing(data:bytes, # Of an answer
                 )->list:
-    "A `FileEntry` for each entry, `None` for one to be skipped"
+    "Return a `FileEntry` for each entry, `None` for one to be skipped"
     found = []
     for raw in data.split(b'\0'):
         if not raw: continue
@@ -160,14 +160,14 @@ def read_listing(data:bytes, # Of an answer
 def ftp_crc(data:bytes, # The next part
             crc:int=0, # Of all before it
            )->int:
-    "The CRC32 of MAVLink FTP"
+    "Return the CRC32 of MAVLink FTP"
     return zlib.crc32(data, crc^0xffffffff)^0xffffffff
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #5aa9ff2d
 def ftp_url(path:str, # On the component, such as `/media/IMG_000000.jpg`
             component:int|None=None, # Which one; `None`: the one that sends the URL
            )->str:
-    "The URL of a file"
+    "Return the URL of a file"
     where = f'[;comp={component}]/' if component else ''
     return f'mftp://{where}{path.lstrip("/")}'
 
@@ -183,7 +183,7 @@ def _read_path(text:str)->tuple:
 
 def read_ftp_url(url:str, # Or only a path
                 )->tuple:
-    "The component, `None` when it is not named, and the path, which starts with a slash; raises `ValueError`"
+    "Return the component, or `None`, and the path, which starts with a slash; raises `ValueError`"
     rest = _scheme.sub('', url, count=1)
     if '://' in rest[:12]: raise ValueError(f'{url!r} is no URL of a file on a vehicle, such as mftp:///camera.xml')
     return _read_path(rest)
@@ -200,7 +200,7 @@ class FtpParts:
     def __repr__(self): return f'FtpParts: {self.done} of {self.size} bytes, {len(self.holes)} holes'
 
     def take(self, offset:int, data:bytes)->bool:
-        "Add data; returns whether any is new"
+        "Add data; return True if any is new"
         stop = min(offset+len(data), self.size)
         if offset>=stop or offset-self.done>self.reach: return False
         # what is left of the holes, and one more when these bytes lie behind the end
@@ -226,13 +226,13 @@ class FtpParts:
 # %% ../../nbs/api/ftp/00_frames.ipynb #f3b537be
 @patch(as_prop=True)
 def done(self:FtpParts)->int:
-    "Bytes that have come"
+    "Number of bytes received"
     return self.end-sum(b-a for a,b in self.holes)
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #d667e014
 @patch(as_prop=True)
 def whole(self:FtpParts)->bool:
-    "Whether the file is complete"
+    "True if the file is complete"
     return self.end==self.size and not self.holes
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #afedf48f

@@ -25,7 +25,7 @@ class _FtpSession:
     def __init__(self, file, size:int, writes:bool, used:float): store_attr()
 
     def read(self, offset:int, size:int)->bytes:
-        "A part of the file, perhaps less than `size`; raises `FtpError`, EOF among them, and `OSError`"
+        "Return a part of the file, at most `size` bytes; raises `FtpError` (also EOF) and `OSError`"
         if offset>=self.size: raise FtpError(FtpCode.EOF)
         self.file.seek(offset)
         data = self.file.read(min(size, self.size-offset))
@@ -39,7 +39,7 @@ class FtpJob:
 
 # %% ../../nbs/api/ftp/01_server.ipynb #df7fb570
 class FtpSessions:
-    "Who has which file open, and what each request is answered"
+    "Open files of all clients, and the answers to their requests"
     each,most = 8,32        # sessions of one peer; of all
     idle,dead = 3.,60.      # seconds without use until others may have its place; until it is closed
     repeat = 5.             # seconds in which a request that comes again gets the old answer
@@ -68,11 +68,11 @@ class FtpSessions:
         for key in [key for key in self.open if peer in (None,key[0])]: self.end(key)
 
     def sweep(self):
-        "Close what was not used for long"
+        "Close sessions that were not used for long"
         for key in [key for key,s in self.open.items() if self.clock()-s.used>self.dead]: self.end(key)
 
     def find(self, peer:tuple, number:int)->_FtpSession:
-        "A session that is open; raises `FtpError`"
+        "Return an open session; raises `FtpError`"
         session = self.open.get((peer,number))
         if session is None: raise FtpError(FtpCode.INVALID_SESSION)
         session.used = self.clock()
@@ -81,11 +81,12 @@ class FtpSessions:
 # %% ../../nbs/api/ftp/01_server.ipynb #b735bb30
 @patch
 def _make_room(self:FtpSessions, peer:tuple, number:int):
-    "See to it that there is a place for a session of `peer`; raises `FtpError`"
+    "Make room for a session of `peer`; raises `FtpError`"
     def is_idle(key): return self.clock()-self.open[key].used>self.idle
     for key in [key for key in self.open if key[0]==peer]:
         if (key[1]==number if number else is_idle(key)): self.end(key)
-    is_full,mine = len(self.open)>=self.most,[key for key in self.open if key[0]==peer]
+    is_full = len(self.open)>=self.most
+    mine = [key for key in self.open if key[0]==peer]
     if not is_full and len(mine)<self.each: return
     oldest = min(self.open if is_full else mine, key=lambda key: self.open[key].used)
     if not is_idle(oldest): raise FtpError(FtpCode.NO_SESSIONS_AVAILABLE)
@@ -98,7 +99,7 @@ def begin(self:FtpSessions, peer:tuple, # Who asks
           mode:str, # As for `FileTree.open`
           number:int=0, # That the peer wants; 0: we choose one
          )->tuple:
-    "Open a file for a peer: `(number, _FtpSession)`; raises `FtpError` and `OSError`"
+    "Open a file for a peer; return `(number, _FtpSession)`. Raises `FtpError` and `OSError`"
     self._make_room(peer, number)
     file = self.files.open(path, mode)
     size = file.seek(0, os.SEEK_END)
@@ -111,7 +112,7 @@ def begin(self:FtpSessions, peer:tuple, # Who asks
 ftp_operations = {}     # `{FtpOp: (function, does it write?)}`
 
 def _operation(*ops:int, writes:bool=False):
-    "Mark the method that carries out operations: it returns an answer or raises"
+    "Mark a method that carries out operations: it returns an answer or raises"
     def _f(f):
         ftp_operations.update({op:(f,writes) for op in ops})
         return f
@@ -122,7 +123,7 @@ def _operation(*ops:int, writes:bool=False):
 def answer(self:FtpSessions, peer:tuple, # `(system, component)` that asks
            request:FtpFrame, guard=lambda: None, # Called before anything is changed; raises `PermissionError`
           )->FtpFrame|FtpJob|None:
-    "The answer to a request; `None`: there is none"
+    "Return the answer to a request, if any"
     if request.opcode>=ACK: return              # an answer, and not for us
     before,last = self._last.find(peer, (None,None))
     if before==request: return last
@@ -165,7 +166,7 @@ _modes = {FtpOp.OPEN_FILE_RO:'r', FtpOp.OPEN_FILE_WO:'a', FtpOp.CREATE_FILE:'w'}
 @_operation(FtpOp.OPEN_FILE_RO)
 @_operation(FtpOp.OPEN_FILE_WO, FtpOp.CREATE_FILE, writes=True)
 def _open(self:FtpSessions, peer, request):
-    "A session for reading, or for writing into a file that may be there, or a new one; answers with its size"
+    "Open a session for reading, for writing, or for a new file; answer with its size"
     number,session = self.begin(peer, _path_in(request), _modes[request.opcode], request.session)
     size = b'' if request.opcode==FtpOp.CREATE_FILE else session.size.to_bytes(4, 'little')
     return request.ack(size, session=number, offset=0)
@@ -180,7 +181,7 @@ def _read_file(self:FtpSessions, peer, request):
 @patch
 @_operation(FtpOp.TERMINATE_SESSION)
 def _terminate(self:FtpSessions, peer, request):
-    "Close a session; one that was closed a moment ago is closed"
+    "Close a session; one that has just been closed is no error"
     key = peer,request.session
     if key not in self.open and self._ended.find(key) is None: raise FtpError(FtpCode.INVALID_SESSION)
     self.end(key)
@@ -204,7 +205,7 @@ def _burst(self:FtpSessions, peer, request):
 @patch
 def burst(self:FtpSessions, job:FtpJob, # A burst
           most:int): # Frames, at least 1
-    "The frames of a burst, one by one; it ends early when its session is closed"
+    "Yield the frames of a burst; it ends early if its session is closed"
     key,request,offset = (job.peer,job.request.session),job.request,job.request.offset
     session = self.open.get(key)
     for left in range(most-1, -1, -1):
@@ -253,7 +254,7 @@ def _truncate(self:FtpSessions, peer, request):
 @patch
 @_operation(FtpOp.CALC_FILE_CRC32)
 def _crc(self:FtpSessions, peer, request):
-    "The checksum of a file, or a job that makes it"
+    "Return the checksum of a file, or a job that computes it"
     path = _path_in(request)
     entry = self.files.entry(path)
     if entry.folder: raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), path)
@@ -264,7 +265,7 @@ def _crc(self:FtpSessions, peer, request):
 # %% ../../nbs/api/ftp/01_server.ipynb #d089016d
 @patch
 def checksum(self:FtpSessions, job:FtpJob): # Its `request` may be replaced by a newer one for the same file
-    "Steps with no answer, and then the answer"
+    "Yield `None` for each step, and then the answer"
     path,crc = _path_in(job.request),0
     try:
         entry = self.files.entry(path)

@@ -13,9 +13,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, LogLevels, _set_level
 from .retransmission import Commands
 from .mavcom import MAVCom, Member
-from .protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
+from UAV.mavlink.protocol import (Cancelled, check_id, check_seconds, _check_state, _check_type, comes_from, Command,
     CommandError, contraries, Expectations, identity, Lost, marked, _not_joined, Outcome, patience, receives,
-    _Seconds, Served, _Tables)
+    Served, _Tables)
 from ..utils import clock
 from ..utils.clock import time_UTC_usec
 from ..utils.threads import timers, Worker
@@ -31,8 +31,8 @@ class BaseComponent(Member):
     autopilot = mavlink.MAV_AUTOPILOT_INVALID       # for the heartbeat: not an autopilot
     base_mode = custom_mode = 0
     _results = {CommandError:None, NotImplementedError:mavlink.MAV_RESULT_UNSUPPORTED} # of errors; `None`: their own
-    command_timeout:float|None = _Seconds(None) # s until each next copy; `None`: from measured round trips
-    patience:float = _Seconds(patience) # s in which commands are retransmitted, unless `retries` is given
+    command_timeout:float|None = None # s until each next copy; `None`: from measured round trips
+    patience:float = patience # s in which commands are retransmitted, unless `retries` is given
     _in_progress_after = .3  # s until a slow command is acknowledged with IN_PROGRESS
     def __init__(self, source_component:int, # Our component id (MAV_COMP_ID), 1 to 255
                  mav_type:int, # Our MAV_TYPE for the heartbeat
@@ -679,13 +679,13 @@ def _no_ack(self:BaseComponent, command:Command)->Ack:
     if not command.dropped: self.num_acks_drop += 1
     command_id,*target = command.key
     lost = str(command.value or self.mav_com.lost(tuple(target)))       # the value may be the error `Lost`
-    heard = '' if lost or command.dropped else self._heard_instead(tuple(target), command_id)
-    ack = Ack(None, None, command_id, lost, target=tuple(target), heard=heard, copies=command.copies)
+    seen = '' if lost or command.dropped else self._seen_instead(tuple(target), command_id)
+    ack = Ack(None, None, command_id, lost, target=tuple(target), heard=seen, copies=command.copies)
     if not command.dropped: self.log.debug('← %r', ack)
     return ack
 
 @patch
-def _heard_instead(self:BaseComponent, target:tuple, command_id:int)->str:
+def _seen_instead(self:BaseComponent, target:tuple, command_id:int)->str:
     "List the components seen, if the single component `target` never was"
     known = target in self.remotes or any(target in c.sources for c in self.mav_com.channels)
     return '' if known or 0 in target else self.mav_com.who_was_heard(target[0])

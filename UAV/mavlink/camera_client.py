@@ -74,10 +74,14 @@ class CameraClient(Component):
     set_camera_mode = TargetVerb(mavlink.MAV_CMD_SET_CAMERA_MODE, RemoteCamera.mode, mode_id='mode')
     reset_camera_settings = TargetVerb(mavlink.MAV_CMD_RESET_CAMERA_SETTINGS, RemoteCamera.reset)
     storage_format = TargetVerb(mavlink.MAV_CMD_STORAGE_FORMAT, RemoteCamera.format)
-    video_start_capture = TargetVerb(mavlink.MAV_CMD_VIDEO_START_CAPTURE, RemoteCamera.record, video_stream_id='stream_id')
-    video_stop_capture = TargetVerb(mavlink.MAV_CMD_VIDEO_STOP_CAPTURE, RemoteCamera.stop_recording, video_stream_id='stream_id')
-    video_start_streaming = TargetVerb(mavlink.MAV_CMD_VIDEO_START_STREAMING, RemoteVideo.start, 'video', video_stream_id='stream_id')
-    video_stop_streaming = TargetVerb(mavlink.MAV_CMD_VIDEO_STOP_STREAMING, RemoteVideo.stop, 'video', video_stream_id='stream_id')
+    video_start_capture = TargetVerb(mavlink.MAV_CMD_VIDEO_START_CAPTURE, RemoteCamera.record,
+                                     video_stream_id='stream_id')
+    video_stop_capture = TargetVerb(mavlink.MAV_CMD_VIDEO_STOP_CAPTURE, RemoteCamera.stop_recording,
+                                    video_stream_id='stream_id')
+    video_start_streaming = TargetVerb(mavlink.MAV_CMD_VIDEO_START_STREAMING, RemoteVideo.start, 'video',
+                                       video_stream_id='stream_id')
+    video_stop_streaming = TargetVerb(mavlink.MAV_CMD_VIDEO_STOP_STREAMING, RemoteVideo.stop, 'video',
+                                      video_stream_id='stream_id')
 
     def __init__(self, source_component:int, # Our component id, for example `MAV_COMP_ID_MISSIONPLANNER` (190)
                  mav_type:int=mavlink.MAV_TYPE_GCS, loglevel:int=LogLevels.INFO):

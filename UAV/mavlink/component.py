@@ -318,11 +318,11 @@ async def _request(self:Component, command_id:int, params, msg_id:int, target:tu
 @patch
 async def _ask_until(self:Component, wanted, command_id:int, params, target:tuple, timeout, tries, retries)->Ack:
     "Repeat the request until the message `wanted` has come, or is refused"
-    end,asked = clock.monotonic()+self.patience,0
+    began,asked = clock.monotonic(),0
     while True:
         ack,asked = await self.send_command(*target, command_id, params, retries=retries, until=wanted),asked+1
         if ack and not wanted.there: await wanted.wait(timeout or max(.5, 2*self._rto(target)))
-        if wanted.there or not ack or asked==tries or clock.monotonic()>end: return ack
+        if wanted.there or not ack or asked==tries or clock.monotonic()>began+self.patience: return ack
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #a840784a
 @patch
@@ -453,7 +453,7 @@ class StatusText:
     def __init__(self, severity:int, # MAV_SEVERITY
                  number:int): # The `id` of its pieces; 0: it has one
         store_attr()
-        self.pieces,self.heard = {},0.      # by `chunk_seq`; when the last one came, monotonic s
+        self.pieces,self.received = {},0.      # by `chunk_seq`; when the last one came, monotonic s
 
     @property
     def ended(self)->bool:
@@ -491,10 +491,10 @@ class Texts:
         raw = getattr(msg, '_text_raw', None) or msg.text.encode()
         piece,text = raw[:50].split(b'\0')[0],self.open.get(number)
         is_other = text is not None and (text.severity!=msg.severity or text.pieces.get(n, piece)!=piece)
-        is_new = text is None or is_other or now-text.heard>self.life
+        is_new = text is None or is_other or now-text.received>self.life
         if is_new: text = StatusText(msg.severity, number)
         if n<text.most or is_new: text.pieces[min(n, text.most-1)] = piece
-        text.heard = now
+        text.received = now
         if number and is_new:
             self.open.pop(number, None)
             self.open[number] = text
@@ -634,12 +634,12 @@ def list_verbs(self:Component):
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #573cf2d0
 @patch
-def _heard_instead(self:Component, target:tuple, command_id:int)->str:
+def _seen_instead(self:Component, target:tuple, command_id:int)->str:
     "List the components seen, with a hint if the first number was perhaps not meant as a system"
-    heard = super(Component, self)._heard_instead(target, command_id)
-    if not heard or self.target_system in (None,0,target[0]): return heard
+    seen = super(Component, self)._seen_instead(target, command_id)
+    if not seen or self.target_system in (None,0,target[0]): return seen
     senders = [getattr(type(self), name) for name,cmd in verbs(type(self)).items() if cmd==command_id]
     found = [list(inspect.signature(f).parameters) for f in senders]
     behind = next((names[3:] for names in found if names[1:2]==['target_system']), [])
     named = ', '.join(f'{name}=…' for name in behind)
-    return heard+(named and f'; target_system comes first: name what is behind it, {named}')
+    return seen+(named and f'; target_system comes first: name what is behind it, {named}')

@@ -360,7 +360,7 @@ def check_stuck(self:Heart)->bool:
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #af3be14a
 @patch
 def check_alone(self:Heart):
-    "Log once why nobody is heard, if we sign: others drop frames of another key or of a wrong clock"
+    "Log once why nobody is received, if we sign: others drop frames of another key or of a wrong clock"
     if self.alone_since is None or self.com.signing is None: return
     others = any(a not in self.com.here for a in self.remotes)
     if not others and clock.monotonic()-self.alone_since<self.com.lost_after: return
@@ -637,8 +637,9 @@ def round_trips(self:MAVCom)->dict:
 @patch(as_prop=True)
 def link_quality(self:MAVCom)->list:
     "List of a `LinkQuality` for each component and link, ordered by address"
-    trips,heard = self.round_trips,[(a, c.name, s) for c in self.channels for a,s in list(c.sources.items())]
-    found = [(*a, name, s.received, s.lost, s.doubled, trips.get(a)) for a,name,s in heard]
+    trips = self.round_trips
+    sources = [(a, c.name, s) for c in self.channels for a,s in list(c.sources.items())]
+    found = [(*a, name, s.received, s.lost, s.doubled, trips.get(a)) for a,name,s in sources]
     return [LinkQuality(*f) for f in sorted(found, key=lambda f: f[:3])]
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #b44f473f
@@ -660,8 +661,8 @@ def _why_nothing_came(self:MAVCom)->str:
     if bad: return 'heard nothing but garbage: is it MAVLink, and on a serial port, is it the right baud rate?'
     dropped = self.signing.dropped if self.signing is not None else {}
     if dropped: return f'heard frames, and dropped all for their signature: {", ".join(sorted(dropped))}'
-    heard = 'heard nothing '+', and nothing '.join(f'on {c.name}: {_what_to_ask(c.name)}' for c in self.channels)
-    return heard if self.signing is None else f'{heard} And {self.signing.why_unheard()}'
+    nothing = 'heard nothing '+', and nothing '.join(f'on {c.name}: {_what_to_ask(c.name)}' for c in self.channels)
+    return nothing if self.signing is None else f'{nothing} And {self.signing.why_unheard()}'
 
 @patch
 def who_was_heard(self:MAVCom, system:int=0, # Only this system, if anything of it was received; 0: all

@@ -579,19 +579,6 @@ def check_which(name, # Part of vendor and model
     for what,number in (('system',system), ('component',component)):
         if number is not None: check_id(what, number)
 
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #f588973f
-class _Seconds:
-    "A checked attribute in seconds, which may be `None` if that's its default; raises as `check_seconds` does"
-    def __init__(self, default:float|None): self.default = default
-    def __set_name__(self, owner, name): self.name = name
-    def __get__(self, obj, cls=None): return self.default if obj is None else vars(obj).get(self.name, self.default)
-
-    def __set__(self, obj, value):
-        if value is not None or self.default is not None: check_seconds(self.name, value)
-        vars(obj)[self.name] = value
-
-    def __delete__(self, obj): del vars(obj)[self.name]      # as `mock.patch` leaves it
-
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #55156465
 def _not_joined(component)->str:
     "Return the error text for a component that is on no link"

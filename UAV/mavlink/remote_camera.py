@@ -74,9 +74,8 @@ class RemoteCamera:
         return flags_of(self.information)
 
     def __repr__(self):
-        i = self.information
-        what = f', {i.resolution_h}x{i.resolution_v}: {" ".join(self.can)}' if i else ''
-        return f'{self.system}/{self.component} {self.name}{what}'
+        i,who = self.information,f'{self.system}/{self.component} {self.name}'
+        return f'{who}, {i.resolution_h}x{i.resolution_v}: {" ".join(self.can)}' if i else who
 
 # %% ../../nbs/api/mavlink/15_remote_camera.ipynb #9a8f8f96
 def printable(raw, # Bytes, a list of them, or a text
@@ -475,7 +474,8 @@ async def zoom(self:RemoteCamera, percent:float|None=None, # Of the range
               )->Ack:
     "Zoom; pass exactly one of these"
     word,value = _given('zoom', percent=percent, mm=mm, steps=steps, speed=speed, degrees=degrees)
-    return await self._send(mavlink.MAV_CMD_SET_CAMERA_ZOOM, _zooms[word], value, 0, *self.client.command_numbers.step())
+    mark = self.client.command_numbers.step()
+    return await self._send(mavlink.MAV_CMD_SET_CAMERA_ZOOM, _zooms[word], value, 0, *mark)
 
 # %% ../../nbs/api/mavlink/15_remote_camera.ipynb #87738209
 @patch
@@ -488,8 +488,8 @@ async def focus(self:RemoteCamera, percent:float|None=None, # Of the range
     "Focus; pass exactly one of these"
     word,value = _given('focus', percent=percent, metres=metres, steps=steps, speed=speed, auto=auto)
     kind = number_of('SET_FOCUS_TYPE', value, 'FOCUS_TYPE_') if word=='auto' else _focuses[word]
-    how = kind, 0 if word=='auto' else value, 0, *self.client.command_numbers.step()
-    return await self._send(mavlink.MAV_CMD_SET_CAMERA_FOCUS, *how)
+    level,mark = 0 if word=='auto' else value,self.client.command_numbers.step()
+    return await self._send(mavlink.MAV_CMD_SET_CAMERA_FOCUS, kind, level, 0, *mark)
 
 # %% ../../nbs/api/mavlink/15_remote_camera.ipynb #c325254e
 @patch

@@ -47,9 +47,10 @@ class RemoteStream:
     thermal:bool=False # True for a thermal picture
 
     def __repr__(self):
-        shown = {f'{self.codec.upper()} {self.width}×{self.height}'.strip(): self.width, f'{self.rate:g} fps': self.rate,
-                f'{self.bitrate/1e6:g} Mbit/s': self.bitrate, f'{self.hfov}° wide': self.hfov, 'thermal': self.thermal,
-                'stopped': not self.running, self.kind: not self.uri.startswith(self.kind), self.uri: self.uri}
+        size = f'{self.codec.upper()} {self.width}×{self.height}'.strip()
+        shown = {size: self.width, f'{self.rate:g} fps': self.rate, f'{self.bitrate/1e6:g} Mbit/s': self.bitrate,
+                 f'{self.hfov}° wide': self.hfov, 'thermal': self.thermal, 'stopped': not self.running,
+                 self.kind: not self.uri.startswith(self.kind), self.uri: self.uri}
         return f'{self.id} {self.name}'.strip()+f': {", ".join(word for word,there in shown.items() if there)}'
 
 # %% ../../nbs/api/mavlink/12_remote_video.ipynb #d19be5b0
@@ -75,9 +76,10 @@ def stream_of(msg, # A VIDEO_STREAM_INFORMATION
     "Return the `RemoteStream` of a message"
     kind,codec = _key(stream_types, msg.type, 'unknown'),_key(stream_encodings, msg.encoding, '')
     kind,codec = _by_scheme(msg.uri, kind, codec)
-    running,thermal = mavlink.VIDEO_STREAM_STATUS_FLAGS_RUNNING,mavlink.VIDEO_STREAM_STATUS_FLAGS_THERMAL
-    return RemoteStream(msg.stream_id, msg.name, kind, codec, msg.resolution_h, msg.resolution_v, msg.framerate, msg.bitrate,
-                  msg.hfov, msg.uri, bool(msg.flags&running), bool(msg.flags&thermal))
+    running = bool(msg.flags & mavlink.VIDEO_STREAM_STATUS_FLAGS_RUNNING)
+    thermal = bool(msg.flags & mavlink.VIDEO_STREAM_STATUS_FLAGS_THERMAL)
+    return RemoteStream(msg.stream_id, msg.name, kind, codec, msg.resolution_h, msg.resolution_v, msg.framerate,
+                        msg.bitrate, msg.hfov, msg.uri, running, thermal)
 
 # %% ../../nbs/api/mavlink/12_remote_video.ipynb #f820349a
 # the port, what may stand before it (IPv6 in brackets), and a path or options behind it
@@ -281,8 +283,9 @@ async def _stream(self:RemoteTracking, interval:float):
 @for_async
 async def updates(self:RemoteTracking, rate:float=5.): # Updates per second
     "Yield the tracking status for `async for`; raises `CommandError`, `NoAnswer`, `Lost`"
-    there,interval = self.camera.address,1e6/inside('rate', rate, .01, 50)
-    with self.camera.client.expecting(CAMERA_TRACKING_IMAGE_STATUS, lambda msg: comes_from(msg, *there), there) as received:
+    client,there,interval = self.camera.client,self.camera.address,1e6/inside('rate', rate, .01, 50)
+    def is_theirs(msg): return comes_from(msg, *there)
+    with client.expecting(CAMERA_TRACKING_IMAGE_STATUS, is_theirs, there) as received:
         await self._stream(interval)
         try:
             while True:

@@ -415,10 +415,10 @@ def beat(self:Remotes, address:tuple, # `(system, component)` that sent it
         )->bool:
     "Store a heartbeat; true if the component is new or back"
     remote = self.known(address)
-    news = remote.lost or remote.type is None
+    is_new = remote.lost or remote.type is None
     remote.type,remote.autopilot,remote.system_status = msg.type,msg.autopilot,msg.system_status
     remote.heard,remote.lost = now,False
-    return news
+    return is_new
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #b9882c43
 @patch
@@ -460,9 +460,9 @@ def note_sequence(self:Remotes, address:tuple, # `(system, component)` that sent
     remote.sequences[link] = [*came[-9:], (sequence,now)],frames,restarts
     if not came or restarts==begun+1: return False      # after an outage
     remote.note_step(came, sequence, frames-counted, now)
-    news = not remote.double and remote.seems_double
-    remote.double = remote.double or news
-    return news
+    is_new = not remote.double and remote.seems_double
+    remote.double = remote.double or is_new
+    return is_new
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #761ff25e
 late,latest = 8,64 # frames that may overtake a frame of a quiet component; of any component
