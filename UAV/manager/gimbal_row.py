@@ -22,37 +22,6 @@ from ..wire.dialect import Ack, MAVError
 # %% auto #0
 __all__ = ['GimbalRow']
 
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #ba93704f
-def _between(p:tuple, q:tuple, share:float)->tuple:
-    "Interpolate between the unit quaternions `p` (share 0) and `q` (share 1)"
-    w,*axis = product(inverse(p), q)
-    length = math.hypot(*axis)
-    if length<1e-9: return q
-    half = math.atan2(length, abs(w))
-    size = math.copysign(math.sin(half*share), w)/length
-    return product(p, (math.cos(half*share), *(a*size for a in axis)))
-
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #c4feabb3
-class _History:
-    "The attitudes of the last seconds, as quaternions; times in monotonic s"
-    def __init__(self, seconds:float=10.):
-        self.seconds,self._kept,self._lock = seconds,deque(),clock.Lock()
-
-    def add(self, time:float, q:tuple):
-        "Store an attitude, if it is later than the last one"
-        with self._lock:
-            if self._kept and time<=self._kept[-1][0]: return
-            self._kept.append((time, q))
-            while self._kept[0][0]<time-self.seconds: self._kept.popleft()
-
-    def at(self, time:float)->tuple|None:
-        "Return the attitude at `time`, or the nearest; `None` without any"
-        with self._lock: kept = list(self._kept)
-        later = next((n for n,(t,_) in enumerate(kept) if t>=time), len(kept))
-        if later in (0, len(kept)): return kept[min(later, len(kept)-1)][1] if kept else None
-        (t0,p),(t1,q) = kept[later-1:later+1]
-        return _between(p, q, (time-t0)/(t1-t0))
-
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #bad4c4fb
 class GimbalRow(Row):
     "State and buttons of one gimbal"
@@ -85,6 +54,37 @@ class GimbalRow(Row):
         if frame!=self.frame: self.history,self.frame = _History(),frame
         q = now.earth_q if frame=='earth' else now.q
         if all(map(known, q)): self.history.add(clock.monotonic(), q)
+
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #ba93704f
+def _between(p:tuple, q:tuple, share:float)->tuple:
+    "Interpolate between the unit quaternions `p` (share 0) and `q` (share 1)"
+    w,*axis = product(inverse(p), q)
+    length = math.hypot(*axis)
+    if length<1e-9: return q
+    half = math.atan2(length, abs(w))
+    size = math.copysign(math.sin(half*share), w)/length
+    return product(p, (math.cos(half*share), *(a*size for a in axis)))
+
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #c4feabb3
+class _History:
+    "The attitudes of the last seconds, as quaternions; times in monotonic s"
+    def __init__(self, seconds:float=10.):
+        self.seconds,self._kept,self._lock = seconds,deque(),clock.Lock()
+
+    def add(self, time:float, q:tuple):
+        "Store an attitude, if it is later than the last one"
+        with self._lock:
+            if self._kept and time<=self._kept[-1][0]: return
+            self._kept.append((time, q))
+            while self._kept[0][0]<time-self.seconds: self._kept.popleft()
+
+    def at(self, time:float)->tuple|None:
+        "Return the attitude at `time`, or the nearest; `None` without any"
+        with self._lock: kept = list(self._kept)
+        later = next((n for n,(t,_) in enumerate(kept) if t>=time), len(kept))
+        if later in (0, len(kept)): return kept[min(later, len(kept)-1)][1] if kept else None
+        (t0,p),(t1,q) = kept[later-1:later+1]
+        return _between(p, q, (time-t0)/(t1-t0))
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #27d57da1
 @patch
