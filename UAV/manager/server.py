@@ -20,10 +20,83 @@ from ..utils.sockets import is_loopback, listen_tcp, url_host, _Guesses
 from ..wire.dialect import MAVError
 
 # %% auto #0
-__all__ = ['log', 'modules', 'panel_css', 'panel_js', 'Refused', 'Door', 'bundle', 'Site', 'PanelServer']
+__all__ = ['log', 'modules', 'panel_css', 'panel_js', 'PanelServer', 'Refused', 'Door', 'bundle', 'Site']
 
 # %% ../../nbs/api/manager/09_server.ipynb #a6ed9cc8
 log = get_logger('manager.server')
+
+# %% ../../nbs/api/manager/09_server.ipynb #ce352bb2
+class PanelServer(Closes):
+    "Web server of a panel; `with` closes it"
+    most = 128                              # connections at once
+    patience,idle,sending = 5.,30.,10.      # s until a request arrives; between two; until bytes are read
+    def __init__(self, gui, # The panel
+                 port:int=0, # TCP port; 0: any free one
+                 host:str='127.0.0.1', # Address to listen on; '': all, for other computers, too
+                 token:str|None=None, # `None`: a new one; set your own so that open pages find a restarted panel
+                 names:tuple=()): # Further host names, such as that of a proxy
+        if gui.closed: raise RuntimeError('the panel is closed')
+        host = host.strip('[]')
+        store_attr('gui,host')
+        self.site,self.visits,self.closed = Site(gui, Door(host, token, names)),{},False
+        web = _web_class()                  # imports aiohttp here, so that the panel's loop doesn't wait
+        self.listener = listen_tcp(host, port)
+        self.port = self.listener.getsockname()[1]
+        self.started = gui.loop.run(self._start(web))
+        gui.hosts.append(self)
+
+    def __repr__(self): return f'{type(self).__name__} {self.url.partition("#")[0]}, {len(self.visits)} connections'
+
+    def link(self, host:str, # Host name or address that the browser can reach
+            )->str:
+        "Return the address of the page, with its token"
+        return f'http://{url_host(host)}:{self.port}/#token={self.site.door.token}'
+
+    async def _start(self, web):
+        self.web = web(self)
+        self.serving = await asyncio.get_running_loop().create_server(self.web, sock=self.listener)
+        self.sweeping = asyncio.ensure_future(self._sweep())
+
+    async def _sweep(self):
+        while True:
+            await asyncio.sleep(min(.5, self.patience/4, self.sending/4))
+            now = clock.monotonic()
+            for visit in list(self.visits.values()):
+                if visit.late(now, self.patience, self.sending): visit.transport.abort()
+
+# %% ../../nbs/api/manager/09_server.ipynb #4a714c3f
+@patch(as_prop=True)
+def url(self:PanelServer)->str:
+    "Address of the page for a browser on this computer"
+    return self.link('127.0.0.1' if self.site.door.everywhere else self.host)
+
+# %% ../../nbs/api/manager/09_server.ipynb #dddce80a
+@patch
+def close(self:PanelServer, patience:float=1.): # Seconds for answers under way
+    "Close all connections and the port; safe to call twice, and from any thread"
+    if self.closed: return
+    self.closed,loop = True,self.gui.loop
+    if self in self.gui.hosts: self.gui.hosts.remove(self)
+    if loop.orphaned: return self.listener.close()          # a forked process: the connections are its parent's
+    try: ended = loop.run(self._end(patience))
+    except RuntimeError: return self.listener.close()       # its loop is gone
+    if not loop.inside: ended.result(10)
+
+# %% ../../nbs/api/manager/09_server.ipynb #cc9931a3
+@patch
+async def _end(self:PanelServer, patience:float):
+    await asyncio.wrap_future(self.started)
+    self.sweeping.cancel()
+    self.serving.close()
+    under_way = [task for talk in self.site.talks for task in talk.tasks]
+    if under_way: await asyncio.wait(under_way, timeout=patience)
+    for task in under_way: task.cancel()
+    goodbyes = [talk.socket.close(code=1001, message=b'the panel has ended') for talk in self.site.talks]
+    await asyncio.gather(*goodbyes, return_exceptions=True)
+    for visit in list(self.visits.values()): visit.busy or visit.transport.close()
+    await self.web.shutdown(patience)
+    for visit in list(self.visits.values()): visit.transport.abort()
+    await asyncio.sleep(0)                  # lets them notice that they are closed
 
 # %% ../../nbs/api/manager/09_server.ipynb #43690a9c
 class Refused(Exception):
@@ -498,51 +571,6 @@ def _web_class():
             self.host.visits.pop(handler, None)
     return PanelWeb
 
-# %% ../../nbs/api/manager/09_server.ipynb #ce352bb2
-class PanelServer(Closes):
-    "Web server of a panel; `with` closes it"
-    most = 128                              # connections at once
-    patience,idle,sending = 5.,30.,10.      # s until a request arrives; between two; until bytes are read
-    def __init__(self, gui, # The panel
-                 port:int=0, # TCP port; 0: any free one
-                 host:str='127.0.0.1', # Address to listen on; '': all, for other computers, too
-                 token:str|None=None, # `None`: a new one; set your own so that open pages find a restarted panel
-                 names:tuple=()): # Further host names, such as that of a proxy
-        if gui.closed: raise RuntimeError('the panel is closed')
-        host = host.strip('[]')
-        store_attr('gui,host')
-        self.site,self.visits,self.closed = Site(gui, Door(host, token, names)),{},False
-        web = _web_class()                  # imports aiohttp here, so that the panel's loop doesn't wait
-        self.listener = listen_tcp(host, port)
-        self.port = self.listener.getsockname()[1]
-        self.started = gui.loop.run(self._start(web))
-        gui.hosts.append(self)
-
-    def __repr__(self): return f'{type(self).__name__} {self.url.partition("#")[0]}, {len(self.visits)} connections'
-
-    def link(self, host:str, # Host name or address that the browser can reach
-            )->str:
-        "Return the address of the page, with its token"
-        return f'http://{url_host(host)}:{self.port}/#token={self.site.door.token}'
-
-    async def _start(self, web):
-        self.web = web(self)
-        self.serving = await asyncio.get_running_loop().create_server(self.web, sock=self.listener)
-        self.sweeping = asyncio.ensure_future(self._sweep())
-
-    async def _sweep(self):
-        while True:
-            await asyncio.sleep(min(.5, self.patience/4, self.sending/4))
-            now = clock.monotonic()
-            for visit in list(self.visits.values()):
-                if visit.late(now, self.patience, self.sending): visit.transport.abort()
-
-# %% ../../nbs/api/manager/09_server.ipynb #4a714c3f
-@patch(as_prop=True)
-def url(self:PanelServer)->str:
-    "Address of the page for a browser on this computer"
-    return self.link('127.0.0.1' if self.site.door.everywhere else self.host)
-
 # %% ../../nbs/api/manager/09_server.ipynb #b634d7e6
 @patch
 def _welcome(self:PanelServer, visit:_Visit):
@@ -574,31 +602,3 @@ async def _serve(self:PanelServer, request):
     response = self.site.reply(request, refused.text, 'text/plain', refused.status)
     response.force_close()
     return response
-
-# %% ../../nbs/api/manager/09_server.ipynb #dddce80a
-@patch
-def close(self:PanelServer, patience:float=1.): # Seconds for answers under way
-    "Close all connections and the port; safe to call twice, and from any thread"
-    if self.closed: return
-    self.closed,loop = True,self.gui.loop
-    if self in self.gui.hosts: self.gui.hosts.remove(self)
-    if loop.orphaned: return self.listener.close()          # a forked process: the connections are its parent's
-    try: ended = loop.run(self._end(patience))
-    except RuntimeError: return self.listener.close()       # its loop is gone
-    if not loop.inside: ended.result(10)
-
-# %% ../../nbs/api/manager/09_server.ipynb #cc9931a3
-@patch
-async def _end(self:PanelServer, patience:float):
-    await asyncio.wrap_future(self.started)
-    self.sweeping.cancel()
-    self.serving.close()
-    under_way = [task for talk in self.site.talks for task in talk.tasks]
-    if under_way: await asyncio.wait(under_way, timeout=patience)
-    for task in under_way: task.cancel()
-    goodbyes = [talk.socket.close(code=1001, message=b'the panel has ended') for talk in self.site.talks]
-    await asyncio.gather(*goodbyes, return_exceptions=True)
-    for visit in list(self.visits.values()): visit.busy or visit.transport.close()
-    await self.web.shutdown(patience)
-    for visit in list(self.visits.values()): visit.transport.abort()
-    await asyncio.sleep(0)                  # lets them notice that they are closed
