@@ -26,7 +26,7 @@ __all__ = ['GimbalRow']
 class GimbalRow(Row):
     "State and buttons of one gimbal"
     kind = 'gimbal'
-    patience,learns_again = 3.,3.   # s until the next request: without an attitude; if something is missing
+    patience,requests_again = 3.,3.   # s until the next request: without an attitude; if something is missing
     def __init__(self, gui, # The `Panel`; its `gimbal_client` is on a link
                  gimbal:tuple): # `(system, component, gimbal_device_id)`
         super().__init__(gui, '/'.join(map(str, gimbal)))
@@ -88,7 +88,7 @@ class _History:
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #27d57da1
 @patch
-async def learn(self:GimbalRow):
+async def request_all(self:GimbalRow):
     "Request information and attitude, and note what is missing; raises `MAVError` if the gimbal is silent"
     self.missing = ''
     try: await self.client.wait_ready()
@@ -100,14 +100,14 @@ async def learn(self:GimbalRow):
 @patch
 async def listen(self:GimbalRow):
     "Store attitudes until none comes for a while, and request what is missing; raises `Lost`"
-    learned = clock.monotonic()
+    requested = clock.monotonic()
     with self.client.expecting_attitude() as expected:
         while await expected.wait(self.patience) is not None:
             expected.renew()
             if (now := self.client.attitude) is not None: self.note(now)
-            if self.missing and clock.monotonic()-learned>self.learns_again:
-                await self.learn()
-                learned = clock.monotonic()
+            if self.missing and clock.monotonic()-requested>self.requests_again:
+                await self.request_all()
+                requested = clock.monotonic()
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #e1e054dd
 @patch
@@ -115,7 +115,7 @@ async def run(self:GimbalRow):
     "Learn and listen, again after each silence, until cancelled"
     while True:
         try:
-            await self.learn()
+            await self.request_all()
             await self.listen()
         except MAVError as e: self.missing = str(e)
         self.client.forget()
@@ -233,7 +233,7 @@ async def retract(self:GimbalRow)->Ack:
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #bac28754
 @patch
-async def sees(self:GimbalRow, test, # A function without arguments
+async def until_reported(self:GimbalRow, test, # A function without arguments
                seconds:float=1.): # Longest wait
     "Wait until an attitude report makes `test()` true"
     with self.client.expecting_attitude(lambda msg: test()) as expected:
@@ -247,7 +247,7 @@ async def lock(self:GimbalRow)->Ack:
     "Lock the yaw to a direction on earth"
     await self.ready()
     ack = await self.client.lock()
-    if ack: await self.sees(lambda: self.helm.locked)
+    if ack: await self.until_reported(lambda: self.helm.locked)
     return ack
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #38e3de5f
@@ -257,7 +257,7 @@ async def follow(self:GimbalRow)->Ack:
     "Let the yaw follow the nose"
     await self.ready()
     ack = await self.client.follow()
-    if ack: await self.sees(lambda: not self.helm.locked)
+    if ack: await self.until_reported(lambda: not self.helm.locked)
     return ack
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #0246ff92

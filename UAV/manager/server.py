@@ -138,7 +138,7 @@ class Door:
         if not hmac.compare_digest((given or '').encode('utf-8', 'replace'), self.token.encode()):
             raise Refused(403, 'this link has no token, or an old one')
 
-    def knows(self, name:str, # Host name or address
+    def is_known(self, name:str, # Host name or address
              )->bool:
         "True if it is one of our names"
         return is_loopback(name) or name in self.names or (self.everywhere and _is_address(name))
@@ -146,7 +146,7 @@ class Door:
     def check_host(self, hosts:list): # All `Host` headers of a request
         "Check the host; raises `Refused` (400, 403)"
         if len(hosts)!=1: raise Refused(400, 'one Host is needed')
-        if self.knows(_name_of(hosts[0])): return
+        if self.is_known(_name_of(hosts[0])): return
         raise Refused(403, 'the panel does not know the name in this address: serve(names=…)')
 
 # %% ../../nbs/api/manager/09_server.ipynb #3a0e5f50
@@ -253,7 +253,7 @@ class _Messages:
         self.held = {}          # `{(row, hold): release}` of the viewer's holds
 
     async def poll(self, seen:str='', after:dict|None=None):
-        "Wait for news, see `Gui.poll`"
+        "Wait for an update, see `Gui.poll`"
         new = await self.gui.poll(seen, after)
         pictures = [[id, number, _age_of(self.gui.rows.get(id), number)] for id,number,_ in new.pictures]
         return dict(tag=new.tag, status=new.status, pictures=pictures),[jpeg for *_,jpeg in new.pictures]
@@ -326,8 +326,8 @@ async def answer(self:_Messages, message)->tuple:
         asked = dict(message)
         kind,ref = asked.pop('kind', None),asked.pop('ref', None)
         if kind not in self.kinds: raise ValueError(f'{kind!r:.40} is not known here')
-        told,pictures = await getattr(self, kind)(**asked)
-        return dict(told, ref=ref),pictures
+        answer,pictures = await getattr(self, kind)(**asked)
+        return dict(answer, ref=ref),pictures
     except (ValueError,TypeError,AttributeError,MAVError) as e: error = str(e) or type(e).__name__
     except Exception as e:
         log.exception('%s of a viewer', kind)
@@ -373,7 +373,7 @@ class Site:
         from aiohttp import web
         what = dict(text=body, charset='utf-8') if isinstance(body, str) else dict(body=body)
         host = request.headers.get('Host', '')
-        rules = _rules_for(host if self.door.knows(_name_of(host)) else 'localhost')
+        rules = _rules_for(host if self.door.is_known(_name_of(host)) else 'localhost')
         return web.Response(status=status, content_type=kind, headers=rules|headers, **what)
 
     def _static(self, request, name:str):
@@ -410,9 +410,9 @@ async def post_act(self:Site, request):
     if request.content_length>self.most: raise Refused(413)
     try: press = _json_of(await asyncio.wait_for(request.read(), self.reading))
     except asyncio.TimeoutError: raise Refused(408) from None
-    try: told,_ = await _Messages(self.gui).act(**press)
+    try: answer,_ = await _Messages(self.gui).act(**press)
     except (TypeError, ValueError) as e: raise Refused(400, str(e)[:300]) from None
-    return self.reply(request, json.dumps(told))
+    return self.reply(request, json.dumps(answer))
 
 # %% ../../nbs/api/manager/09_server.ipynb #ac4b1d91
 _played = dict(mp4='video/mp4', m4v='video/mp4', mov='video/mp4', webm='video/webm')     # playable in a browser
@@ -456,9 +456,9 @@ async def download(self:Site, request, visit, ticket:str):
     return response
 
 # %% ../../nbs/api/manager/09_server.ipynb #7a125fba
-def _packed(told:dict, pictures:list)->bytes:
+def _packed(answer:dict, pictures:list)->bytes:
     "Pack an answer and its pictures into one message"
-    head = json.dumps(told|dict(sizes=[len(jpeg) for jpeg in pictures])).encode()
+    head = json.dumps(answer|dict(sizes=[len(jpeg) for jpeg in pictures])).encode()
     return b''.join([len(head).to_bytes(4, 'big'), head, *pictures])
 
 # %% ../../nbs/api/manager/09_server.ipynb #eaf99261
@@ -524,10 +524,10 @@ async def _answer(self:_Talk, asked:dict):
 
 # %% ../../nbs/api/manager/09_server.ipynb #d314d30d
 @patch
-async def _send(self:_Talk, told:dict, pictures=()):
+async def _send(self:_Talk, answer:dict, pictures=()):
     with suppress(ConnectionError, RuntimeError):           # it's closed, or about to be
-        if pictures: await self.socket.send_bytes(_packed(told, pictures))
-        else: await self.socket.send_str(json.dumps(told))
+        if pictures: await self.socket.send_bytes(_packed(answer, pictures))
+        else: await self.socket.send_str(json.dumps(answer))
 
 # %% ../../nbs/api/manager/09_server.ipynb #a7319ab3
 @patch
