@@ -123,7 +123,7 @@ _checks = dict(         # name: what its value must be, in words and as a functi
     min_interval=_times, patience=_times, frame_rate=_times,
     jpeg_quality=('a whole number from 0 to 100', lambda value: value in range(101)),
     gimbal_device_id=('a whole number from 0 to 255', lambda value: value in range(256)),
-    clock_error=('a number', lambda value: _is_number(value, -1e9, 1e9)),
+    clock_error=('a number', lambda value: _is_number(value, -1e12, 1e12)),
     information=("a CameraInformation of texts and numbers, such as CameraInformation(model='Mine')", _describes),
     modes=("words in brackets, such as ('image','video')",
            lambda value: isinstance(value, (tuple,list)) and value and all(mode in [*mode_numbers] for mode in value)),
