@@ -18,7 +18,7 @@ def circle(radius:float=40., # m
            speed:float=5., # m/s; a negative one flies anticlockwise
            altitude:float=30., # Above the ground, m
            middle:tuple=(0.,0.)): # North and east of the origin, m
-    "A path round `middle`; it begins in the north of it"
+    "Return a path round `middle`; it begins in the north of it"
     north,east = middle
     def path(t):
         angle = speed/radius*t
@@ -31,7 +31,7 @@ def line(speed:float=5., # m/s over the ground
          climb:float=0., # m/s
          altitude:float=30., # Above the ground at the beginning, m
          start:tuple=(0.,0.)): # North and east of the origin, m
-    "A path straight on"
+    "Return a path straight on"
     (north,east),turn = start,math.radians(heading)
     def path(t): return north+speed*t*math.cos(turn), east+speed*t*math.sin(turn), altitude+climb*t
     return path
@@ -39,7 +39,7 @@ def line(speed:float=5., # m/s over the ground
 # %% ../../nbs/api/gimbals/04_vehicle.ipynb #7ec29337
 def hover(altitude:float=30., # Above the ground, m
           place:tuple=(0.,0.)): # North and east of the origin, m
-    "A path that stays in one place"
+    "Return a path that stays in one place"
     def path(t): return *place, altitude
     return path
 
@@ -50,7 +50,7 @@ def strips(count:int=4, # Strips
            speed:float=8., # m/s over the ground
            altitude:float=40., # Above the ground, m
            start:tuple=(0.,0.)): # North and east of the origin: the south end of the first strip, m
-    "A path over a field, with half circles from strip to strip; it stays where the last one ends"
+    "Return a path over a field, with half circles from strip to strip; it stays where the last one ends"
     (north,east),radius = start,apart/2
     one,whole = length+math.pi*radius,count*length+(count-1)*math.pi*radius
     def path(t):
@@ -63,7 +63,7 @@ def strips(count:int=4, # Strips
 
 # %% ../../nbs/api/gimbals/04_vehicle.ipynb #42cbb92d
 class SimVehicle:
-    "Flies a path, exactly, and tells how"
+    "Flies a path, exactly"
     def __init__(self,
         path=None, # Function: s since the start to (north, east, height above the ground) in m; `None`: `circle()`
         origin:tuple=(-35.363262,149.165237,584.), # Latitude, longitude, height above sea of the origin
@@ -75,7 +75,7 @@ class SimVehicle:
 
     def position(self, t:float|None=None, # s on its clock; `None`: now
                 )->tuple:
-        "North, east (m from the origin) and height above the ground (m)"
+        "Return north, east (m from the origin) and height above the ground (m)"
         return self.path((self.clock() if t is None else t)-self.began)
 
     def __repr__(self): return f'{type(self).__name__}: %.0f m north, %.0f m east, %.0f m up' % self.position()
@@ -86,7 +86,7 @@ moment = .05     # s
 @patch
 def velocity(self:SimVehicle, t:float|None=None, # s on its clock; `None`: now
             )->tuple:
-    "North, east and down, m/s"
+    "Return the velocity north, east and down, m/s"
     t = self.clock() if t is None else t
     (n0,e0,a0),(n1,e1,a1) = self.position(t-moment),self.position(t+moment)
     return (n1-n0)/2/moment, (e1-e0)/2/moment, (a0-a1)/2/moment
@@ -95,7 +95,7 @@ def velocity(self:SimVehicle, t:float|None=None, # s on its clock; `None`: now
 @patch
 def yaw(self:SimVehicle, t:float|None=None, # s on its clock; `None`: now
        )->float:
-    "Where the nose points, degrees from north; a vehicle that hovers points north"
+    "Return where the nose points, degrees from north; a vehicle that hovers points north"
     t = self.clock() if t is None else t
     if self.heading is not None: return wrap(self.heading(t-self.began) if callable(self.heading) else self.heading)
     north,east,_ = self.velocity(t)
@@ -105,7 +105,7 @@ def yaw(self:SimVehicle, t:float|None=None, # s on its clock; `None`: now
 @patch
 def on_earth(self:SimVehicle, north:float, east:float, up:float, # m from the origin, and above the ground
             )->tuple:
-    "Latitude and longitude (degrees), and height above sea (m) of a place"
+    "Return latitude and longitude (degrees), and height above sea (m) of a place"
     lat,lon,alt = self.origin
     return *moved(lat, lon, north, east), alt+up
 
@@ -113,7 +113,7 @@ def on_earth(self:SimVehicle, north:float, east:float, up:float, # m from the or
 @patch
 def state(self:SimVehicle, t:float|None=None, # s on its clock; `None`: now
          )->VehicleState:
-    "How it is held, and where it is"
+    "Return how it is held, and where it is"
     t = self.clock() if t is None else t
     (north,east,up),(vn,ve,vd) = self.position(t),self.velocity(t)
     speed,yaw_rate = math.hypot(vn, ve),wrap(self.yaw(t+moment)-self.yaw(t-moment))/2/moment
