@@ -1,13 +1,16 @@
-"""Write a stub (`.pyi`) beside each module, so that an editor sees in a class what `@patch` adds to it.
+"""Write a stub (`.pyi`) beside each module, so that an editor sees in a class what `@patch` adds to it, and what each parameter is.
 
-setup.py calls `write` when the wheel or the editable install is built; `python _stubs.py` does it at any time."""
-import ast, builtins, copy
+setup.py calls `write` when the wheel or the editable install is built; `python _stubs.py` does it at any time. The comments of
+parameters are in the stubs' docstrings, for editors; `explain` puts them into those of the wheel's modules as well, for `help`."""
+import ast, builtins, copy, re
 from pathlib import Path
 
 KEPT = ('property', 'cached_property', 'classmethod', 'staticmethod', 'setter', 'contextmanager', 'asynccontextmanager',
         'dataclass')
 SCOPES = ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef
+EXPLAINED = 'mavlink', 'cameras', 'gimbals', 'manager', 'wire', 'blocking'      # what people call; a program's docstrings are its help
 PARTS = ast.BinOp, ast.BitOr, ast.Subscript, ast.Name, ast.Load, ast.Constant, ast.Tuple      # of an expression for a type
+COMMENT = re.compile(r"""(?:[^#'"]|'[^']*'|"[^"]*")*#\s*(.*)""")      # what follows a parameter in its line
 CLASSES = {}        # those of the package, by name
 MADE = 'namedtuple', 'NewType', 'TypeVar'       # calls that make types
 HEAD = '''# Made by _stubs.py when the package was installed.
@@ -53,6 +56,50 @@ def optional(kind):
     "`kind`, or `None`"
     text = ast.unparse(kind)
     return kind if 'None' in text or 'Any' in text else expression(f'{text} | None')
+
+
+def parsed(text):
+    "The syntax tree of a module, in which parameters and fields have their comment as `says`"
+    tree,lines = ast.parse(text),text.encode().splitlines()
+    last = {n.lineno: n for n in ast.walk(tree) if isinstance(n, (ast.arg, ast.AnnAssign))}    # of several in a line
+    for node in last.values():
+        comment = COMMENT.match(lines[node.end_lineno-1][node.end_col_offset:].decode())
+        if comment: node.says = comment[1]
+    return tree
+
+
+def told(node):
+    "`(name, comment)` of the parameters of a function, with its options, or of the fields of a dataclass"
+    if isinstance(node, ast.ClassDef):
+        fields = node.body if 'dataclass' in map(name_of, node.decorator_list) else []
+        given = [(n.target.id, n) for n in fields if isinstance(n, ast.AnnAssign)]
+    else:
+        args = node.args
+        every = [*args.posonlyargs, *args.args, args.vararg, *args.kwonlyargs, args.kwarg]
+        given = [(a.arg, a) for a in every if a and a.lineno < node.body[0].lineno]
+        options = [(name, n) for name,_,n in options_of(node)]
+        given = [one for one in given if not options or one[1] is not args.kwarg]+options
+    return [(name, n.says) for name,n in given if hasattr(n, 'says') and name != 'self']
+
+
+def documentation(node):
+    "The docstring of a function or class, and what its parameters or fields are; empty when it has neither"
+    doc,says = ast.get_docstring(node) or '',told(node)
+    title = '\n\nFields:' if isinstance(node, ast.ClassDef) else '\n\nParameters:'
+    return '\n'.join([doc+title, *(f'    {name}: {what}' for name,what in says)]) if says else doc
+
+
+def explained(text):
+    "A module's text, in which `help` shows the parameters of what is public and the fields of its dataclasses"
+    tree,lines = parsed(text),text.encode().splitlines(keepends=True)
+    kinds = ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef
+    nodes = [n for n in ast.walk(tree) if isinstance(n, kinds) and is_public(n.name) and told(n)]
+    for node in sorted(nodes, key=lambda n: n.body[0].lineno, reverse=True):
+        doc,first = repr(documentation(node)).encode(),node.body[0]
+        before,there = lines[first.lineno-1][:first.col_offset],lines[first.lineno-1][first.col_offset:]
+        if ast.get_docstring(node): lines[first.lineno-1:first.end_lineno] = [before, doc, lines[first.end_lineno-1][first.end_col_offset:]]
+        elif node.name == '__init__': lines[first.lineno-1] = before+doc+(b'; ' if before.strip() else b'\n'+before)+there
+    return b''.join(lines).decode()
 
 
 def patched(function):
@@ -118,20 +165,20 @@ def with_target(made):
 
 
 def options_of(function):
-    "What `**kwargs` of a function takes, by its mark `@delegates(CLASS)` or `@takes_options(CLASS)`"
+    "`(name, type, node)` of what `**kwargs` of a function takes, by its mark `@delegates(CLASS)` or `@takes_options(CLASS)`"
     for mark in function.decorator_list:
         if name_of(mark) not in ('delegates', 'takes_options') or not getattr(mark, 'args', None): continue
         name = ast.unparse(mark.args[0]).removesuffix('.__init__').split('.')[-1]
         body = CLASSES[name].body if name in CLASSES else []
-        yield from ((n.target.id, n.annotation) for n in body if isinstance(n, ast.AnnAssign))
+        yield from ((n.target.id, n.annotation, n) for n in body if isinstance(n, ast.AnnAssign))
         for n in filter(is_function, body):
-            if n.name == '__init__': yield from ((a.arg, a.annotation) for a in n.args.args[len(n.args.args)-len(n.args.defaults):])
+            if n.name == '__init__': yield from ((a.arg, a.annotation, a) for a in n.args.args[len(n.args.args)-len(n.args.defaults):])
 
 
 def spelled_out(made):
     "A function with its options in place of `**kwargs`"
     there = {a.arg for a in made.args.args+made.args.kwonlyargs}
-    options = [ast.arg(name, kind) for name,kind in options_of(made) if name not in there]
+    options = [ast.arg(name, kind) for name,kind,_ in options_of(made) if name not in there]
     if not options: return
     made.args.kwonlyargs += options
     made.args.kw_defaults += [ast.Constant(...)]*len(options)
@@ -146,8 +193,7 @@ def stub_of(function, is_method=False):
     if 'Iterator[' in ast.unparse(made.returns): made = ast.FunctionDef(**vars(made))          # nothing to await
     typed(made.args, is_method and not any(name_of(d) == 'staticmethod' for d in made.decorator_list))
     if is_method and any(name_of(d) == 'verb' for d in function.decorator_list): made = with_target(made)
-    doc = ast.get_docstring(function)
-    made.body = [ast.Expr(ast.Constant(doc.split('\n')[0] if doc else ...))]
+    made.body = [ast.Expr(ast.Constant(documentation(function) or ...))]
     return made
 
 
@@ -213,7 +259,8 @@ def class_stub(node, patches):
     has_fields,is_enum = marks & {'dataclass', 'NamedTuple'},any(mark.endswith(('Enum', 'Flag')) for mark in marks)
     every = [*filter(is_function, node.body), *patches]
     functions = [f for f in every if is_public(f.name) and not only_raises(f)]
-    body = [n for n in node.body if isinstance(n, ast.Expr)][:1]
+    doc = documentation(node)
+    body = [ast.Expr(ast.Constant(doc))] if doc else []
     for n in node.body:
         if isinstance(n, ast.ClassDef): body.append(class_stub(n, []))
         elif is_enum and isinstance(n, ast.Assign): body.append(n)
@@ -339,7 +386,7 @@ def write(folder, to=None):
     "Write the stubs of the package in `folder` beside its modules, or into `to`; gives their paths"
     folder = Path(folder)
     paths = [path for path in sorted(folder.rglob('*.py')) if path.name != '_modidx.py']
-    trees = {path: ast.parse(path.read_text(encoding='utf-8')) for path in paths}
+    trees = {path: parsed(path.read_text(encoding='utf-8')) for path in paths}
     dotted = {path: '.'.join(path.relative_to(folder.parent).with_suffix('').parts) for path in paths}
     homes = {}
     for path,tree in trees.items():
@@ -352,6 +399,13 @@ def write(folder, to=None):
     if 'UAV.blocking' in texts: texts['UAV.blocking'] = blocking(texts, homes)
     for path,file in zip(paths, made): file.write_text(texts[dotted[path]], encoding='utf-8')
     return made
+
+
+def explain(folder):
+    "Write parameters into the docstrings of a copy of the package in `folder`, for which `write` was called"
+    for path in sorted(Path(folder).rglob('*.py')):
+        if path.relative_to(folder).with_suffix('').parts[0] in EXPLAINED:
+            path.write_text(explained(path.read_text(encoding='utf-8')), encoding='utf-8')
 
 
 if __name__ == '__main__': print(len(write(Path(__file__).parent/'UAV')), 'stubs')
