@@ -7245,7 +7245,6 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                 'UAV.wire.links._check_name': ('api/wire/links.html#_check_name', 'UAV/wire/links.py'),
                                 'UAV.wire.links._family': ('api/wire/links.html#_family', 'UAV/wire/links.py'),
                                 'UAV.wire.links._in_our_words': ('api/wire/links.html#_in_our_words', 'UAV/wire/links.py'),
-                                'UAV.wire.links._kind_meant': ('api/wire/links.html#_kind_meant', 'UAV/wire/links.py'),
                                 'UAV.wire.links._net_address': ('api/wire/links.html#_net_address', 'UAV/wire/links.py'),
                                 'UAV.wire.links._net_addresses': ('api/wire/links.html#_net_addresses', 'UAV/wire/links.py'),
                                 'UAV.wire.links._prefixes': ('api/wire/links.html#_prefixes', 'UAV/wire/links.py'),
