@@ -11,12 +11,13 @@ import _stubs
 
 
 class BuildWithStubs(build_py):
-    "The package and a stub beside each module: in the wheel, or here for an editable install"
+    "The package and a stub beside each module: in the wheel, or here for an editable install; in the wheel `help` shows parameters"
     def run(self):
         super().run()
         editable = getattr(self, 'editable_mode', False)
         _stubs.write(here/'UAV', None if editable else Path(self.build_lib)/'UAV')
         if editable: return
+        _stubs.explain(Path(self.build_lib)/'UAV')
         # other projects' nbdev links to our site by this file, and our nbdev leaves the addresses empty
         index = Path(self.build_lib)/'UAV'/'_modidx.py'
         addresses = {name: cfg[name] for name in ('doc_host', 'doc_baseurl', 'git_url', 'branch', 'lib_path')}

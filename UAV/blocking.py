@@ -115,6 +115,7 @@ class Blocking:
         if '_target' not in vars(self): raise AttributeError(name)      # a copy that is being made
         try: return _wrapped(getattr(self._target, name), self._loop)
         except UAVError as e: raise _short(e)
+
     def __setattr__(self, name, value): setattr(self._target, name, _bare(value))
     def __dir__(self): return dir(self._target)
     def __repr__(self): return repr(self._target)

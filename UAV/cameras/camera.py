@@ -13,13 +13,13 @@ import atexit, math
 
 from fastcore.basics import patch
 from .exif import _OwnTags
-from .frames import Filming, Frames
+from .frames import Filming, Frames, _Streams
 from .lens import View
 from .parameters import declarations, Parameter, Parameters, ParametersChanged
 from .storage import Storage
 from .storages import Storages
 from .tracker import _focal, Pursuit, Tracker
-from .trigger import CaptureQueue, _check_sequence
+from .trigger import CaptureQueue, _check_sequence, Trigger
 from .values import *
 from ..logging import get_logger, LogLevels
 from ..utils import clock
@@ -56,7 +56,7 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
     clock_error = 0.           # s that this computer's clock is slow: pictures are dated later by so much
     _begun = False             # did our own constructor run?
     _parts = dict(storages=Storages, frames=Frames, filming=Filming, captures=CaptureQueue, tracking=Tracker,
-                  _closing=lambda value: hasattr(value, 'is_set'))
+                  storage=Storage, streams=_Streams, trigger=Trigger, _closing=lambda value: hasattr(value, 'is_set'))
     def __init__(self,
                  folder:str|Path|None=None, # Where pictures go; `None` is a temporary folder that `close` removes
                  quota:float|None=None, # MiB the pictures may fill; `None` is the whole disk
@@ -65,19 +65,28 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
         "Raises `StorageInUse` when another camera uses the folder or storage"
         _check_class(type(self))
         self.storages = _storages_of(folder, quota, storage, storages)
+        self.storage = self.storages[0]
         self.log = get_logger(f'camera.{self.information.model}')
         self._event_callbacks,self._storage_status,self._begun = [],'ready',True
-        self._fault_now,self.captures = None,CaptureQueue(self)
-        self.frames,self.filming,self.tracking = Frames(self),Filming(self),Tracker(self)
-        self._state_lock,self._closing = clock.Lock(),clock.Event()
+        self._make_parts()
         _cameras.add(self)
 
-    def __repr__(self): return f'{type(self).__name__}({self.information.model!r})'
     def __setattr__(self, name, value):
         if name in _checks: _check(name, name, value)
         super().__setattr__(name, value)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #43ea7393
+@patch
+def _make_parts(self:Camera):
+    "Set up the parts, each with the camera that it serves"
+    self._fault_now,self._state_lock,self._closing = None,clock.Lock(),clock.Event()
+    self.captures,self.frames,self.filming,self.tracking = CaptureQueue(self),Frames(self),Filming(self),Tracker(self)
+    self.trigger = self.captures.trigger            # takes pictures by distance
+    self.streams = self.filming.streams             # the first one has number 1
+
+@patch
+def __repr__(self:Camera): return f'{type(self).__name__}({self.information.model!r})'
+
 @patch
 def _complete(self:Camera):
     "Apply stored settings after all constructors; raises `ValueError` for an invalid declaration"
@@ -161,21 +170,6 @@ def recording(self:Camera)->bool:
 def recording_time(self:Camera)->float:
     "Length of that video, s"
     return self.filming.seconds
-
-@patch(as_prop=True)
-def storage(self:Camera)->Storage:
-    "The first storage"
-    return self.storages[0]
-
-@patch(as_prop=True)
-def streams(self:Camera)->list:
-    "The video streams; the first one has number 1"
-    return self.filming.streams
-
-@patch(as_prop=True)
-def trigger(self:Camera):
-    "Takes pictures by distance"
-    return self.captures.trigger
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #01b8f48a
 @patch

@@ -21,77 +21,19 @@ from ..utils.pictures import _open_film, NewestFrame
 # %% auto #0
 __all__ = ['CV2Camera']
 
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6a0f5061
-def _takes(capture, number:int, value:float)->bool:
-    "Try to set the property `cv2.CAP_PROP_…` of a `cv2.VideoCapture`; returns whether it was"
-    return capture.set(number, value) and abs(capture.get(number)-value) < .001
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #8adc73d7
+class _LiveCamera(Camera):
+    "A camera that always has a newest frame; a subclass has `next_frame`"
+    first_retry,last_retry = .5,10.     # s between attempts to open its source again, doubled each time
+    def read(self)->Frame:
+        "Return the newest frame; raises `CameraError` without one, or when closed"
+        return self.next_frame()
 
-def _has(capture, number:int)->bool: return _takes(capture, number, capture.get(number))
+    def read_still(self)->Frame:
+        "Return the newest frame"
+        return self.read()
 
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #d809c15d
-def _end_of(capture, number:int, towards:int)->float:
-    "The last value that the device takes, in the direction of `towards`, -1 or 1; leaves it there"
-    reach,step = capture.get(number),2.**16
-    for _ in range(60):             # a property without an end has one here
-        if step < 1/128: break
-        capture.set(number, reach+towards*step)
-        got = capture.get(number)
-        if (got-reach)*towards <= 0: step /= 2
-        else:
-            if got != reach+towards*step: return got
-            reach = got
-    capture.set(number, reach)
-    return reach
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #a3dac937
-def _range_of(capture, number:int)->tuple|None:
-    "Least value, greatest value, and the present one, which stays; `None` when there is nothing to choose"
-    if not _has(capture, number): return None
-    now = capture.get(number)
-    ends = [_end_of(capture, number, towards) for towards in (-1,1)]
-    capture.set(number, now)
-    return (*ends, now) if ends[0] < ends[1] else None
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #4f573827
-_switches = {       # name: what it is, its positions, what it does by itself in all but the first
-    'AUTO_WB': ('White balance', {0:'Manual', 1:'Auto'}, 'WB_TEMPERATURE'),
-    'AUTO_EXPOSURE': ('Exposure mode', {1:'Manual', 0:'Auto', 2:'Shutter priority', 3:'Aperture priority'}, 'EXPOSURE')}
-
-def _switch(capture, name:str)->Parameter|None:
-    "The positions that a switch has; it is left at manual. `None` when the device has none"
-    number,(what,positions,does) = _number_of(name),_switches[name]
-    now = capture.get(number)
-    there = [position for position in positions if _takes(capture, number, position)]
-    if len(there) < 2 or now not in there: return None
-    capture.set(number, there[0])
-    options = [Option(positions[n], n, [does] if n != there[0] else ()) for n in there]
-    return Parameter(name, 'int32', now, what, options, updates=[does])
-
-def _number_of(name:str)->int: return getattr(cv2, f'CAP_PROP_{name}')
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #3d6e1a4c
-_sliders = dict(
-    BRIGHTNESS='Brightness', CONTRAST='Contrast', SATURATION='Saturation', HUE='Hue', SHARPNESS='Sharpness',
-    GAMMA='Gamma', GAIN='Gain', BACKLIGHT='Backlight compensation', WB_TEMPERATURE='Colour temperature, K',
-    EXPOSURE='Exposure time, as the device counts it')
-
-def _slider(capture, name:str)->Parameter|None:
-    "A property with a range; `None` when the device has none"
-    found = _range_of(capture, _number_of(name))
-    if found is None: return None
-    low,high,now = found
-    whole = all(value == int(value) for value in found)
-    return Parameter(name, 'float', now, _sliders[name], low=low, high=high, step=1 if whole else None)
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #4588dea1
-def _find_controls(capture)->list:
-    "List a device's settings as `Parameter`s; their defaults are its present values"
-    switches = [p for name in _switches if (p := _switch(capture, name))]
-    sliders = [p for name in _sliders if (p := _slider(capture, name))]
-    for p in switches: capture.set(_number_of(p.name), p.default)
-    names = {p.name for p in sliders}
-    def alone(p): return replace(p, options=[replace(o, exclusions=()) for o in p.options], updates=())
-    return [p if names.issuperset(p.updates) else alone(p) for p in switches] + sliders
+    def _read_watched(self): return self.read_still()
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #cac5af76
 class _Controls:
@@ -130,156 +72,6 @@ class _Controls:
     def leave(self, capture):
         "Leave the device as it was found"
         for name in reversed(self.made): capture.set(_number_of(name), self.defaults[name])
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #81c24d87
-_names = dict(      # linuxpy's: ours; it calls the first control of all BASE
-    BASE='BRIGHTNESS', AUTO_WHITE_BALANCE='AUTO_WB', WHITE_BALANCE_TEMPERATURE='WB_TEMPERATURE',
-    EXPOSURE_AUTO='AUTO_EXPOSURE', EXPOSURE_ABSOLUTE='EXPOSURE', EXPOSURE_AUTO_PRIORITY='DYNAMIC_FPS',
-    FOCUS_AUTO='AUTO_FOCUS', FOCUS_ABSOLUTE='FOCUS', ZOOM_ABSOLUTE='ZOOM', PAN_ABSOLUTE='PAN',
-    TILT_ABSOLUTE='TILT', BACKLIGHT_COMPENSATION='BACKLIGHT', POWER_LINE_FREQUENCY='POWER_LINE')
-_automatics = _switches | {'AUTO_FOCUS': ('Focus mode', {0:'Manual', 1:'Auto'}, 'FOCUS')}
-
-def _name_of(control)->str:
-    "Our name of a control of linuxpy: as OpenCV has it, or V4L2, or the driver"
-    theirs = control.standard.name if control.standard else control.name
-    return _names.get(theirs, re.sub(r'\W+', '_', theirs.upper()))[:15].strip('_')
-
-def _driver_parameter(control)->Parameter|None:
-    "A control of linuxpy as a parameter; `None` when it cannot be set, or is no number"
-    name,kind,now = _name_of(control),control.type.name,control.value
-    low,high,step = control.minimum,control.maximum,control.step or 1
-    if now is None or not control.is_writeable or low>=high: return None
-    if name in _automatics:
-        what,positions,does = _automatics[name]
-        there = [n for n in positions if n in (getattr(control, 'data', None) or (0,1))]
-        options = [Option(positions[n], n, [does] if positions[n]!='Manual' else ()) for n in there]
-        return Parameter(name, 'int32', int(now), what, options, updates=[does])
-    if kind=='BOOLEAN': return Parameter(name, 'bool', now, control.name)
-    if 'MENU' in kind:
-        return Parameter(name, 'int32', now, control.name, {str(text): n for n,text in control.data.items()})
-    if kind!='INTEGER': return None
-    return Parameter(name, 'int32', now, control.name, low=low, high=low+(high-low)//step*step, step=step)
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #712f88aa
-class _DriverControls(_Controls):
-    "List the driver's settings of a `/dev/video*`; raises `ImportError` without linuxpy, `OSError` without a device"
-    exposure_unit = 1e-4        # s, by V4L2_CID_EXPOSURE_ABSOLUTE
-    def __init__(self, path:str):
-        super().__init__()
-        self.path,self.ids,found = path,{},[]
-        with self._open() as controls:
-            for number,control in controls.items():
-                with suppress(OSError):             # one that cannot be read
-                    p = _driver_parameter(control)
-                    if p and self.ids.setdefault(p.name, number)==number: found.append(p)
-        def alone(p): return replace(p, options=[replace(o, exclusions=()) for o in p.options], updates=())
-        self.declared = [p if set(self.ids).issuperset(p.updates) else alone(p) for p in found]
-        self.declared.sort(key=lambda p: p.name not in _automatics)         # a reset switches first
-        self.defaults = {p.name: p.default for p in self.declared}
-
-    @contextmanager
-    def _open(self):
-        "For a `with`: linuxpy's controls of the device, by their numbers"
-        from linuxpy.video.device import Device
-        with Device(self.path) as device: yield dict(device.controls.items())
-
-    def serve(self, capture): "Nothing waits for the reader"
-    def again(self, capture):
-        "Set a device that came back as the old one was"
-        self._try(list(self.made.items()))
-    def leave(self, capture):
-        "Leave the device as it was found, if it is there"
-        self._try([(name, self.defaults[name]) for name in reversed(self.made)])
-
-    def _try(self, values):
-        for name,value in values:
-            with suppress(CameraError): self.set(name, value)
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #1fe9f181
-@patch
-def set(self:_DriverControls, name:str, value, timeout:float=0.)->dict:
-    "Set it at once; returns the resulting value and other changes; raises `CameraError`"
-    updates = next(p.updates for p in self.declared if p.name==name)
-    switch = next((p for p in self.declared if name in p.updates), None)
-    try:
-        with self._open() as controls:
-            def now(name): return controls[self.ids[name]].value
-            if switch and any(o.value==now(switch.name) for o in switch.options if name in o.exclusions): return {}
-            controls[self.ids[name]].value = self.made[name] = value
-            return {n: now(n) for n in (name, *updates)}
-    except (OSError,AttributeError,KeyError) as e:
-        raise CameraError(f'the device refuses {name} {value:g}: {e}') from None
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #9470504c
-def _controls_of(source, capture)->_Controls:
-    "The driver's own list, where it can be had; else what OpenCV can find"
-    try: return _DriverControls(f'/dev/video{source}' if str(source).isdigit() else str(source))
-    except (ImportError,OSError,RuntimeWarning): return _Controls(capture)      # the last: linuxpy, for an odd range
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6f7d4c28
-# FFmpeg is to be quiet; OpenCV reads this once, when it first needs FFmpeg
-os.environ['OPENCV_FFMPEG_LOGLEVEL'] = os.environ.get('OPENCV_FFMPEG_LOGLEVEL', '-8')
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #72641505
-def _source_kind(source)->str:
-    "'device', 'url' or 'file'"
-    text = str(source)
-    return 'device' if text.isdigit() or text.startswith('/dev/') else 'url' if '://' in text else 'file'
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #f28194c4
-def _source_name(source)->str:
-    "The source for people: quoted, and without user and password"
-    if not isinstance(source, (str,os.PathLike)): return repr(source)
-    shown,found = re.subn(r'(?<=://)[^/]*@', '', os.fspath(source))
-    return repr(shown if found else re.sub(r'(?<=://).*@', '…@', shown))        # a / may be of the password
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #02ed1d99
-@contextmanager
-def _silent_cv2():
-    "Suppress OpenCV's output; errors are raised"
-    set_level = cv2.setLogLevel if hasattr(cv2, 'setLogLevel') else cv2.utils.logging.setLogLevel      # OpenCV 4 and 5
-    level = set_level(0)
-    try: yield
-    finally: set_level(level)
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #5c0a5705
-def _how_to_open(source, open_timeout:float, read_timeout:float, backend:int|None)->tuple:
-    "The arguments of `cv2.VideoCapture`: name, backend and parameters; raises `CameraError` when there is no such file"
-    kind,name = _source_kind(source),int(source) if str(source).isdigit() else os.fspath(source)
-    missing = kind == 'file' and backend is None and not os.path.isfile(name)
-    if missing: raise CameraError(f'there is no file {_source_name(source)}')
-    if backend is None: backend = cv2.CAP_FFMPEG if kind == 'url' else cv2.CAP_ANY
-    if kind != 'url' or backend != cv2.CAP_FFMPEG: return name, backend, []
-    open_ms,read_ms = round(open_timeout*1000),round(read_timeout*1000)
-    return name, backend, [cv2.CAP_PROP_OPEN_TIMEOUT_MSEC, open_ms, cv2.CAP_PROP_READ_TIMEOUT_MSEC, read_ms]
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #61c90b71
-def _open_source(source, open_timeout:float=5., read_timeout:float=5., backend:int|None=None)->tuple:
-    "The `cv2.VideoCapture` of a source, and its first image; raises `CameraError` that names the source"
-    arguments = _how_to_open(source, open_timeout, read_timeout, backend)
-    with _silent_cv2():
-        film = _source_kind(source)=='file' and backend is None
-        capture = _open_film(*arguments[:2]) if film else cv2.VideoCapture(*arguments)
-        ok,image = capture.read() if capture.isOpened() else (False,None)
-        if ok: return capture,image
-        problem = 'gives no frames' if capture.isOpened() else 'cannot be opened'
-        capture.release()
-    hint = ': is it there (`ls /dev/video*`), and does no other program have it?'
-    raise CameraError(f'{_source_name(source)} {problem}' + (hint if _source_kind(source)=='device' else ''))
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #8adc73d7
-class _LiveCamera(Camera):
-    "A camera that always has a newest frame; a subclass has `next_frame`"
-    first_retry,last_retry = .5,10.     # s between attempts to open its source again, doubled each time
-    def read(self)->Frame:
-        "Return the newest frame; raises `CameraError` without one, or when closed"
-        return self.next_frame()
-
-    def read_still(self)->Frame:
-        "Return the newest frame"
-        return self.read()
-
-    def _read_watched(self): return self.read_still()
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #fa7b6ac9
 class CV2Camera(_LiveCamera):
@@ -346,6 +138,57 @@ def _fit(self:CV2Camera, image):
     wanted = (self.width or round(width*(self.height or height)/height),        # one of them alone keeps the shape
               self.height or round(height*(self.width or width)/width))
     return image if wanted == (width,height) else cv2.resize(image, wanted, interpolation=cv2.INTER_AREA)
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6f7d4c28
+# FFmpeg is to be quiet; OpenCV reads this once, when it first needs FFmpeg
+os.environ['OPENCV_FFMPEG_LOGLEVEL'] = os.environ.get('OPENCV_FFMPEG_LOGLEVEL', '-8')
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #72641505
+def _source_kind(source)->str:
+    "'device', 'url' or 'file'"
+    text = str(source)
+    return 'device' if text.isdigit() or text.startswith('/dev/') else 'url' if '://' in text else 'file'
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #f28194c4
+def _source_name(source)->str:
+    "The source for people: quoted, and without user and password"
+    if not isinstance(source, (str,os.PathLike)): return repr(source)
+    shown,found = re.subn(r'(?<=://)[^/]*@', '', os.fspath(source))
+    return repr(shown if found else re.sub(r'(?<=://).*@', '…@', shown))        # a / may be of the password
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #02ed1d99
+@contextmanager
+def _silent_cv2():
+    "Suppress OpenCV's output; errors are raised"
+    set_level = cv2.setLogLevel if hasattr(cv2, 'setLogLevel') else cv2.utils.logging.setLogLevel      # OpenCV 4 and 5
+    level = set_level(0)
+    try: yield
+    finally: set_level(level)
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #5c0a5705
+def _how_to_open(source, open_timeout:float, read_timeout:float, backend:int|None)->tuple:
+    "The arguments of `cv2.VideoCapture`: name, backend and parameters; raises `CameraError` when there is no such file"
+    kind,name = _source_kind(source),int(source) if str(source).isdigit() else os.fspath(source)
+    missing = kind == 'file' and backend is None and not os.path.isfile(name)
+    if missing: raise CameraError(f'there is no file {_source_name(source)}')
+    if backend is None: backend = cv2.CAP_FFMPEG if kind == 'url' else cv2.CAP_ANY
+    if kind != 'url' or backend != cv2.CAP_FFMPEG: return name, backend, []
+    open_ms,read_ms = round(open_timeout*1000),round(read_timeout*1000)
+    return name, backend, [cv2.CAP_PROP_OPEN_TIMEOUT_MSEC, open_ms, cv2.CAP_PROP_READ_TIMEOUT_MSEC, read_ms]
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #61c90b71
+def _open_source(source, open_timeout:float=5., read_timeout:float=5., backend:int|None=None)->tuple:
+    "The `cv2.VideoCapture` of a source, and its first image; raises `CameraError` that names the source"
+    arguments = _how_to_open(source, open_timeout, read_timeout, backend)
+    with _silent_cv2():
+        film = _source_kind(source)=='file' and backend is None
+        capture = _open_film(*arguments[:2]) if film else cv2.VideoCapture(*arguments)
+        ok,image = capture.read() if capture.isOpened() else (False,None)
+        if ok: return capture,image
+        problem = 'gives no frames' if capture.isOpened() else 'cannot be opened'
+        capture.release()
+    hint = ': is it there (`ls /dev/video*`), and does no other program have it?'
+    raise CameraError(f'{_source_name(source)} {problem}' + (hint if _source_kind(source)=='device' else ''))
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #bb9dab1c
 @patch
@@ -433,6 +276,163 @@ def next_frame(self:CV2Camera, after:int=-1, # The number of the last frame seen
     if why := self._newest.over or self._silence(): raise CameraError(why)
     if frame is None: raise CameraError(f'{_source_name(self.source)} has given no frame for {self.read_timeout:g} s')
     return frame
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6a0f5061
+def _takes(capture, number:int, value:float)->bool:
+    "Try to set the property `cv2.CAP_PROP_…` of a `cv2.VideoCapture`; returns whether it was"
+    return capture.set(number, value) and abs(capture.get(number)-value) < .001
+
+def _has(capture, number:int)->bool: return _takes(capture, number, capture.get(number))
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #d809c15d
+def _end_of(capture, number:int, towards:int)->float:
+    "The last value that the device takes, in the direction of `towards`, -1 or 1; leaves it there"
+    reach,step = capture.get(number),2.**16
+    for _ in range(60):             # a property without an end has one here
+        if step < 1/128: break
+        capture.set(number, reach+towards*step)
+        got = capture.get(number)
+        if (got-reach)*towards <= 0: step /= 2
+        else:
+            if got != reach+towards*step: return got
+            reach = got
+    capture.set(number, reach)
+    return reach
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #a3dac937
+def _range_of(capture, number:int)->tuple|None:
+    "Least value, greatest value, and the present one, which stays; `None` when there is nothing to choose"
+    if not _has(capture, number): return None
+    now = capture.get(number)
+    ends = [_end_of(capture, number, towards) for towards in (-1,1)]
+    capture.set(number, now)
+    return (*ends, now) if ends[0] < ends[1] else None
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #4f573827
+_switches = {       # name: what it is, its positions, what it does by itself in all but the first
+    'AUTO_WB': ('White balance', {0:'Manual', 1:'Auto'}, 'WB_TEMPERATURE'),
+    'AUTO_EXPOSURE': ('Exposure mode', {1:'Manual', 0:'Auto', 2:'Shutter priority', 3:'Aperture priority'}, 'EXPOSURE')}
+
+def _switch(capture, name:str)->Parameter|None:
+    "The positions that a switch has; it is left at manual. `None` when the device has none"
+    number,(what,positions,does) = _number_of(name),_switches[name]
+    now = capture.get(number)
+    there = [position for position in positions if _takes(capture, number, position)]
+    if len(there) < 2 or now not in there: return None
+    capture.set(number, there[0])
+    options = [Option(positions[n], n, [does] if n != there[0] else ()) for n in there]
+    return Parameter(name, 'int32', now, what, options, updates=[does])
+
+def _number_of(name:str)->int: return getattr(cv2, f'CAP_PROP_{name}')
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #3d6e1a4c
+_sliders = dict(
+    BRIGHTNESS='Brightness', CONTRAST='Contrast', SATURATION='Saturation', HUE='Hue', SHARPNESS='Sharpness',
+    GAMMA='Gamma', GAIN='Gain', BACKLIGHT='Backlight compensation', WB_TEMPERATURE='Colour temperature, K',
+    EXPOSURE='Exposure time, as the device counts it')
+
+def _slider(capture, name:str)->Parameter|None:
+    "A property with a range; `None` when the device has none"
+    found = _range_of(capture, _number_of(name))
+    if found is None: return None
+    low,high,now = found
+    whole = all(value == int(value) for value in found)
+    return Parameter(name, 'float', now, _sliders[name], low=low, high=high, step=1 if whole else None)
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #4588dea1
+def _find_controls(capture)->list:
+    "List a device's settings as `Parameter`s; their defaults are its present values"
+    switches = [p for name in _switches if (p := _switch(capture, name))]
+    sliders = [p for name in _sliders if (p := _slider(capture, name))]
+    for p in switches: capture.set(_number_of(p.name), p.default)
+    names = {p.name for p in sliders}
+    def alone(p): return replace(p, options=[replace(o, exclusions=()) for o in p.options], updates=())
+    return [p if names.issuperset(p.updates) else alone(p) for p in switches] + sliders
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #81c24d87
+_names = dict(      # linuxpy's: ours; it calls the first control of all BASE
+    BASE='BRIGHTNESS', AUTO_WHITE_BALANCE='AUTO_WB', WHITE_BALANCE_TEMPERATURE='WB_TEMPERATURE',
+    EXPOSURE_AUTO='AUTO_EXPOSURE', EXPOSURE_ABSOLUTE='EXPOSURE', EXPOSURE_AUTO_PRIORITY='DYNAMIC_FPS',
+    FOCUS_AUTO='AUTO_FOCUS', FOCUS_ABSOLUTE='FOCUS', ZOOM_ABSOLUTE='ZOOM', PAN_ABSOLUTE='PAN',
+    TILT_ABSOLUTE='TILT', BACKLIGHT_COMPENSATION='BACKLIGHT', POWER_LINE_FREQUENCY='POWER_LINE')
+_automatics = _switches | {'AUTO_FOCUS': ('Focus mode', {0:'Manual', 1:'Auto'}, 'FOCUS')}
+
+def _name_of(control)->str:
+    "Our name of a control of linuxpy: as OpenCV has it, or V4L2, or the driver"
+    theirs = control.standard.name if control.standard else control.name
+    return _names.get(theirs, re.sub(r'\W+', '_', theirs.upper()))[:15].strip('_')
+
+def _driver_parameter(control)->Parameter|None:
+    "A control of linuxpy as a parameter; `None` when it cannot be set, or is no number"
+    name,kind,now = _name_of(control),control.type.name,control.value
+    low,high,step = control.minimum,control.maximum,control.step or 1
+    if now is None or not control.is_writeable or low>=high: return None
+    if name in _automatics:
+        what,positions,does = _automatics[name]
+        there = [n for n in positions if n in (getattr(control, 'data', None) or (0,1))]
+        options = [Option(positions[n], n, [does] if positions[n]!='Manual' else ()) for n in there]
+        return Parameter(name, 'int32', int(now), what, options, updates=[does])
+    if kind=='BOOLEAN': return Parameter(name, 'bool', now, control.name)
+    if 'MENU' in kind:
+        return Parameter(name, 'int32', now, control.name, {str(text): n for n,text in control.data.items()})
+    if kind!='INTEGER': return None
+    return Parameter(name, 'int32', now, control.name, low=low, high=low+(high-low)//step*step, step=step)
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #712f88aa
+class _DriverControls(_Controls):
+    "List the driver's settings of a `/dev/video*`; raises `ImportError` without linuxpy, `OSError` without a device"
+    exposure_unit = 1e-4        # s, by V4L2_CID_EXPOSURE_ABSOLUTE
+    def __init__(self, path:str):
+        super().__init__()
+        self.path,self.ids,found = path,{},[]
+        with self._open() as controls:
+            for number,control in controls.items():
+                with suppress(OSError):             # one that cannot be read
+                    p = _driver_parameter(control)
+                    if p and self.ids.setdefault(p.name, number)==number: found.append(p)
+        def alone(p): return replace(p, options=[replace(o, exclusions=()) for o in p.options], updates=())
+        self.declared = [p if set(self.ids).issuperset(p.updates) else alone(p) for p in found]
+        self.declared.sort(key=lambda p: p.name not in _automatics)         # a reset switches first
+        self.defaults = {p.name: p.default for p in self.declared}
+
+    @contextmanager
+    def _open(self):
+        "For a `with`: linuxpy's controls of the device, by their numbers"
+        from linuxpy.video.device import Device
+        with Device(self.path) as device: yield dict(device.controls.items())
+
+    def serve(self, capture): "Nothing waits for the reader"
+    def again(self, capture):
+        "Set a device that came back as the old one was"
+        self._try(list(self.made.items()))
+    def leave(self, capture):
+        "Leave the device as it was found, if it is there"
+        self._try([(name, self.defaults[name]) for name in reversed(self.made)])
+
+    def _try(self, values):
+        for name,value in values:
+            with suppress(CameraError): self.set(name, value)
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #1fe9f181
+@patch
+def set(self:_DriverControls, name:str, value, timeout:float=0.)->dict:
+    "Set it at once; returns the resulting value and other changes; raises `CameraError`"
+    updates = next(p.updates for p in self.declared if p.name==name)
+    switch = next((p for p in self.declared if name in p.updates), None)
+    try:
+        with self._open() as controls:
+            def now(name): return controls[self.ids[name]].value
+            if switch and any(o.value==now(switch.name) for o in switch.options if name in o.exclusions): return {}
+            controls[self.ids[name]].value = self.made[name] = value
+            return {n: now(n) for n in (name, *updates)}
+    except (OSError,AttributeError,KeyError) as e:
+        raise CameraError(f'the device refuses {name} {value:g}: {e}') from None
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #9470504c
+def _controls_of(source, capture)->_Controls:
+    "The driver's own list, where it can be had; else what OpenCV can find"
+    try: return _DriverControls(f'/dev/video{source}' if str(source).isdigit() else str(source))
+    except (ImportError,OSError,RuntimeWarning): return _Controls(capture)      # the last: linuxpy, for an odd range
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #37a21dba
 @patch

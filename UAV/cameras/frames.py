@@ -143,12 +143,14 @@ def still(self:Frames)->Frame:
     with self._turn(end-clock.monotonic()): return self.camera.read()
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #0c6d4af4
+class _Streams(list): "The streams of a camera"
+
 class Filming:
     "The streams and the recording of a camera"
     segment = 60.           # s of a recording in one file
     first = 3.              # s that a stop waits for the first picture
     def __init__(self, camera): # Its `frames`, `storages`, `announce` and `make_encoder` are used
-        self.camera,self.streams,self.encoders = camera,[],{}       # encoders by what was asked of them
+        self.camera,self.streams,self.encoders = camera,_Streams(),{}       # encoders by what was asked of them
         self.recorder,self.storage = None,None                      # while there is a recording
         self.begun = clock.Event()                              # has its first picture come?
         self.closed,self._lock = False,clock.RLock()

@@ -217,7 +217,7 @@ class _AskedFrame(NewestFrame):
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #0c8ef6fd
 class GSTCamera(_LiveCamera):
     "A camera that GStreamer can open"
-    lease = 3.                          # s that frames are made for one who has asked for a frame
+    _lease = 3.                          # s that frames are made for one who has asked for a frame
     close_timeout = 5.                  # s that the end of a pipeline may take
 
     def __init__(self,
@@ -290,7 +290,7 @@ def _on_beat(self:GSTCamera):
     "Close the valve when none has asked for a while; the keeper calls it"
     newest = self.newest
     with newest.changed:
-        if not newest.open or newest.waiting or clock.monotonic()-newest.asked < self.lease: return
+        if not newest.open or newest.waiting or clock.monotonic()-newest.asked < self._lease: return
         newest.open = False
         self.keeper.pipeline.open_valve('uav_frames_valve', False)
 

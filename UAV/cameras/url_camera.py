@@ -59,7 +59,7 @@ def _measure(unit)->tuple:
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #3f674b14
 class URLCamera(_LiveCamera):
     "A camera whose H.264 or H.265 comes over the network"
-    lease = 3.                  # s that frames are decoded for one who has asked for a frame
+    _lease = 3.                  # s that frames are decoded for one who has asked for a frame
     bitrate = 0                 # bit/s of its video, if known
     def __init__(self, url:str, # rtsp://[USER:PASSWORD@]HOST[:PORT]/PATH; or `udp`, `tcp` and `rtp` as for `Player`
                  open_timeout:float=5., # s to wait for the connection, and for the first frame
@@ -127,7 +127,7 @@ def _on_unit(self:URLCamera, unit):
     self._encoder.pass_on(unit, width=i.resolution_h, height=i.resolution_v, rate=self.frame_rate, bitrate=self.bitrate)
     self._tell(None)
     with newest.changed:
-        if newest.open and not newest.waiting and clock.monotonic()-newest.asked>self.lease:
+        if newest.open and not newest.waiting and clock.monotonic()-newest.asked>self._lease:
             newest.open = False
             self._encoder.remove(self._frames, wait=False)
 

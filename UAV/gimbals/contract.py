@@ -15,7 +15,7 @@ from ..utils.values import no_class, Report, kept
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #72dcf213
 def _ticking(gimbal, wait):
-    "`wait`, with a `tick` of the gimbal each tenth of a second"
+    "Return `wait`, with a `tick` of the gimbal each tenth of a second"
     def _wait(s):
         for _ in range(round(s*10)):
             wait(.1)
@@ -24,7 +24,7 @@ def _ticking(gimbal, wait):
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #07c009ac
 def _limits(gimbal)->dict:
-    "Least and greatest angle of each axis it has"
+    "Return the least and greatest angle of each axis it has"
     return {axis: getattr(gimbal.information, axis) for axis in axes if getattr(gimbal.information, axis)}
 
 def _check_information(gimbal, wait):
@@ -59,13 +59,13 @@ _tolerance,_longest_wait = 3.,20.   # degrees, s
 _widest = dict(roll=30., pitch=80., yaw=60.)
 
 def _places(gimbal, part:float)->dict:
-    "An angle for each axis it has, so far between the limits"
+    "Return an angle for each axis it has, so far between the limits"
     ends = {axis: (max(low, -_widest[axis]), min(high, _widest[axis])) for axis,(low,high) in _limits(gimbal).items()}
     return {axis: low+part*(high-low) for axis,(low,high) in ends.items()}
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #35e56d9a
 def _off(gimbal, angles:dict)->float:
-    "How far it is from there, degrees"
+    "Return how far it is from there, degrees"
     now = gimbal.attitude()
     return max(abs(wrap(getattr(now, axis)-angle)) for axis,angle in angles.items())
 
@@ -133,7 +133,7 @@ def _check_bad_values(gimbal, wait):
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #c8d7dd0b
 def _now(gimbal)->dict:
-    "The angles of the axes it has"
+    "Return the angles of the axes it has"
     attitude = gimbal.attitude()
     return {axis: getattr(attitude, axis) for axis in _limits(gimbal)}
 
@@ -189,7 +189,7 @@ def _check_center(gimbal, wait):
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #8bfe37e6
 def _fly(gimbal, wait, s:float, start:float=0., tilt:float=0.)->GimbalAttitude:
-    "Where it points after its vehicle has turned for `s` seconds, from where it is or `start`, and leaned by `tilt`"
+    "Turn the vehicle for `s` seconds, from where it is or `start`, leaning by `tilt`; return where the gimbal points"
     heading = gimbal.attitude().vehicle_yaw
     for n in range(round(s*10)):
         gimbal.set_vehicle(VehicleState(tilt, tilt, wrap((heading if known(heading) else start)+n), 10.))
@@ -261,7 +261,7 @@ def _check_close(gimbal, wait):
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #602a6a5f
 def _checks_for(gimbal)->list:
-    "The checks that `gimbal` must pass"
+    "Return the checks that `gimbal` must pass"
     yaw,optional = gimbal.information.yaw,[]
     if yaw and math.isinf(yaw[1]): optional.append(_check_endless)
     if gimbal.can_lock: optional += [_check_lock, _check_north]
@@ -273,9 +273,9 @@ def _checks_for(gimbal)->list:
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #152e1a6e
 def check_gimbal(gimbal, # A Gimbal; it is closed at the end
-                 wait=lambda seconds: clock.sleep(seconds), # Lets time pass, in seconds; for one with a clock of your own: moves that clock
+                 wait=lambda seconds: clock.sleep(seconds), # Lets seconds pass; with a clock of your own, moves it
                 )->Report:
-    "Does `gimbal` do what others rely on? Raises `AssertionError` with a sentence that says what it does not"
+    "Check that `gimbal` does what others rely on; raises `AssertionError` with a sentence that says what it doesn't"
     no_class(gimbal, 'gimbal')
     assert hasattr(gimbal, 'setpoint'), f'{type(gimbal).__name__}.__init__ must call super().__init__(...)'
     threads = clock.enumerate()

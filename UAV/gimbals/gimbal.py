@@ -21,22 +21,6 @@ from ..utils.geo import metres
 # %% auto #0
 __all__ = ['Gimbal', 'Location', 'direction', 'RegionOfInterest']
 
-# %% ../../nbs/api/gimbals/01_gimbal.ipynb #e51c7a20
-def _seconds(what, value):
-    fits = isinstance(value, Real) and value>=0
-    if not fits: raise ValueError(f'{what} must be a number of seconds from 0 on, not {value!r}')
-
-def _axes(what, value):
-    fits = isinstance(value, (tuple,list,set,frozenset)) and all(axis in axes for axis in value)
-    if not fits: raise ValueError(f"{what} must be axes in brackets, such as ('yaw',), not {value!r}")
-
-def _described(what, value):
-    if isinstance(value, GimbalInformation): return
-    raise ValueError(f"{what} must be a GimbalInformation, such as GimbalInformation(model='Mine'), not {value!r}")
-
-_checks = dict.fromkeys(('rate_lasts','vehicle_lasts','carries','patience'), _seconds) | dict(
-    locks=_axes, follows=_axes, information=_described)
-
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #27464999
 _gimbals = Opened()
 
@@ -46,8 +30,8 @@ class Gimbal(KeepsNames, Closes):
     locks = 'roll','pitch','yaw'    # axes that can hold their direction on earth
     follows = 'yaw',                # axes that can follow the vehicle
     rate_lasts = 3.                 # s after which rates end that are not given again
-    vehicle_lasts = 1.              # s for which we believe what we were told of the vehicle
-    carries = .5                    # s for which it is taken to fly and turn on as it was told
+    vehicle_lasts = 1.              # s for which a state of the vehicle counts
+    carries = .5                    # s for which it is taken to fly and turn on like that
     patience = 5.                   # s that `close` waits for a driver that hangs
     fault = None                    # The device's fault; `None` when it works
     camera = None                   # the `Camera` that it turns, when its driver has one
@@ -59,7 +43,7 @@ class Gimbal(KeepsNames, Closes):
         for name in _checks: _checks[name](name, getattr(self, name))
         self.clock,self.log = clock,get_logger(f'gimbal.{self.information.model}')
         self.setpoint,self.closed,self._lock = Setpoint(),False,_clock.RLock()
-        self._told = VehicleState(),-math.inf           # what we heard last of the vehicle, and when
+        self._told = VehicleState(),-math.inf           # the vehicle's last state, and when it came
         self._timers,self._alarm = Timers(f'timer of {self.information.model}'),None   # its own: it may hang
         _gimbals.add(self)
 
@@ -92,6 +76,22 @@ def close(self:Gimbal):
         if free: self._lock.release()
     if self._alarm: self._timers.cancel(self._alarm, timeout=self.patience)
 
+# %% ../../nbs/api/gimbals/01_gimbal.ipynb #e51c7a20
+def _seconds(what, value):
+    fits = isinstance(value, Real) and value>=0
+    if not fits: raise ValueError(f'{what} must be a number of seconds from 0 on, not {value!r}')
+
+def _axes(what, value):
+    fits = isinstance(value, (tuple,list,set,frozenset)) and all(axis in axes for axis in value)
+    if not fits: raise ValueError(f"{what} must be axes in brackets, such as ('yaw',), not {value!r}")
+
+def _described(what, value):
+    if isinstance(value, GimbalInformation): return
+    raise ValueError(f"{what} must be a GimbalInformation, such as GimbalInformation(model='Mine'), not {value!r}")
+
+_checks = dict.fromkeys(('rate_lasts','vehicle_lasts','carries','patience'), _seconds) | dict(
+    locks=_axes, follows=_axes, information=_described)
+
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #87959083
 @patch
 def set_vehicle(self:Gimbal, state:VehicleState): # How the vehicle is held, and where it is, now
@@ -121,20 +121,20 @@ def heading(self:Gimbal)->float:
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #29be9e37
 @patch(as_prop=True)
 def can_lock(self:Gimbal)->bool:
-    "Whether yaw can hold a direction on earth"
+    "True if yaw can hold a direction on earth"
     return 'yaw' in self.locks and self.information.yaw is not None
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #c084059c
 @patch
 def _turned_yaw(self:Gimbal, axis:Axis, frame:str, lock:bool)->Axis:
-    "A yaw target given in `frame`, as a setpoint with this `lock` wants it; raises `HeadingUnknown`"
+    "Return a yaw target given in `frame`, as a setpoint with this `lock` wants it; raises `HeadingUnknown`"
     if (frame=='earth')==lock or not known(axis.angle): return axis
     return replace(axis, angle=yaw_in('earth' if lock else 'vehicle', axis.angle, self.heading))
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #18586c84
 @patch
 def _held(self:Gimbal, axis:str, lock:bool)->Axis:
-    "The target that keeps an axis where it is; a gimbal that cannot say where it is stays there by itself"
+    "Return the target that keeps an axis where it is; a gimbal that cannot say where it is stays there by itself"
     try: now = Axis(inside(axis, getattr(self.attitude(), axis)))
     except Exception: now = Axis()          # of any kind, for `stop` comes this way
     return self._turned_yaw(now, 'vehicle', lock) if axis=='yaw' else now
@@ -142,7 +142,7 @@ def _held(self:Gimbal, axis:str, lock:bool)->Axis:
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #c6610a9f
 @patch
 def _kept(self:Gimbal, axis:str, lock:bool)->Axis:
-    "The target of an axis that nothing new was said of"
+    "Return the target of an axis that an order leaves out"
     old = self.setpoint
     target,folded = getattr(old, axis),old.mode=='retract'
     if folded and axis=='roll': return Axis(0.)
@@ -233,7 +233,7 @@ def stop(self:Gimbal):
     with self._lock:
         now = self.setpoint
         if not now.turning: return
-        self.setpoint = replace(now, until=self.clock()+1)          # when it is told again
+        self.setpoint = replace(now, until=self.clock()+1)          # when it is repeated
         self._wake(self.setpoint.until)
         lost = not (known(now.yaw.angle) or known(self.heading))    # we cannot hold a direction we do not know
         self.point(lock=now.lock and not lost)
@@ -251,7 +251,7 @@ def tick(self:Gimbal):
 def _try_to_stop(self:Gimbal):
     "Stop; never raises"
     try: self.stop()
-    except Exception as e: self.log.warning('cannot stop: %r', e)     # of any kind: it is told again
+    except Exception as e: self.log.warning('cannot stop: %r', e)     # of any kind: it is repeated
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #156bd77a
 @dataclass(frozen=True, repr=False, eq=False)
@@ -270,7 +270,7 @@ class Location(Value):
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #bd44e499
 def _offset(state:VehicleState, location:Location)->tuple:
-    "`(north, east, down)` from the vehicle to `location`, m; raises `PositionUnknown`"
+    "Return `(north, east, down)` from the vehicle to `location`, m; raises `PositionUnknown`"
     if not (known(state.lat) and known(state.lon)): raise PositionUnknown('vehicle position unknown')
     alt,zero = (state.alt,'the sea') if location.alt_frame=='amsl' else (state.relative_alt,'home')
     if not known(alt): raise PositionUnknown(f"the vehicle's height above {zero} is not known")
@@ -282,7 +282,7 @@ _near = .5       # m: what is nearer has no direction
 def direction(state:VehicleState, # Where the vehicle is
               location:Location, # Where to look
              )->tuple:
-    "`(pitch, yaw)` in degrees, pitch from the horizon and yaw from north; NaN: hold it. Raises `PositionUnknown`"
+    "Return pitch from the horizon and yaw from north, degrees; NaN: hold it. Raises `PositionUnknown`"
     north,east,down = _offset(state, location)
     away = math.hypot(north, east)
     pitch = -math.degrees(math.atan2(down, away)) if math.hypot(away, down)>=_near else NAN
@@ -291,7 +291,7 @@ def direction(state:VehicleState, # Where the vehicle is
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #66fde7bd
 @patch
 def look_at(self:Gimbal, location:Location, # Where to look
-            state:VehicleState|None=None): # Where the vehicle is; `None`: as the gimbal was told
+            state:VehicleState|None=None): # Where the vehicle is; `None`: as `set_vehicle` had it
     "Point at a place once; raises `PositionUnknown`, `HeadingUnknown` and errors of `drive`"
     state = state or self.vehicle or VehicleState()
     pitch,yaw = direction(state, location)
@@ -307,7 +307,7 @@ class RegionOfInterest:
         self.gimbal,self._lock = gimbal,clock.RLock()
         self.target = None          # `None`: there is no region of interest
         self.before = Setpoint()    # Where the gimbal was to point when it was set
-        self.ours = None            # Where we told it to point last
+        self.ours = None            # The setpoint that was ours
         self.lost = ''              # Why we cannot look there now; empty: we can
 
     def __repr__(self):
@@ -337,7 +337,7 @@ def tick(self:RegionOfInterest, state:VehicleState, # Where the vehicle is
         )->str:
     "Update the direction; returns a message when that starts or stops working"
     with self._lock:
-        # the gimbal was told something else meanwhile
+        # the gimbal got another order meanwhile
         if self.target is not None and self.gimbal.setpoint is not self.ours: self.cancel()
         if self.target is None: return ''
         was = self.lost

@@ -41,7 +41,7 @@ class Motor:
 @patch
 def reachable(self:Motor, angle:float, # Degrees
              )->float:
-    "The reachable angle nearest to this one"
+    "Return the reachable angle nearest to this one"
     names = [wrap(angle)+turn for turn in (-360,0,360)] if self.wraps else [angle]
     inside = [a for a in names if self.low<=a<=self.high]
     if inside: return min(inside, key=lambda a: abs(a-self.angle))
@@ -53,7 +53,7 @@ def reachable(self:Motor, angle:float, # Degrees
 def braking_speed(self:Motor, room:float, # Degrees until it must stand
                   dt:float, # s, one step
                  )->float:
-    "The speed from which it can still stop there, degrees/s"
+    "Return the speed from which it can still stop there, degrees/s"
     if math.isinf(room): return self.speed
     slower = self.acceleration*dt
     steps = max(1, math.ceil((math.sqrt(1 + 8*room/slower/dt)-1)/2))
@@ -113,7 +113,7 @@ class _Suspension:
 # %% ../../nbs/api/gimbals/03_sim.ipynb #0df544d2
 @patch
 def attitude(self:_Suspension)->tuple:
-    "How the camera is held, `(w, x, y, z)`, yaw from the nose; it leans with the vehicle as far as nothing grips"
+    "Return how the camera is held, `(w, x, y, z)`, yaw from the nose; it leans along as far as nothing grips"
     (roll,pitch,yaw),vehicle = self.angles,quaternion(self.vehicle.roll, self.vehicle.pitch)
     lean,dip,twist = euler(product(product(quaternion(yaw=-yaw), vehicle), quaternion(yaw=yaw)))   # as seen by it
     rolls,pitches = 1-self.grip['roll'],1-self.grip['pitch']        # what is left of it
@@ -143,7 +143,7 @@ def smooth(self:_Suspension, dt:float):
 # %% ../../nbs/api/gimbals/03_sim.ipynb #c4eec454
 @patch
 def zero(self:_Suspension, lock:bool)->float:
-    "Where yaw is measured from, degrees from the nose"
+    "Return where yaw is measured from, degrees from the nose"
     return wrap((0. if lock else self.ahead)-self.vehicle.yaw)
 
 # %% ../../nbs/api/gimbals/03_sim.ipynb #e66137d2
@@ -179,7 +179,7 @@ class _Steps:
         self.began,self.count = clock(),0
 
     def due(self):
-        "The time of each step since the last call"
+        "Yield the time of each step since the last call"
         last = int((self.clock()-self.began)/self.dt+1e-6)
         self.count = max(self.count, last-round(self.most/self.dt))
         while self.count<last:
@@ -201,14 +201,14 @@ class SimGimbal(Gimbal):
     "A simulated gimbal with three axes, computed on demand"
     breaks = dict(motor='MOTOR_ERROR', comms='COMMS_ERROR', encoder='ENCODER_ERROR')
     def __init__(self,
-        vehicle=None, # The `SimVehicle` it hangs from; `None`: it hangs still, until `set_vehicle` tells it more
+        vehicle=None, # The `SimVehicle` it hangs from; `None`: it hangs still, until `set_vehicle` says more
         model:str='SimGimbal', # As in `GimbalInformation`
         roll:tuple|None=(-30.,30.), pitch:tuple|None=(-90.,30.), yaw:tuple|None=(-160.,160.), # Limits, degrees
         stowed:tuple=(0.,30.,0.), # Roll, pitch and yaw when it is retracted, degrees
         delay:float=0., # s from a setpoint until it counts
         locks:tuple=axes, # Axes that hold their direction on earth; the others lean with the vehicle
         clock=clock.now, # Gives seconds, and never goes back; with another one, call `tick` yourself
-        stand_in:bool=False, # Is `vehicle` only there until `set_vehicle` tells of another?
+        stand_in:bool=False, # Is `vehicle` only there until `set_vehicle` has another?
         **motor, # `smoothing`: s over which the nose is smoothed (0: not at all); `speed`, `acceleration` as of `Motor`
     ):
         self.information = GimbalInformation(model=model, roll=roll, pitch=pitch, yaw=yaw)
@@ -225,7 +225,7 @@ class SimGimbal(Gimbal):
 # %% ../../nbs/api/gimbals/03_sim.ipynb #1d12a11b
 @patch
 def in_effect(self:SimGimbal, t:float)->Setpoint:
-    "The motors' targets at `t`"
+    "Return the motors' targets at `t`"
     setpoint = self.driven.at(t)
     if setpoint.mode=='retract': return Setpoint(*map(Axis, self.stowed), mode='retract')
     if t<setpoint.until: return setpoint
@@ -251,7 +251,7 @@ def drive(self:SimGimbal, setpoint:Setpoint): # Where to point
 # %% ../../nbs/api/gimbals/03_sim.ipynb #10306338
 @patch(as_prop=True)
 def failures(self:SimGimbal)->tuple:
-    "The faults, as GIMBAL_DEVICE_ERROR_FLAGS"
+    "Names of GIMBAL_DEVICE_ERROR_FLAGS that are set"
     motors = {axis: motor for axis,motor in self.suspension.motors.items() if getattr(self.information, axis)}
     pressing = [f'AT_{axis.upper()}_LIMIT' for axis,motor in motors.items() if motor.pressing]
     return *pressing, *filter(None, self.faults.values())
@@ -259,7 +259,7 @@ def failures(self:SimGimbal)->tuple:
 # %% ../../nbs/api/gimbals/03_sim.ipynb #65d028ef
 @patch
 def attitude(self:SimGimbal)->GimbalAttitude:
-    "The attitude at the end of the last step"
+    "Return the attitude at the end of the last step"
     with self._lock:
         self.advance()
         now,vehicle,there = self.driven.value,self.vehicle or VehicleState(),self.suspension
@@ -275,7 +275,7 @@ def origin(self:SimGimbal)->tuple:
 
 @patch
 def place(self:SimGimbal)->tuple:
-    "North, east and height, m; from the vehicle's first known place on the ground, if sent"
+    "Return north, east and height, m; from the vehicle's first known place on the ground, if sent"
     if self.mount: return self.mount.position(self.steps.time)
     now = self._vehicle_at(self.steps.time)
     if all(map(known, (now.lat, now.lon, now.alt, now.relative_alt))):
@@ -304,7 +304,7 @@ def set_vehicle(self:SimGimbal, state:VehicleState): # How the vehicle is held, 
 # %% ../../nbs/api/gimbals/03_sim.ipynb #3a878cd1
 @patch
 def look(self:SimGimbal)->tuple:
-    "North, east, height (m), roll, pitch, yaw (degrees, from north) of its camera, at one moment"
+    "Return north, east, height (m), roll, pitch, yaw (degrees, from north) of its camera, at one moment"
     with self._lock:
         self.advance()
         place,there = self.place(),self.suspension
@@ -313,7 +313,7 @@ def look(self:SimGimbal)->tuple:
 # %% ../../nbs/api/gimbals/03_sim.ipynb #2d140c98
 @patch
 def _held(self:SimGimbal, axis:str, lock:bool)->Axis:
-    "The target that keeps an axis where it is"
+    "Return the target that keeps an axis where it is"
     if 'encoder' in self.faults or {'roll','pitch'} <= {*self.locks}: return Gimbal._held(self, axis, lock)
     now = Axis(self.suspension.motors[axis].angle)
     return self._turned_yaw(now, 'vehicle', lock) if axis=='yaw' else now

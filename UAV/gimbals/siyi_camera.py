@@ -165,7 +165,7 @@ class _CardFiles:
 class SiyiCamera(URLCamera):
     "The camera of a SIYI gimbal"
     min_interval = 1.           # s
-    shutter_time = 2.           # s that a confirmation may take, and then the file
+    _shutter_time = 2.           # s that a confirmation may take, and then the file
     def __init__(self, link:SiyiLink, # To the device; it stays open when the camera closes
                  url:str|None=None, # Of its stream; `None`: as its model has it
                  host:str|None=None, # Of its stream and its files; `None`: that of the link
@@ -295,7 +295,7 @@ def _shoot(self:SiyiCamera):
     if self._card.missing: raise CameraError('there is no card in the camera')
     while not self._notices.empty(): self._notices.get()
     self.link.send(Cmd.photo, b'\0')
-    end = clock.monotonic()+self.shutter_time
+    end = clock.monotonic()+self._shutter_time
     with suppress(clock.Empty):
         while (notice := self._notices.get(timeout=max(end-clock.monotonic(), .001))) not in (0,1): pass
         if notice: raise CameraError('the camera could not take the photo')
@@ -306,7 +306,7 @@ def _shoot(self:SiyiCamera):
 @patch
 def _fetch(self:SiyiCamera, before:str|None)->bytes|None:
     "Return the file of the photo just taken, not the one `before`; `None` when there is none"
-    end,self._listed = clock.monotonic()+self.shutter_time,None
+    end,self._listed = clock.monotonic()+self._shutter_time,None
     while before is not None and (newest := self._newest_file()) is not None and clock.monotonic()<end:
         with suppress(OSError, ValueError):
             if newest!=before and b'\xff\xd9' in (jpeg := self._files.get(newest))[-4096:]:       # it is complete

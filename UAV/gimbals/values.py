@@ -42,7 +42,7 @@ axes = 'roll','pitch','yaw'
 def limited(self:GimbalInformation, axis:str, # One of `axes`
             angle:float, # Degrees; yaw from the vehicle's nose
            )->float:
-    "The nearest angle that the axis can reach; yaw comes as its nearest turn"
+    "Return the nearest angle that the axis can reach; yaw comes as its nearest turn"
     low,high = getattr(self, axis) or (0.,0.)
     if axis=='yaw': angle = min((wrap(angle)+t for t in (-360,0,360)), key=lambda a: (max(low-a, a-high, 0), abs(a)))
     return min(max(angle, low), high)
@@ -56,7 +56,7 @@ class Axis(Value):
 
     @property
     def turning(self)->bool:
-        "Whether all axes turn at a rate (degrees/s), to no angle"
+        "True if it turns at a rate, to no angle"
         return known(self.rate) and not known(self.angle)
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #3f681b18
@@ -72,7 +72,7 @@ class Setpoint(Value):
 
     @property
     def turning(self)->bool:
-        "Whether any axis turns at a rate"
+        "True if any axis turns at a rate"
         return any(getattr(self, a).turning for a in axes)
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #5dcb0688
@@ -94,7 +94,7 @@ class VehicleState(Value):
 def after(self:VehicleState, seconds:float, # From then on
           turning:float|None=None, # s for which it turns on; `None`: as long
          )->VehicleState:
-    "The state a little later, if the vehicle flies and turns on like that; what is not known stays so"
+    "Return the state a little later, if the vehicle flies and turns on like that; what is not known stays so"
     north,east,down = (v*seconds for v in self.velocity)
     flies = all(map(known, (self.lat, self.lon, north, east, down)))
     lat,lon = moved(self.lat, self.lon, north, east) if flies else (self.lat,self.lon)
@@ -107,7 +107,7 @@ def yaw_in(frame:str, # To be measured from: 'vehicle' or 'earth'
            yaw:float, # As it is measured from the other one, degrees
            heading:float, # Where the vehicle's nose points, degrees from north
           )->float:
-    "The same direction in the other frame, degrees; raises `HeadingUnknown`"
+    "Return the same direction in the other frame, degrees; raises `HeadingUnknown`"
     if not known(heading): raise HeadingUnknown("the vehicle's heading is not known")
     return wrap(yaw+heading if frame=='earth' else yaw-heading)
 

@@ -225,7 +225,7 @@ def _setting_object(p:Parameter, value, now:Parameters|None)->dict:
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #e4252f1a
 class _CameraSettings(RowPart):
     "The settings of a camera, loaded on first use"
-    hears = PARAM_EXT_VALUE,PARAM_EXT_ACK
+    receives = PARAM_EXT_VALUE,PARAM_EXT_ACK
     most,table = 100,None           # settings shown; the `RemoteParameters`
     def status(self)->dict:
         "Return whether it has settings, and groups of them as plain values; `None` until loaded"
@@ -273,7 +273,7 @@ def _target_of(msg, ratio:float=4/3)->dict|None:
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #8070e0d5
 class _CameraTracking(RowPart):
     "The tracking target of a camera"
-    hears = CAMERA_TRACKING_IMAGE_STATUS,
+    receives = CAMERA_TRACKING_IMAGE_STATUS,
     stays,rate,task = 3.,5.,None        # s without a report until hidden; reports a second; the task
     def status(self)->dict:
         "Return the target's position, as `_target_of`"
@@ -324,12 +324,12 @@ def _file_name(name:str, began:float, part:int=0)->str:
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #c601e8b1
 class _HereRecorder(Recorder):
-    "A recorder of the received stream; calls `tell` after its first picture, and when it ends by itself"
+    "A recorder of the received stream; calls `wake` after its first picture, and when it ends by itself"
     sets = b''              # parameter sets of the newest key frame, as a byte stream
-    def __init__(self, name:str, stream, folder, reserve:float=100., tell=lambda: None):
+    def __init__(self, name:str, stream, folder, reserve:float=100., wake=lambda: None):
         self.began,self.name_of,self.folder = clock.time(),name,Path(folder)
-        self.stream,self.tell = stream,tell
-        super().__init__(self.path_of, segment=3600., reserve=reserve, on_end=lambda _: tell())     # MiB to keep free
+        self.stream,self.wake = stream,wake
+        super().__init__(self.path_of, segment=3600., reserve=reserve, on_end=lambda _: wake())     # MiB to keep free
 
     def path_of(self, part:int)->Path:
         "Return an unused file name for part `part`, from 0"
@@ -346,7 +346,7 @@ class _HereRecorder(Recorder):
     def send(self, unit):
         "Write a picture; raises `OSError`, which ends the recording"
         Recorder.send(self, unit)
-        if self.tell and len(self.videos)==1: self.tell,_ = None,self.tell()
+        if self.wake and len(self.videos)==1: self.wake,_ = None,self.wake()
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #d880c23b
 class _RecordHere(RowPart):
@@ -364,7 +364,7 @@ class _RecordHere(RowPart):
         if keeper is None: return
         self.row.preview.remove_sink(keeper)
         await asyncio.to_thread(keeper.close)
-        if keeper.tell: keeper.tell()               # wakes `record`, which waits for the first picture
+        if keeper.wake: keeper.wake()               # wakes `record`, which waits for the first picture
         self.row.gui.changed()
         if keeper.fault: raise keeper.fault
         return f'{keeper.files[-1].name}, {keeper.seconds:.0f} s' if keeper.files else None
@@ -374,13 +374,13 @@ class _RecordHere(RowPart):
         "Start or stop a recording on this computer; raises `NoAnswer`, `OSError` or `ValueError`"
         if not _on_or_off(on): return await self.close()
         if self.keeper: return
-        row,loop,news = self.row,asyncio.get_running_loop(),asyncio.Event()
+        row,loop,began = self.row,asyncio.get_running_loop(),asyncio.Event()
         if not row.preview.streams: raise ValueError('the camera has no video streams')
         Path(self.folder).mkdir(parents=True, exist_ok=True)
-        name,tell = row.received.status()['name'],lambda: loop.call_soon_threadsafe(news.set)
-        self.keeper = keeper = _HereRecorder(name, row.preview.stream, self.folder, self.reserve, tell)
+        name,wake = row.received.status()['name'],lambda: loop.call_soon_threadsafe(began.set)
+        self.keeper = keeper = _HereRecorder(name, row.preview.stream, self.folder, self.reserve, wake)
         row.preview.add_sink(keeper)
-        await set_within(news, self.patience)           # for the first picture
+        await set_within(began, self.patience)           # for the first picture
         if keeper.videos and not keeper.fault or self.keeper is not keeper: return      # it was stopped again
         await self.close()
         raise NoAnswer(f'no picture came for {self.patience:g} s: {row.preview.state[1]}'.rstrip(': '))
@@ -429,7 +429,7 @@ def _clicked(x:float, y:float, hfov:float, vfov:float, q:tuple)->tuple:
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #c622ba70
 class _Aim(RowPart):
     "Click to point: aims the gimbal of a camera"
-    hears,questions = (CAMERA_FOV_STATUS,),{CAMERA_FOV_STATUS:10.}
+    receives,requests = (CAMERA_FOV_STATUS,),{CAMERA_FOV_STATUS:10.}
     delay = .05         # s from exposure to arrival, about
     def names(self, gimbal)->bool:
         "True if CAMERA_INFORMATION names the gimbal of this row"

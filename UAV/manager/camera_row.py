@@ -44,11 +44,11 @@ class CameraRow(Row):
         parts = _CameraFiles,_CameraSettings,_CameraTracking,_RecordHere,_Aim,_CameraGround,_Follow,_Signal
         super().__init__(gui, '{}/{}'.format(*target), *parts)
         self.files,self.settings,self.tracking,self.recording,self.aim,self.ground,self.follow,_ = self.parts
-        self.zoomer,self.questions,self.hears = _ZoomHelm(self),dict(_asked),dict.fromkeys(_noted)
+        self.zoomer,self.requests,self.receives = _ZoomHelm(self),dict(_asked),dict.fromkeys(_noted)
         for part in self.parts:
-            self.questions |= part.questions
-            self.hears |= dict.fromkeys(part.hears)
-        self.hears |= {CAMERA_IMAGE_CAPTURED:self._on_picture, CAMERA_INFORMATION:self._on_information,
+            self.requests |= part.requests
+            self.receives |= dict.fromkeys(part.receives)
+        self.receives |= {CAMERA_IMAGE_CAPTURED:self._on_picture, CAMERA_INFORMATION:self._on_information,
                        VIDEO_STREAM_INFORMATION:self._on_stream}      # called before the message is stored
 
     def __repr__(self): return f'{self.id} {self.received.status()["name"]}{", lost" if self.lost else ""}'
@@ -110,7 +110,7 @@ def take(self:CameraRow, msg):
     if self.received.restarts(msg): self._ask_anew()
     self.tries.pop(msg_id, None)
     self._put_off(msg_id)
-    if first := self.hears[msg_id]: first(msg)
+    if first := self.receives[msg_id]: first(msg)
     self.received.add(msg)
     self.gui.changed()
 
@@ -118,8 +118,8 @@ def take(self:CameraRow, msg):
 @patch
 def _put_off(self:CameraRow, question:int):
     "Postpone a request by its period, doubled for each one without an answer"
-    if question not in self.questions: return
-    period,tries = self.questions[question],min(self.tries.get(question, 0), 9)
+    if question not in self.requests: return
+    period,tries = self.requests[question],min(self.tries.get(question, 0), 9)
     self.due[question] = clock.monotonic()+min(period*2**tries, max(period, self.longest))
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #a91396d7
@@ -141,7 +141,7 @@ def soon(self:CameraRow,
     now:bool=True, # False: within half a second
 ):
     "Request these messages next; on the panel's loop"
-    for question in questions or self.questions: self.due.pop(question, None)
+    for question in questions or self.requests: self.due.pop(question, None)
     if now: self._wake.set()
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #df1b2b53
@@ -168,7 +168,7 @@ def lost(self:CameraRow)->str:
 def _open_questions(self:CameraRow)->list:
     "Return the messages that are due for a request"
     now = clock.monotonic()
-    found = [q for q in self.questions if self.due.get(q, 0)<=now]
+    found = [q for q in self.requests if self.due.get(q, 0)<=now]
     return found[:1] if CAMERA_INFORMATION in found else found
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #5f751723
@@ -190,7 +190,7 @@ async def run(self:CameraRow):
             if address(msg)==self.camera.address: loop.call_soon_threadsafe(self.take, msg)
 
     with ExitStack() as stack:
-        for msg_id in self.hears: stack.enter_context(self.camera.client.expecting(msg_id, heard))
+        for msg_id in self.receives: stack.enter_context(self.camera.client.expecting(msg_id, heard))
         showing = asyncio.ensure_future(self.gui._keep(self.preview.run))
         try:
             while True:

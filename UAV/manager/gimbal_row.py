@@ -22,6 +22,39 @@ from ..wire.dialect import Ack, MAVError
 # %% auto #0
 __all__ = ['GimbalRow']
 
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #bad4c4fb
+class GimbalRow(Row):
+    "State and buttons of one gimbal"
+    kind = 'gimbal'
+    patience,requests_again = 3.,3.   # s until the next request: without an attitude; if something is missing
+    def __init__(self, gui, # The `Panel`; its `gimbal_client` is on a link
+                 gimbal:tuple): # `(system, component, gimbal_device_id)`
+        super().__init__(gui, '/'.join(map(str, gimbal)))
+        self.gimbal,self.client = gimbal,gui.gimbal_client.at(*gimbal)
+        self.helm = Helm(self.client, self.id, gui.log, gui.changed)
+        self.missing = ''                           # what it has not answered
+        self.history,self.frame = _History(),''     # its attitudes, and the frame of their yaw
+
+    def __repr__(self): return f'{self.id} {self.client.name}{", lost" if self.lost else ""}'
+
+    async def close(self):
+        "Stop, and return the control that we took"
+        await self.helm.close()
+
+    @property
+    def lost(self)->str:
+        "Reason why the gimbal is lost, or ''"
+        com = self.client.client.mav_com
+        if self.gimbal[:2] not in com.remotes: return f'{self.id} was not heard'
+        return com.lost(self.gimbal[:2]) or com.lost(self.client.device[:2])
+
+    def note(self, now:GimbalAttitude): # The newest attitude
+        "Store an attitude"
+        frame = 'earth' if known(now.vehicle_yaw) else 'vehicle'
+        if frame!=self.frame: self.history,self.frame = _History(),frame
+        q = now.earth_q if frame=='earth' else now.q
+        if all(map(known, q)): self.history.add(clock.monotonic(), q)
+
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #ba93704f
 def _between(p:tuple, q:tuple, share:float)->tuple:
     "Interpolate between the unit quaternions `p` (share 0) and `q` (share 1)"
@@ -53,42 +86,9 @@ class _History:
         (t0,p),(t1,q) = kept[later-1:later+1]
         return _between(p, q, (time-t0)/(t1-t0))
 
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #bad4c4fb
-class GimbalRow(Row):
-    "State and buttons of one gimbal"
-    kind = 'gimbal'
-    patience,learns_again = 3.,3.   # s until the next request: without an attitude; if something is missing
-    def __init__(self, gui, # The `Panel`; its `gimbal_client` is on a link
-                 gimbal:tuple): # `(system, component, gimbal_device_id)`
-        super().__init__(gui, '/'.join(map(str, gimbal)))
-        self.gimbal,self.client = gimbal,gui.gimbal_client.at(*gimbal)
-        self.helm = Helm(self.client, self.id, gui.log, gui.changed)
-        self.missing = ''                           # what it has not answered
-        self.history,self.frame = _History(),''     # its attitudes, and the frame of their yaw
-
-    def __repr__(self): return f'{self.id} {self.client.name}{", lost" if self.lost else ""}'
-
-    async def close(self):
-        "Stop, and return the control that we took"
-        await self.helm.close()
-
-    @property
-    def lost(self)->str:
-        "Reason why the gimbal is lost, or ''"
-        com = self.client.client.mav_com
-        if self.gimbal[:2] not in com.remotes: return f'{self.id} was not heard'
-        return com.lost(self.gimbal[:2]) or com.lost(self.client.device[:2])
-
-    def note(self, now:GimbalAttitude): # The newest attitude
-        "Store an attitude"
-        frame = 'earth' if known(now.vehicle_yaw) else 'vehicle'
-        if frame!=self.frame: self.history,self.frame = _History(),frame
-        q = now.earth_q if frame=='earth' else now.q
-        if all(map(known, q)): self.history.add(clock.monotonic(), q)
-
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #27d57da1
 @patch
-async def learn(self:GimbalRow):
+async def request_all(self:GimbalRow):
     "Request information and attitude, and note what is missing; raises `MAVError` if the gimbal is silent"
     self.missing = ''
     try: await self.client.wait_ready()
@@ -100,14 +100,14 @@ async def learn(self:GimbalRow):
 @patch
 async def listen(self:GimbalRow):
     "Store attitudes until none comes for a while, and request what is missing; raises `Lost`"
-    learned = clock.monotonic()
+    requested = clock.monotonic()
     with self.client.expecting_attitude() as expected:
         while await expected.wait(self.patience) is not None:
             expected.renew()
             if (now := self.client.attitude) is not None: self.note(now)
-            if self.missing and clock.monotonic()-learned>self.learns_again:
-                await self.learn()
-                learned = clock.monotonic()
+            if self.missing and clock.monotonic()-requested>self.requests_again:
+                await self.request_all()
+                requested = clock.monotonic()
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #e1e054dd
 @patch
@@ -115,7 +115,7 @@ async def run(self:GimbalRow):
     "Learn and listen, again after each silence, until cancelled"
     while True:
         try:
-            await self.learn()
+            await self.request_all()
             await self.listen()
         except MAVError as e: self.missing = str(e)
         self.client.forget()
@@ -233,7 +233,7 @@ async def retract(self:GimbalRow)->Ack:
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #bac28754
 @patch
-async def sees(self:GimbalRow, test, # A function without arguments
+async def until_reported(self:GimbalRow, test, # A function without arguments
                seconds:float=1.): # Longest wait
     "Wait until an attitude report makes `test()` true"
     with self.client.expecting_attitude(lambda msg: test()) as expected:
@@ -247,7 +247,7 @@ async def lock(self:GimbalRow)->Ack:
     "Lock the yaw to a direction on earth"
     await self.ready()
     ack = await self.client.lock()
-    if ack: await self.sees(lambda: self.helm.locked)
+    if ack: await self.until_reported(lambda: self.helm.locked)
     return ack
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #38e3de5f
@@ -257,7 +257,7 @@ async def follow(self:GimbalRow)->Ack:
     "Let the yaw follow the nose"
     await self.ready()
     ack = await self.client.follow()
-    if ack: await self.sees(lambda: not self.helm.locked)
+    if ack: await self.until_reported(lambda: not self.helm.locked)
     return ack
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #0246ff92

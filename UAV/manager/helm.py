@@ -24,25 +24,6 @@ from ..wire.dialect import MAVError
 # %% auto #0
 __all__ = ['Helm']
 
-# %% ../../nbs/api/manager/02_helm.ipynb #4641e20c
-_kinds = {mavlink.MAV_TYPE_GCS:'a ground station', mavlink.MAV_TYPE_ONBOARD_CONTROLLER:'a companion computer'}
-
-def _owner_in_words(client:RemoteGimbal)->str|None:
-    "Return the client in control of a gimbal, in words; `None` if there is none, or unknown"
-    if client.status is None or (who := client.status.primary) is None: return None
-    if client.in_control: return 'this panel'
-    remote,number = client.client.remotes.get(who),'{}/{}'.format(*who)
-    pilot = remote is not None and remote.type is not None and remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID
-    kind = 'the autopilot' if pilot else _kinds.get(remote and remote.type)
-    return f'{kind} ({number})' if kind else number
-
-# %% ../../nbs/api/manager/02_helm.ipynb #94de4f2e
-def _denied(client:RemoteGimbal, why:Exception|None=None)->Denied:
-    "Return an error that names the client in control"
-    if not client.held_by_other: return why or Denied('The gimbal obeys another')
-    owner = _owner_in_words(client)
-    return Denied(f'{owner[0].upper()}{owner[1:]} is in control of the gimbal: take control first')
-
 # %% ../../nbs/api/manager/02_helm.ipynb #05a7c080
 class Helm:
     "Controller of one gimbal, for the panel"
@@ -80,6 +61,25 @@ class Helm:
     def _let_go(self, hold:_Hold, why:str):
         "End a hold and stop the gimbal"
         if self._ends(hold, why): hold.task.cancel()
+
+# %% ../../nbs/api/manager/02_helm.ipynb #4641e20c
+_kinds = {mavlink.MAV_TYPE_GCS:'a ground station', mavlink.MAV_TYPE_ONBOARD_CONTROLLER:'a companion computer'}
+
+def _owner_in_words(client:RemoteGimbal)->str|None:
+    "Return the client in control of a gimbal, in words; `None` if there is none, or unknown"
+    if client.status is None or (who := client.status.primary) is None: return None
+    if client.in_control: return 'this panel'
+    remote,number = client.client.remotes.get(who),'{}/{}'.format(*who)
+    pilot = remote is not None and remote.type is not None and remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID
+    kind = 'the autopilot' if pilot else _kinds.get(remote and remote.type)
+    return f'{kind} ({number})' if kind else number
+
+# %% ../../nbs/api/manager/02_helm.ipynb #94de4f2e
+def _denied(client:RemoteGimbal, why:Exception|None=None)->Denied:
+    "Return an error that names the client in control"
+    if not client.held_by_other: return why or Denied('The gimbal obeys another')
+    owner = _owner_in_words(client)
+    return Denied(f'{owner[0].upper()}{owner[1:]} is in control of the gimbal: take control first')
 
 # %% ../../nbs/api/manager/02_helm.ipynb #4e4c1a23
 class _Hold:

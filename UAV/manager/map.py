@@ -208,10 +208,10 @@ def _corners(q:tuple, fov:tuple, height:float)->list:
 # %% ../../nbs/api/manager/05_map.ipynb #5403b558
 class _CameraGround(RowPart):
     "Footprint and pictures of a camera on a map"
-    most,open_for,lasts = 500,3.,2.     # pictures; s that a look lasts; s that CAMERA_FOV_STATUS is valid
+    most,open_for,lasts = 500,3.,2.     # pictures; s after a request in which a map is open; s that CAMERA_FOV_STATUS is valid
     def __init__(self, row):
         super().__init__(row)
-        self.pictures,self.looked = deque(maxlen=self.most),-math.inf   # features; time of the last look
+        self.pictures,self.drawn = deque(maxlen=self.most),-math.inf   # features; time of the last request
 
     def status(self)->dict: "Return its system"; return dict(vehicle=self.row.camera.system)
 
@@ -245,14 +245,14 @@ class _CameraGround(RowPart):
     async def watch(self):
         "Request CAMERA_FOV_STATUS while a map is open, if the camera has sent its position before"
         msg = self.row.received.newest.get(CAMERA_FOV_STATUS)
-        knows,is_open = msg and known(from_int32(msg.lat_camera, 1e7)),clock.monotonic()-self.looked<self.open_for
-        if knows and is_open and not self.by_gimbal(): self.row.soon(CAMERA_FOV_STATUS, now=False)
+        has_place,is_open = msg and known(from_int32(msg.lat_camera, 1e7)),clock.monotonic()-self.drawn<self.open_for
+        if has_place and is_open and not self.by_gimbal(): self.row.soon(CAMERA_FOV_STATUS, now=False)
 
 # %% ../../nbs/api/manager/05_map.ipynb #d11a153f
 @patch
 def features(self:_CameraGround)->list:
     "Return footprint, center and pictures, for a map"
-    self.looked,shown = clock.monotonic(),list(self.pictures)
+    self.drawn,shown = clock.monotonic(),list(self.pictures)
     at,fov = self.by_gimbal() or self.by_camera(),self.row.aim.field_of_view()
     if not (at and fov) or self.row.lost: return shown
     lat,lon,height,q = at

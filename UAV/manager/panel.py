@@ -233,7 +233,7 @@ class Row:
 # %% ../../nbs/api/manager/00_panel.ipynb #e4323bd1
 class RowPart:
     "State and buttons of one part of a row; a base class"
-    hears,questions = (),{}     # ids of its messages; `{message id: s until we ask again}`
+    receives,requests = (),{}     # ids of its messages; `{message id: s until the next request}`
     def __init__(self,
         row:Row, # Its row
     ): self.row = row
@@ -351,8 +351,8 @@ async def _do(self:Panel, what:str, of:str|None, args:dict)->dict:
     state,text = Btn_State.CANCELLED,''
     try:
         found = await method(**args)
-        says = found is None or isinstance(found, str)
-        state,text = Btn_State.DONE if says or found else Btn_State.FAILED,(found or '') if says else repr(found)
+        is_text = found is None or isinstance(found, str)
+        state,text = Btn_State.DONE if is_text or found else Btn_State.FAILED,(found or '') if is_text else repr(found)
     except (MAVError, GimbalError, CameraError, OSError, ValueError) as e:
         state,text = Btn_State.FAILED,str(e) or type(e).__name__
     except Exception as e:

@@ -19,10 +19,83 @@ from ..utils.sockets import listen_tcp, url_host, _Guesses, is_loopback
 from ..wire.dialect import MAVError
 
 # %% auto #0
-__all__ = ['log', 'modules', 'panel_css', 'panel_js', 'Refused', 'Door', 'bundle', 'Site', 'PanelServer']
+__all__ = ['log', 'modules', 'panel_css', 'panel_js', 'PanelServer', 'Refused', 'Door', 'bundle', 'Site']
 
 # %% ../../nbs/api/manager/09_server.ipynb #a6ed9cc8
 log = get_logger('manager.server')
+
+# %% ../../nbs/api/manager/09_server.ipynb #ce352bb2
+class PanelServer(Closes):
+    "Web server of a panel; `with` closes it"
+    most = 128                              # connections at once
+    patience,idle,sending = 5.,30.,10.      # s until a request arrives; between two; until bytes are read
+    def __init__(self, gui, # The panel
+                 port:int=0, # TCP port; 0: any free one
+                 host:str='127.0.0.1', # Address to listen on; '': all, for other computers, too
+                 token:str|None=None, # `None`: a new one; set your own so that open pages find a restarted panel
+                 names:tuple=()): # Further host names, such as that of a proxy
+        if gui.closed: raise RuntimeError('the panel is closed')
+        host = host.strip('[]')
+        store_attr('gui,host')
+        self.site,self.visits,self.closed = Site(gui, Door(host, token, names)),{},False
+        web = _web_class()                  # imports aiohttp here, so that the panel's loop doesn't wait
+        self.listener = listen_tcp(host, port)
+        self.port = self.listener.getsockname()[1]
+        self.started = gui.loop.run(self._start(web))
+        gui.hosts.append(self)
+
+    def __repr__(self): return f'{type(self).__name__} {self.url.partition("#")[0]}, {len(self.visits)} connections'
+
+    def link(self, host:str, # Host name or address that the browser can reach
+            )->str:
+        "Return the address of the page, with its token"
+        return f'http://{url_host(host)}:{self.port}/#token={self.site.door.token}'
+
+    async def _start(self, web):
+        self.web = web(self)
+        self.serving = await asyncio.get_running_loop().create_server(self.web, sock=self.listener)
+        self.sweeping = asyncio.ensure_future(self._sweep())
+
+    async def _sweep(self):
+        while True:
+            await asyncio.sleep(min(.5, self.patience/4, self.sending/4))
+            now = clock.monotonic()
+            for visit in list(self.visits.values()):
+                if visit.late(now, self.patience, self.sending): visit.transport.abort()
+
+# %% ../../nbs/api/manager/09_server.ipynb #4a714c3f
+@patch(as_prop=True)
+def url(self:PanelServer)->str:
+    "Address of the page for a browser on this computer"
+    return self.link('127.0.0.1' if self.site.door.everywhere else self.host)
+
+# %% ../../nbs/api/manager/09_server.ipynb #dddce80a
+@patch
+def close(self:PanelServer, patience:float=1.): # Seconds for answers under way
+    "Close all connections and the port; safe to call twice, and from any thread"
+    if self.closed: return
+    self.closed,loop = True,self.gui.loop
+    if self in self.gui.hosts: self.gui.hosts.remove(self)
+    if loop.orphaned: return self.listener.close()          # a forked process: the connections are its parent's
+    try: ended = loop.run(self._end(patience))
+    except RuntimeError: return self.listener.close()       # its loop is gone
+    if not loop.inside: ended.result(10)
+
+# %% ../../nbs/api/manager/09_server.ipynb #cc9931a3
+@patch
+async def _end(self:PanelServer, patience:float):
+    await asyncio.wrap_future(self.started)
+    self.sweeping.cancel()
+    self.serving.close()
+    under_way = [task for talk in self.site.talks for task in talk.tasks]
+    if under_way: await asyncio.wait(under_way, timeout=patience)
+    for task in under_way: task.cancel()
+    goodbyes = [talk.socket.close(code=1001, message=b'the panel has ended') for talk in self.site.talks]
+    await asyncio.gather(*goodbyes, return_exceptions=True)
+    for visit in list(self.visits.values()): visit.busy or visit.transport.close()
+    await self.web.shutdown(patience)
+    for visit in list(self.visits.values()): visit.transport.abort()
+    await asyncio.sleep(0)                  # lets them notice that they are closed
 
 # %% ../../nbs/api/manager/09_server.ipynb #43690a9c
 class Refused(Exception):
@@ -64,7 +137,7 @@ class Door:
         if not hmac.compare_digest((given or '').encode('utf-8', 'replace'), self.token.encode()):
             raise Refused(403, 'this link has no token, or an old one')
 
-    def knows(self, name:str, # Host name or address
+    def is_known(self, name:str, # Host name or address
              )->bool:
         "True if it is one of our names"
         return is_loopback(name) or name in self.names or (self.everywhere and _is_address(name))
@@ -72,7 +145,7 @@ class Door:
     def check_host(self, hosts:list): # All `Host` headers of a request
         "Check the host; raises `Refused` (400, 403)"
         if len(hosts)!=1: raise Refused(400, 'one Host is needed')
-        if self.knows(_name_of(hosts[0])): return
+        if self.is_known(_name_of(hosts[0])): return
         raise Refused(403, 'the panel does not know the name in this address: serve(names=…)')
 
 # %% ../../nbs/api/manager/09_server.ipynb #3a0e5f50
@@ -179,7 +252,7 @@ class _Messages:
         self.held = {}          # `{(row, hold): release}` of the viewer's holds
 
     async def poll(self, seen:str='', after:dict|None=None):
-        "Wait for news, see `Gui.poll`"
+        "Wait for an update, see `Gui.poll`"
         new = await self.gui.poll(seen, after)
         pictures = [[id, number, _age_of(self.gui.rows.get(id), number)] for id,number,_ in new.pictures]
         return dict(tag=new.tag, status=new.status, pictures=pictures),[jpeg for *_,jpeg in new.pictures]
@@ -252,8 +325,8 @@ async def answer(self:_Messages, message)->tuple:
         asked = dict(message)
         kind,ref = asked.pop('kind', None),asked.pop('ref', None)
         if kind not in self.kinds: raise ValueError(f'{kind!r:.40} is not known here')
-        told,pictures = await getattr(self, kind)(**asked)
-        return dict(told, ref=ref),pictures
+        answer,pictures = await getattr(self, kind)(**asked)
+        return dict(answer, ref=ref),pictures
     except (ValueError,TypeError,AttributeError,MAVError) as e: error = str(e) or type(e).__name__
     except Exception as e:
         log.exception('%s of a viewer', kind)
@@ -299,7 +372,7 @@ class Site:
         from aiohttp import web
         what = dict(text=body, charset='utf-8') if isinstance(body, str) else dict(body=body)
         host = request.headers.get('Host', '')
-        rules = _rules_for(host if self.door.knows(_name_of(host)) else 'localhost')
+        rules = _rules_for(host if self.door.is_known(_name_of(host)) else 'localhost')
         return web.Response(status=status, content_type=kind, headers=rules|headers, **what)
 
     def _static(self, request, name:str):
@@ -336,9 +409,9 @@ async def post_act(self:Site, request):
     if request.content_length>self.most: raise Refused(413)
     try: press = _json_of(await asyncio.wait_for(request.read(), self.reading))
     except asyncio.TimeoutError: raise Refused(408) from None
-    try: told,_ = await _Messages(self.gui).act(**press)
+    try: answer,_ = await _Messages(self.gui).act(**press)
     except (TypeError, ValueError) as e: raise Refused(400, str(e)[:300]) from None
-    return self.reply(request, json.dumps(told))
+    return self.reply(request, json.dumps(answer))
 
 # %% ../../nbs/api/manager/09_server.ipynb #ac4b1d91
 _played = dict(mp4='video/mp4', m4v='video/mp4', mov='video/mp4', webm='video/webm')     # playable in a browser
@@ -382,9 +455,9 @@ async def download(self:Site, request, visit, ticket:str):
     return response
 
 # %% ../../nbs/api/manager/09_server.ipynb #7a125fba
-def _packed(told:dict, pictures:list)->bytes:
+def _packed(answer:dict, pictures:list)->bytes:
     "Pack an answer and its pictures into one message"
-    head = json.dumps(told|dict(sizes=[len(jpeg) for jpeg in pictures])).encode()
+    head = json.dumps(answer|dict(sizes=[len(jpeg) for jpeg in pictures])).encode()
     return b''.join([len(head).to_bytes(4, 'big'), head, *pictures])
 
 # %% ../../nbs/api/manager/09_server.ipynb #eaf99261
@@ -450,10 +523,10 @@ async def _answer(self:_Talk, asked:dict):
 
 # %% ../../nbs/api/manager/09_server.ipynb #d314d30d
 @patch
-async def _send(self:_Talk, told:dict, pictures=()):
+async def _send(self:_Talk, answer:dict, pictures=()):
     with suppress(ConnectionError, RuntimeError):           # it's closed, or about to be
-        if pictures: await self.socket.send_bytes(_packed(told, pictures))
-        else: await self.socket.send_str(json.dumps(told))
+        if pictures: await self.socket.send_bytes(_packed(answer, pictures))
+        else: await self.socket.send_str(json.dumps(answer))
 
 # %% ../../nbs/api/manager/09_server.ipynb #a7319ab3
 @patch
@@ -497,51 +570,6 @@ def _web_class():
             self.host.visits.pop(handler, None)
     return PanelWeb
 
-# %% ../../nbs/api/manager/09_server.ipynb #ce352bb2
-class PanelServer(Closes):
-    "Web server of a panel; `with` closes it"
-    most = 128                              # connections at once
-    patience,idle,sending = 5.,30.,10.      # s until a request arrives; between two; until bytes are read
-    def __init__(self, gui, # The panel
-                 port:int=0, # TCP port; 0: any free one
-                 host:str='127.0.0.1', # Address to listen on; '': all, for other computers, too
-                 token:str|None=None, # `None`: a new one; set your own so that open pages find a restarted panel
-                 names:tuple=()): # Further host names, such as that of a proxy
-        if gui.closed: raise RuntimeError('the panel is closed')
-        host = host.strip('[]')
-        store_attr('gui,host')
-        self.site,self.visits,self.closed = Site(gui, Door(host, token, names)),{},False
-        web = _web_class()                  # imports aiohttp here, so that the panel's loop doesn't wait
-        self.listener = listen_tcp(host, port)
-        self.port = self.listener.getsockname()[1]
-        self.started = gui.loop.run(self._start(web))
-        gui.hosts.append(self)
-
-    def __repr__(self): return f'{type(self).__name__} {self.url.partition("#")[0]}, {len(self.visits)} connections'
-
-    def link(self, host:str, # Host name or address that the browser can reach
-            )->str:
-        "Return the address of the page, with its token"
-        return f'http://{url_host(host)}:{self.port}/#token={self.site.door.token}'
-
-    async def _start(self, web):
-        self.web = web(self)
-        self.serving = await asyncio.get_running_loop().create_server(self.web, sock=self.listener)
-        self.sweeping = asyncio.ensure_future(self._sweep())
-
-    async def _sweep(self):
-        while True:
-            await asyncio.sleep(min(.5, self.patience/4, self.sending/4))
-            now = clock.monotonic()
-            for visit in list(self.visits.values()):
-                if visit.late(now, self.patience, self.sending): visit.transport.abort()
-
-# %% ../../nbs/api/manager/09_server.ipynb #4a714c3f
-@patch(as_prop=True)
-def url(self:PanelServer)->str:
-    "Address of the page for a browser on this computer"
-    return self.link('127.0.0.1' if self.site.door.everywhere else self.host)
-
 # %% ../../nbs/api/manager/09_server.ipynb #b634d7e6
 @patch
 def _welcome(self:PanelServer, visit:_Visit):
@@ -573,31 +601,3 @@ async def _serve(self:PanelServer, request):
     response = self.site.reply(request, refused.text, 'text/plain', refused.status)
     response.force_close()
     return response
-
-# %% ../../nbs/api/manager/09_server.ipynb #dddce80a
-@patch
-def close(self:PanelServer, patience:float=1.): # Seconds for answers under way
-    "Close all connections and the port; safe to call twice, and from any thread"
-    if self.closed: return
-    self.closed,loop = True,self.gui.loop
-    if self in self.gui.hosts: self.gui.hosts.remove(self)
-    if loop.orphaned: return self.listener.close()          # a forked process: the connections are its parent's
-    try: ended = loop.run(self._end(patience))
-    except RuntimeError: return self.listener.close()       # its loop is gone
-    if not loop.inside: ended.result(10)
-
-# %% ../../nbs/api/manager/09_server.ipynb #cc9931a3
-@patch
-async def _end(self:PanelServer, patience:float):
-    await asyncio.wrap_future(self.started)
-    self.sweeping.cancel()
-    self.serving.close()
-    under_way = [task for talk in self.site.talks for task in talk.tasks]
-    if under_way: await asyncio.wait(under_way, timeout=patience)
-    for task in under_way: task.cancel()
-    goodbyes = [talk.socket.close(code=1001, message=b'the panel has ended') for talk in self.site.talks]
-    await asyncio.gather(*goodbyes, return_exceptions=True)
-    for visit in list(self.visits.values()): visit.busy or visit.transport.close()
-    await self.web.shutdown(patience)
-    for visit in list(self.visits.values()): visit.transport.abort()
-    await asyncio.sleep(0)                  # lets them notice that they are closed

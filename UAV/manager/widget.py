@@ -37,32 +37,32 @@ def _for_whom(parts)->str|None:
     except (ValueError,LookupError,TypeError): return None      # unknown format: left to the kernel
 
 # %% ../../nbs/api/manager/10_widget.ipynb #b44a1d46
-_heard = {}             # `{comm_id: function}` of this process's views
+_receivers = {}             # `{comm_id: function}` of this process's views
 
 def _take(kernel, usual, frames):
     "Pass a message to its view; all others go the usual way"
     _,parts = kernel.session.feed_identities(frames, copy=False)
-    hear = _heard.get(_for_whom(parts))
-    if hear is None: return usual(frames)
+    receive = _receivers.get(_for_whom(parts))
+    if receive is None: return usual(frames)
     message = kernel.session.deserialize(parts, content=True, copy=False)
     kernel._publish_status('busy', 'shell', message)
-    hear(message['content']['data']['content'])
+    receive(message['content']['data']['content'])
     kernel._publish_status('idle', 'shell', message)
 
 # %% ../../nbs/api/manager/10_widget.ipynb #234c369a
-def _hear_early(comm_id:str, hear)->bool:
-    "In ipykernel 6, call the quick function `hear` with each custom message at once; false for other kernels"
+def _receive_early(comm_id:str, receive)->bool:
+    "In ipykernel 6, call the quick function `receive` with each custom message at once; false for other kernels"
     kernel = _this_kernel()
     if not hasattr(kernel, 'msg_queue'): return False
     import ipykernel
     if ipykernel.version_info[0]!=6: return False
     usual = partial(kernel.schedule_dispatch, kernel.dispatch_shell)
-    _heard[comm_id] = hear
+    _receivers[comm_id] = receive
     kernel.shell_stream.on_recv(partial(_take, kernel, usual), copy=False)
     return True
 
 # %% ../../nbs/api/manager/10_widget.ipynb #f53657ec
-def _forget_early(comm_id:str): _heard.pop(comm_id, None)
+def _forget_early(comm_id:str): _receivers.pop(comm_id, None)
 
 # %% ../../nbs/api/manager/10_widget.ipynb #6f503234
 def _text(value, most=48)->str:
@@ -211,7 +211,7 @@ class _WidgetView:
         self.widget = _widget_class()()
         self.viewer = _Viewer(gui, self.widget.send)
         self.widget.on_msg(lambda widget, message, buffers: self.viewer.take(message))
-        _hear_early(self.widget.model_id, self.viewer.take)
+        _receive_early(self.widget.model_id, self.viewer.take)
 
     def close(self):
         "Close the widget, and release its holds"

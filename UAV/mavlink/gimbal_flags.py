@@ -209,9 +209,9 @@ def attitude_of(msg, # GIMBAL_DEVICE_ATTITUDE_STATUS
                )->GimbalAttitude:
     "Decode GIMBAL_DEVICE_ATTITUDE_STATUS; raises `ValueError` for two frames"
     flags,frame = msg.flags,_yaw_frame(msg.flags)
-    says = flags&(VEHICLE_FRAME|EARTH_FRAME)
-    if says and known(msg.delta_yaw): heading = math.degrees(msg.delta_yaw)
-    rate = math.degrees(msg.delta_yaw_velocity) if says else NAN
+    has_frame = flags&(VEHICLE_FRAME|EARTH_FRAME)
+    if has_frame and known(msg.delta_yaw): heading = math.degrees(msg.delta_yaw)
+    rate = math.degrees(msg.delta_yaw_velocity) if has_frame else NAN
     mode = next((m for m in ('retract','center') if flags&_modes[m]), 'point')
     return GimbalAttitude(_vehicle_q(msg.q, frame, heading), _rates_of(msg), heading, rate, bool(flags&YAW_LOCK), mode,
                           flag_names('GIMBAL_DEVICE_ERROR_FLAGS', msg.failure_flags), time)

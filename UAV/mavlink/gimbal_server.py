@@ -70,7 +70,7 @@ class _Service(Part):
 
 class _Manager(_Service):
     "The gimbal manager: information, control and setpoints"
-    told,refused = None,False   # the last status; True after another manager tried to move the gimbal
+    sent,refused = None,False   # the last status; True after another manager tried to move the gimbal
 
 class _Device(_Service):
     "The gimbal device: information and attitude"
@@ -84,7 +84,7 @@ class _Device(_Service):
 class _Directed(_Service):
     "A device under a remote manager, which needs the attitude of its vehicle"
     patience,retract_lasts = 5.,.5  # s of silence before a warning; s in which a "retract" wins
-    told_at = hears = None          # time of the last attitude of the vehicle; True while it comes
+    last = receiving = None         # time of the last attitude of the vehicle; True while it comes
 
 class _Watch(_Service): "Watch over the clients that move the gimbal"
 class _Roi(_Service): "The region of interest: a place, or another vehicle"
@@ -189,10 +189,10 @@ def _complain(self:GimbalServer, about:str, error:Exception):
 @patch
 def tick(self:GimbalServer):
     "Check health, rates and parts; called ten times a second"
-    for look in (self._see_gimbal, *(part.tick for part in self._services)):
+    for check in (self._check_gimbal, *(part.tick for part in self._services)):
         if self._closed or self.mav_com is None: return
-        try: look()
-        except Exception as e: self._complain(look.__qualname__, e)
+        try: check()
+        except Exception as e: self._complain(check.__qualname__, e)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #e3ad400d
 @patch
@@ -205,7 +205,7 @@ def _stop_turning(self:GimbalServer):
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #5780433d
 @patch
-def _see_gimbal(self:GimbalServer):
+def _check_gimbal(self:GimbalServer):
     "Send a change of health, and end expired rates"
     if self.health.has_changed: self.beat()
     if self.can('tick'): self.gimbal.tick()
@@ -263,7 +263,7 @@ def _now(self:_Manager)->tuple:
 @message(GIMBAL_MANAGER_STATUS)
 def _status(self:_Manager):
     "Encode GIMBAL_MANAGER_STATUS: flags and owners"
-    flags,primary,secondary = self.told = self._now()
+    flags,primary,secondary = self.sent = self._now()
     return self.us.mav.gimbal_manager_status_encode(time_since_boot_ms(), flags, self.us.gimbal_device_id,
                                                         *primary, *secondary)
 
@@ -278,7 +278,7 @@ def _default_streams(self:GimbalServer)->dict:
 @patch
 def tick(self:_Manager):
     "Send GIMBAL_MANAGER_STATUS to all if it has changed"
-    if self.told!=self._now(): self.us.send_message(self._status())
+    if self.sent!=self._now(): self.us.send_message(self._status())
 
 @patch
 def _tell_status(self:GimbalServer):
@@ -290,16 +290,16 @@ def _tell_status(self:GimbalServer):
 def tick(self:_Directed):
     "Log when the vehicle's attitude starts or stops coming"
     us = self.us
-    now,hears = us.clock(),us.vehicle.is_told()
-    if hears or self.told_at is None: self.told_at = now
-    if hears==self.hears or not hears and now-self.told_at<self.patience: return
-    self.hears = hears
-    if hears: us.log.info('the vehicle tells how it is held')
+    now,receiving = us.clock(),us.vehicle.is_told()
+    if receiving or self.last is None: self.last = now
+    if receiving==self.receiving or not receiving and now-self.last<self.patience: return
+    self.receiving = receiving
+    if receiving: us.log.info('the vehicle tells how it is held')
     else: us.log.warning('no autopilot of system %s tells how the vehicle is held', us.source_system)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #3951d033
 @patch
-def _see_mover(self:GimbalServer):
+def _check_mover(self:GimbalServer):
     "Stop the gimbal if the link is down or its mover has gone"
     com,mover = self.mav_com,self._mover
     if not any(channel.up for channel in com.channels): self._stop_turning()
@@ -343,7 +343,7 @@ def _let_go(self:GimbalServer, source:tuple, why:str):
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #c7b3ac92
 @patch
-def _see_owner(self:GimbalServer, now:float|None=None): # Monotonic time, s; `None`: now
+def _check_owner(self:GimbalServer, now:float|None=None): # Monotonic time, s; `None`: now
     "Take control from an owner that was silent for five seconds"
     seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),now or clock.monotonic()
     late = self._lateness.look(now)         # meanwhile its frames may wait for us
@@ -409,7 +409,7 @@ def _message_interval(self:GimbalServer, msg_id:int, *, msg=None):
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #9ee3fee5
 @patch
-def _see_pace(self:GimbalServer):
+def _check_pace(self:GimbalServer):
     "Restore the default rate when the client that changed it is lost"
     for msg_id,who in list(self._paced_by.items()):
         if self.mav_com.lost(who): self._set_pace(msg_id, self._default_streams.get(msg_id, -1))
@@ -417,7 +417,7 @@ def _see_pace(self:GimbalServer):
 @patch
 def tick(self:_Watch):
     "Check the last mover, the owner, and clients that changed a rate"
-    for look in (self.us._see_mover, self.us._see_owner, self.us._see_pace): look()
+    for check in (self.us._check_mover, self.us._check_owner, self.us._check_pace): check()
 
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #463235f4

@@ -15,7 +15,7 @@ from .retransmission import Remotes
 from .protocol import accepts, check_id, opened
 from ..utils import clock
 from ..utils.clock import date_time_str, Seen, time_since_boot_ms, time_UTC_usec
-from ..utils.docs import _explain, show_unawaited
+from ..utils.docs import show_unawaited
 from ..utils.threads import Closes, HangWatch, Lateness, Opened, timers
 from ..wire.dialect import address, LinkError
 from ..wire.frames import decode, FrameReader, Sources, target, Wanted
@@ -61,7 +61,6 @@ class MAVCom(Closes):
         self.heart.start()
         _open.add(self)
         show_unawaited()
-        _explain()
 
     def __repr__(self):
         who = f'MAVCom({self.connection_string!r}, source_system={self.source_system})'

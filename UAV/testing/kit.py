@@ -5,7 +5,6 @@
 # %% ../../nbs/api/testing/00_kit.ipynb #e6cd1a63
 from __future__ import annotations
 from binascii import crc_hqx
-from difflib import get_close_matches
 import logging, math, random, socket
 
 from fastcore.basics import patch
@@ -208,8 +207,7 @@ def _what(name:str)->tuple:
     commands = {e.name: i for i,e in mavlink.enums['MAV_CMD'].items()}
     if name in ids or name in commands: return ids.get(name),commands.get(name)
     if f'MAV_CMD_{name}' in commands: return None,commands[f'MAV_CMD_{name}']
-    near = get_close_matches(str(name), [*ids, *(c.removeprefix('MAV_CMD_') for c in commands)], 1)
-    raise ValueError(f'{name!r} is no message and no command of the dialect'+(f': write {near[0]!r}' if near else ''))
+    raise ValueError(f'{name!r} is no message and no command of the dialect')
 
 # %% ../../nbs/api/testing/00_kit.ipynb #03bd2c5c
 def _place(which:str, value)->tuple|None:

@@ -8,8 +8,6 @@ __all__ = ['from_rooms']
 # %% ../../nbs/api/utils/00_lazy.ipynb #1d4352df
 from importlib import import_module
 
-from .docs import _explain
-
 # %% ../../nbs/api/utils/00_lazy.ipynb #c33ce83e
 def from_rooms(door:dict, # The `globals()` of a package
                rooms:dict, # `{module: 'its names'}`
@@ -17,9 +15,7 @@ def from_rooms(door:dict, # The `globals()` of a package
     "Load the module that has `name`, and keep the object; raises `AttributeError` when none has it"
     room = next((room for room,names in rooms.items() if name in names.split()), None)
     if room is None: raise AttributeError(f'module {door["__name__"]!r} has no attribute {name!r}', name=name)
-    found = door.setdefault(name, getattr(import_module(room), name))
-    _explain()
-    return found
+    return door.setdefault(name, getattr(import_module(room), name))
 
 # %% ../../nbs/api/utils/00_lazy.ipynb #a572b66e
 class _Later:

@@ -154,11 +154,11 @@ class _Guesses:
         return str(address.ipv4_mapped or ipaddress.ip_network((int(address)>>64<<64, 64)))
 
     def wait(self, host:str)->float: # s until the next password from there may be looked at
-        "Return 0 when it may be now"
+        "Return how long to wait; 0: not at all"
         return max(0., self._until.get(self._place(host), 0.)-(self.free-.5)*self.pace-clock.monotonic())
 
     def wrong(self, host:str):
-        "One from there was wrong"
+        "Note that a password from there was wrong"
         place,now = self._place(host),clock.monotonic()
         self._until[place] = max(now, self._until.get(place, 0.))+self.pace
         if len(self._until)<=self.most: return
@@ -213,20 +213,22 @@ class _Deadline:
 
     left = property(lambda self: max(self.end-clock.monotonic(), .01), doc="s until then")
 
-    def connect(self, address:tuple, *args)->socket.socket: # As `socket.create_connection`, for http.client
-        "Connect to one of its addresses; raises `OSError`"
-        why = OSError(f'{address[0]} has no address')
-        for family,kind,protocol,_,place in socket.getaddrinfo(*address, type=socket.SOCK_STREAM):
-            sock = socket.socket(family, kind, protocol)
-            self._opened.append(sock.dup())         # TLS takes the other
-            sock.settimeout(self.left)
-            try:
-                if self.late.is_set(): raise TimeoutError('given up')
-                sock.connect(place)
-                return sock
-            except OSError as e: why = e
-            sock.close()
-        raise why
+# %% ../../nbs/api/utils/01_sockets.ipynb #fa9f9a2b
+@patch
+def connect(self:_Deadline, address:tuple, *args)->socket.socket: # As `socket.create_connection`, for http.client
+    "Connect to one of its addresses; raises `OSError`"
+    why = OSError(f'{address[0]} has no address')
+    for family,kind,protocol,_,place in socket.getaddrinfo(*address, type=socket.SOCK_STREAM):
+        sock = socket.socket(family, kind, protocol)
+        self._opened.append(sock.dup())         # TLS takes the other
+        sock.settimeout(self.left)
+        try:
+            if self.late.is_set(): raise TimeoutError('given up')
+            sock.connect(place)
+            return sock
+        except OSError as e: why = e
+        sock.close()
+    raise why
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #c0683c48
 def _web_path(url:str)->str:
@@ -236,7 +238,7 @@ def _web_path(url:str)->str:
 
 def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes|None=None, take=None,
              **headers)->tuple:
-    "Status, reason, headers and body of one answer, to a POST of `body` or a GET; raises `ValueError` and `OSError`"
+    "POST `body`, or GET; return status, reason, headers and body. Raises `ValueError` and `OSError`"
     from http.client import HTTPConnection, HTTPException, HTTPSConnection
     parts = urlsplit(url)
     host = host_in(parts).replace('localhost', '127.0.0.1')
@@ -307,7 +309,7 @@ class LoopThread(Closes):
         raise RuntimeError(f'{self!r}')
 
     async def ask(self, coro): # A coroutine
-        "Its result, for a caller on any loop"
+        "Return its result, for a caller on any loop"
         return await (coro if self.inside else asyncio.wrap_future(self.run(coro)))
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #8e3902d0

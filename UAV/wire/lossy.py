@@ -22,27 +22,6 @@ __all__ = ['log', 'LossyLink', 'Direction']
 # %% ../../nbs/api/wire/04_lossy.ipynb #1d5bf86e
 log = get_logger('lossy')
 
-# %% ../../nbs/api/wire/04_lossy.ipynb #98edc534
-_ranges = {**dict.fromkeys(('loss','duplicate','reorder','bit_errors'), (0,1,'')),
-           **dict.fromkeys(('latency','jitter','hold'), (0,60,' seconds')),
-           'baudrate': (1,10_000_000,' bits per second'), 'buffer': (0,1<<30,' bytes')}
-
-def _number(name:str, value)->float:
-    "`value` as a number in the range of `name`; raises `ValueError`"
-    least,most,unit = _ranges[name]
-    try: good = least<=float(value)<=most
-    except (TypeError, ValueError): good = False
-    if not good: raise ValueError(f'{name} is {value!r}, not a number from {least} to {most}{unit}')
-    return float(value)
-
-# %% ../../nbs/api/wire/04_lossy.ipynb #0c34c7fb
-def _periods(value)->list:
-    "`value` as a list of `(start, end)`; raises `ValueError`"
-    try: periods = [(float(start),float(end)) for start,end in value]
-    except (TypeError, ValueError): periods = [(0,0)]
-    if all(0<=start<end for start,end in periods): return periods
-    raise ValueError(f'outages is {value!r}, not a list of (start, end) in seconds, such as [(2, 5)]')
-
 # %% ../../nbs/api/wire/04_lossy.ipynb #b095b3e5
 class LossyLink(Link):
     "Wraps a link, and treats what passes like a bad radio does; the same seed brings the same fate"
@@ -89,6 +68,27 @@ def release(self:LossyLink): self.link.release()
 def welcome(self:LossyLink, peer): self.link.welcome(peer)
 @patch
 def gone(self:LossyLink, peer)->bool: return self.link.gone(peer)
+
+# %% ../../nbs/api/wire/04_lossy.ipynb #98edc534
+_ranges = {**dict.fromkeys(('loss','duplicate','reorder','bit_errors'), (0,1,'')),
+           **dict.fromkeys(('latency','jitter','hold'), (0,60,' seconds')),
+           'baudrate': (1,10_000_000,' bits per second'), 'buffer': (0,1<<30,' bytes')}
+
+def _number(name:str, value)->float:
+    "`value` as a number in the range of `name`; raises `ValueError`"
+    least,most,unit = _ranges[name]
+    try: good = least<=float(value)<=most
+    except (TypeError, ValueError): good = False
+    if not good: raise ValueError(f'{name} is {value!r}, not a number from {least} to {most}{unit}')
+    return float(value)
+
+# %% ../../nbs/api/wire/04_lossy.ipynb #0c34c7fb
+def _periods(value)->list:
+    "`value` as a list of `(start, end)`; raises `ValueError`"
+    try: periods = [(float(start),float(end)) for start,end in value]
+    except (TypeError, ValueError): periods = [(0,0)]
+    if all(0<=start<end for start,end in periods): return periods
+    raise ValueError(f'outages is {value!r}, not a list of (start, end) in seconds, such as [(2, 5)]')
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #5c1e7a40
 _command_at = dict.fromkeys((mavlink.MAVLINK_MSG_ID_COMMAND_LONG,mavlink.MAVLINK_MSG_ID_COMMAND_INT), 28)

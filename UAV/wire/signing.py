@@ -21,7 +21,7 @@ from ..utils.threads import Closes
 from .frames import crc
 
 # %% auto #0
-__all__ = ['log', 'latest', 'first_year', 'ten_years', 'state_file', 'secret_key', 'Signing']
+__all__ = ['log', 'latest', 'first_year', 'ten_years', 'Signing', 'state_file', 'secret_key']
 
 # %% ../../nbs/api/wire/02_signing.ipynb #fe3658dd
 try: import fcntl
@@ -29,6 +29,30 @@ except ImportError: fcntl = None    # Windows
 
 # %% ../../nbs/api/wire/02_signing.ipynb #837062b6
 log = get_logger('signing')
+
+# %% ../../nbs/api/wire/02_signing.ipynb #b295a529
+class Signing(Closes):
+    "Signs the frames that we send, and judges those that we get; any number of threads and links may share one"
+    minute,most = 6_000_000,1024 # that a new stream may be late; streams remembered
+
+    def __init__(self,
+        key:bytes|str|Path, # 32 bytes, a passphrase, or the path of a file with the key
+        state:Path|str|bool|None=None, # File for timestamps; `None`: one a key in the state folder; `False`: none
+        accept_unsigned=(mavlink.MAVLINK_MSG_ID_RADIO_STATUS,), # Message ids, or a function of id and source
+        clock=clock.utc, # UNIX time
+    ):
+        key = secret_key(key)
+        self._hash,self.fingerprint,self.clock = hashlib.sha256(key),hashlib.sha256(key).hexdigest()[:8],clock
+        self.accept_unsigned = accept_unsigned if callable(accept_unsigned) else frozenset(accept_unsigned)
+        self.dropped,self._lock = Counter(),_clock.Lock()
+        self.reserve = _Reserve(state, self.fingerprint, self.most, _last_believed(_ticks(clock())))
+        self.file = self.reserve.file       # where the reserved time is kept
+        self.timestamp,self.streams = self.reserve.load()   # ours; the newest accepted of each stream
+        self._forgotten = min(self.streams.values()) if len(self.streams)>=self.most else 0
+
+    def __repr__(self):
+        dropped = ', '.join(f'{n} {why}' for why,n in sorted(self.dropped.items())) or 'nothing'
+        return f'Signing with key {self.fingerprint}: {len(self.streams)} streams, dropped {dropped}'
 
 # %% ../../nbs/api/wire/02_signing.ipynb #e811baa5
 latest = (1<<48)-1
@@ -217,30 +241,6 @@ def settle(self:_Reserve, timestamp:int, streams:dict):
     if self.file is None or self.ours<0: return
     self.file.save(timestamp, streams, sync=True, exact=True)
     self.ours,self.streams,self._renew,self._step = -1,dict(streams),-1,self.period//20
-
-# %% ../../nbs/api/wire/02_signing.ipynb #b295a529
-class Signing(Closes):
-    "Signs the frames that we send, and judges those that we get; any number of threads and links may share one"
-    minute,most = 6_000_000,1024 # that a new stream may be late; streams remembered
-
-    def __init__(self,
-        key:bytes|str|Path, # 32 bytes, a passphrase, or the path of a file with the key
-        state:Path|str|bool|None=None, # File for timestamps; `None`: one a key in the state folder; `False`: none
-        accept_unsigned=(mavlink.MAVLINK_MSG_ID_RADIO_STATUS,), # Message ids, or a function of id and source
-        clock=clock.utc, # UNIX time
-    ):
-        key = secret_key(key)
-        self._hash,self.fingerprint,self.clock = hashlib.sha256(key),hashlib.sha256(key).hexdigest()[:8],clock
-        self.accept_unsigned = accept_unsigned if callable(accept_unsigned) else frozenset(accept_unsigned)
-        self.dropped,self._lock = Counter(),_clock.Lock()
-        self.reserve = _Reserve(state, self.fingerprint, self.most, _last_believed(_ticks(clock())))
-        self.file = self.reserve.file       # where the reserved time is kept
-        self.timestamp,self.streams = self.reserve.load()   # ours; the newest accepted of each stream
-        self._forgotten = min(self.streams.values()) if len(self.streams)>=self.most else 0
-
-    def __repr__(self):
-        dropped = ', '.join(f'{n} {why}' for why,n in sorted(self.dropped.items())) or 'nothing'
-        return f'Signing with key {self.fingerprint}: {len(self.streams)} streams, dropped {dropped}'
 
 # %% ../../nbs/api/wire/02_signing.ipynb #0536cbd1
 _crc_link_time,_link_time = Struct('<HBQ'),Struct('<BIH')
