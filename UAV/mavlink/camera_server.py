@@ -83,7 +83,7 @@ class CameraServer(_CameraVerbs):
         self._activity = 0.,False          # interval and recording, as last announced
         self._begun = math.inf          # start of a picture not yet announced
         self._levels,self._runs = _Levels(),{}          # levels that were sent; drives that a command has started
-        self._announced,self._runs_on = {},False             # settings as last announced; is the end of a motion to come?
+        self._announced,self._runs_on = {},False        # settings as last announced; is the end of a motion to come?
         self.ftp = self.add_part(FtpServer(self, guard=self.check_guard))
         self.video = self.add_part(VideoPart(self, video_host))
         self.tracking,self.settings = self.add_part(TrackingPart(self)),self.add_part(SettingsPart(self))
@@ -231,7 +231,7 @@ def mount_media(self:CameraServer,
     for s in storages:
         if s is not None: self.files.mount(self.media_path(s.storage_id), s.folder, writable, _no_media)
 
-# %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ae7ab24
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #1806a925
 class _Sent(NamedTuple):
     "A level that was sent: its turn, and when it was sent for the first and the last time, monotonic s"
     turn:int
@@ -239,6 +239,7 @@ class _Sent(NamedTuple):
     last:float
     level:float
 
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ae7ab24
 class _Levels:
     "Levels of zoom and focus in recent CAMERA_SETTINGS, to recognize orders that only send one back"
     window = 2.     # s after which an order is no echo
@@ -479,7 +480,8 @@ def _announce_settings(self:CameraServer, event:CameraSettings):
 
 @patch
 @announced(StorageInformation)
-def _announce_storage(self:CameraServer, event:StorageInformation)->list: return self._storage_information(event.storage_id)
+def _announce_storage(self:CameraServer, event:StorageInformation)->list:
+    return self._storage_information(event.storage_id)
 
 @patch
 @announced(DeviceStatus)

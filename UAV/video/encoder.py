@@ -57,7 +57,7 @@ class Encoder(Closes):
         self.format,self.fault,self.measured = None,None,_Measured()     # last known; what is wrong now; what came out
         self._sinks,self._changed,self._delivering = {},clock.Condition(),clock.RLock()
         self._thread,self._codec,self._key_wanted,self._closed,self._number = None,None,False,False,-1
-        self._planned = None,None       # shape of the frames, and how they are to be encoded; anew after each change
+        self._planned = None,None       # shape of the frames, and their format; anew after each change
         store_attr()
 
     sinks = property(lambda self: tuple(self._sinks), doc="All that get the units")
@@ -287,11 +287,12 @@ def _with_sets(data:bytes, sets, codec:str='h264')->bytes:
     nals = [nal for nal in nal_units(data) if _nal_type(nal, codec) != _delimiter[codec]]
     return byte_stream((*sets, *nals))
 
-# %% ../../nbs/api/video/01_encoder.ipynb #8262522d
+# %% ../../nbs/api/video/01_encoder.ipynb #aba250b8
 def _decided(name:str):
     "A setting of the source"
     return property(lambda encoder: encoder._known(name), lambda encoder, value: encoder._change(name, value))
 
+# %% ../../nbs/api/video/01_encoder.ipynb #8262522d
 class PassThrough(Encoder):
     "Hands the access units of a source that encodes by itself to any number of sinks"
     complete,expected = False,None          # `expected`: the format, as far as it is known before the first key frame

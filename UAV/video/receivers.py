@@ -426,7 +426,8 @@ class RTPReader:
         self._whole = True                                      # `None`: it was too large, and is counted already
         self._marked,self._sliced = False,False     # had the last packet the mark; has the picture a slice?
         self.trust = None                           # does the mark end a picture? `None`: nobody knows yet
-        self._source,self._received,self._left = None,0.,set()     # SSRC, its last packet (monotonic s), and those before
+        self._source,self._received = None,0.       # SSRC, and when its last packet came, monotonic s
+        self._left = set()                          # those before
 
     def __call__(self, packet:bytes)->list:
         "The access units that this packet completes"
