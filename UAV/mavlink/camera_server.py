@@ -179,7 +179,7 @@ def _result_of(self:CameraServer, error:BaseException, what:str)->int:
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #14ba4112
 class _Dropped(Part):
-    "Shots refused because the camera was busy, said in a text: an autopilot reads no ack"
+    "Shots refused because the camera was busy, counted in a text: an autopilot reads no ack"
     again = 5.          # s between two texts
     def __init__(self, component):
         super().__init__(component)
@@ -439,7 +439,7 @@ def _encode_picture(self:CameraServer, picture:Picture):
 @patch
 @announced(Picture)
 def _announce_picture(self:CameraServer, picture:Picture):
-    "Encode the news of a `Picture`; send the reason first if it failed"
+    "Encode a new `Picture`; send the reason first if it failed"
     if picture.ok: self.health.said = ''
     elif picture.error: self._report_failure(picture.error)
     return self._encode_picture(picture)
@@ -492,8 +492,8 @@ def _announce_fault(self:CameraServer, event:DeviceStatus): self.beat()
 def _on_camera(self:CameraServer, event):
     "Broadcast what the camera announces"
     if self.mav is None or self._closed: return
-    for tell in self.tables['announced'].get(type(event), ()):
-        found = tell(event) or ()
+    for encode in self.tables['announced'].get(type(event), ()):
+        found = encode(event) or ()
         for msg in [found] if isinstance(found, mavlink.MAVLink_message) else found: self.send_message(msg)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #1e2414fb

@@ -246,8 +246,8 @@ def _announce_stream(self:VideoPart, event:VideoStatus)->list|None:
     "Return VIDEO_STREAM_STATUS, after sending a changed VIDEO_STREAM_INFORMATION with a URI for each viewer"
     try: [stream] = self._streams(event.stream_id)
     except CommandError: return                             # it has gone meanwhile
-    com,news = self.component.mav_com,self._has_changed(stream)
-    there = {tuple(com.where(*a)): a for a in self.component.remotes if news and not com.lost(a)}
+    com,changed = self.component.mav_com,self._has_changed(stream)
+    there = {tuple(com.where(*a)): a for a in self.component.remotes if changed and not com.lost(a)}
     for ways,to in there.items():
         way = ways[0] if ways else None
         if way or to in com._here: self.component.send_message(self._encode_stream(stream, self.host_for(way)), to)
@@ -257,8 +257,8 @@ def _announce_stream(self:VideoPart, event:VideoStatus)->list|None:
 @patch
 def _has_changed(self:VideoPart, stream)->bool:
     "True if the format has changed since its announcement"
-    told = self._formats.get(stream.stream_id)
-    return told is not None and told!=self._description(stream)
+    before = self._formats.get(stream.stream_id)
+    return before is not None and before!=self._description(stream)
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #fcbd7ec4
 _recording = 'recording'    # marks it, unlike a stream of SET_MESSAGE_INTERVAL
