@@ -244,17 +244,17 @@ class RemoteParameters(Mapping):
     def __init__(self, target:tuple=(0,0)): # `(system, component)` of the camera
         self.target,self.declared = target,{}       # `{name: Parameter}` of the definition, if any
         self.definition = '',0                      # its URI and version
-        self.count,self._heard,self._waiting = 0,{},[]      # `_heard`: `{name: (index, value, kind)}`
+        self.count,self._values,self._waiting = 0,{},[]      # `_values`: `{name: (index, value, kind)}`
 
-    def __len__(self): return len(self._heard)
-    def __contains__(self, name): return name in self._heard
+    def __len__(self): return len(self._values)
+    def __contains__(self, name): return name in self._values
 
     def __iter__(self):
-        heard = self._heard
-        return iter(sorted(heard, key=lambda name: heard[name][0]))
+        values = self._values
+        return iter(sorted(values, key=lambda name: values[name][0]))
 
     def __getitem__(self, name):
-        value,p = self._heard[name][1],self.declared.get(name)
+        value,p = self._values[name][1],self.declared.get(name)
         return bool(value) if p and p.kind=='bool' else value
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #6ebe3776
@@ -265,8 +265,8 @@ def note(self:RemoteParameters, msg):
     if value is None or not listed and msg.param_result: return
     if name not in self and not (listed and len(self)<self.most): return
     if listed: self.count = max(self.count, msg.param_count)
-    index = self._heard[name][0] if name in self else msg.param_index
-    self._heard[name] = index,value,kind_of(msg.param_type)
+    index = self._values[name][0] if name in self else msg.param_index
+    self._values[name] = index,value,kind_of(msg.param_type)
     for answer,test in list(self._waiting):
         try: now = bool(test(self))
         except Exception as e: now = e          # raised in `until`, not on the link's reader
@@ -276,14 +276,14 @@ def note(self:RemoteParameters, msg):
 @patch
 def keep(self:RemoteParameters, names): # Names of all existing parameters
     "Remove all other parameters"
-    self._heard = {name:heard for name,heard in self._heard.items() if name in names}
+    self._values = {name:value for name,value in self._values.items() if name in names}
     self.count = len(names)
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #056d3305
 @patch
 def kind(self:RemoteParameters, name:str)->str|None:
     "Return the type of a parameter, or `None` if unknown"
-    return self._heard[name][2] if name in self else getattr(self.declared.get(name), 'kind', None)
+    return self._values[name][2] if name in self else getattr(self.declared.get(name), 'kind', None)
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #cbb43b7a
 @patch
@@ -374,7 +374,7 @@ class Listing:
 class SetRequest:
     "A pending SET, and the acks that may answer it"
     def __init__(self, name:str, kind:str, raw:bytes):
-        self.name,self.kind,self.raw,self.acks,self.news = name,kind,raw,deque(),Answer()
+        self.name,self.kind,self.raw,self.acks,self.arrived = name,kind,raw,deque(),Answer()
         self.late = self.strays = 0     # acks that may still come; of these, answers to the SET before
 
     def encode(self, mav, target:tuple):
@@ -385,7 +385,7 @@ class SetRequest:
         "Add a PARAM_EXT_ACK, on the link's reader"
         if param_name(msg)!=self.name: return
         self.acks.append(msg)
-        self.news.set(True)
+        self.arrived.set(True)
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #88909847
 @patch
@@ -396,6 +396,6 @@ def is_ours(self:SetRequest, msg)->bool:
 @patch
 async def next(self:SetRequest, timeout:float):
     "Return the next ack, or `None` after `timeout`"
-    if not self.acks: await self.news.wait(timeout)
-    self.news = Answer()
+    if not self.acks: await self.arrived.wait(timeout)
+    self.arrived = Answer()
     return self.acks.popleft() if self.acks else None

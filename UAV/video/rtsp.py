@@ -66,15 +66,15 @@ def _authorization(challenge:str, method:str, url:str, user:str, password:str, c
     if not fields.get('algorithm'): fields.pop('algorithm', None)           # an empty one is none
     algorithm,cnonce,qops = fields.get('algorithm', 'MD5').lower(),secrets.token_hex(8),fields.get('qop', '').lower()
     kind,realm,nonce = _kinds[algorithm.removesuffix('-sess')],fields.get('realm', ''),fields.get('nonce', '')
-    said = dict(username=_quoted(user), realm=realm, nonce=nonce, uri=url)
+    given = dict(username=_quoted(user), realm=realm, nonce=nonce, uri=url)
     qop = next((qop for qop in ('auth','auth-int') if qop in re.split(r'[,\s]+', qops)), None)
-    if qop or algorithm.endswith('-sess'): said |= dict(cnonce=cnonce)
-    if qop: said |= dict(nc=f'{count:08x}', qop=qop)
+    if qop or algorithm.endswith('-sess'): given |= dict(cnonce=cnonce)
+    if qop: given |= dict(nc=f'{count:08x}', qop=qop)
     secret = _hashed(user, realm, password, kind=kind)
     if algorithm.endswith('-sess'): secret = _hashed(secret, nonce, cnonce, kind=kind)
-    said['response'] = _proof(secret, method, said, kind)
-    said |= {name:fields[name] for name in ('opaque','algorithm') if name in fields}
-    return 'Digest '+', '.join(f'{k}={v}' if k in ('nc','qop','algorithm') else f'{k}="{v}"' for k,v in said.items())
+    given['response'] = _proof(secret, method, given, kind)
+    given |= {name:fields[name] for name in ('opaque','algorithm') if name in fields}
+    return 'Digest '+', '.join(f'{k}={v}' if k in ('nc','qop','algorithm') else f'{k}="{v}"' for k,v in given.items())
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #6e20475b
 class _Digest:
