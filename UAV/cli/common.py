@@ -244,13 +244,13 @@ def links(connection:str, # Connection strings, separated by commas
     return listed('--connection', connection, r',(?!\s*\d+\s*(?:,|$))')
 
 # %% ../../nbs/api/cli/01_common.ipynb #559f4b2c
-def address(host:str|None, # Address or host name of this machine
-           )->str|None:
-    "Return `host`; raise `ValueError` unless it is an address or a host name"
+def address(host:str, # Address or host name of this machine
+           )->str:
+    "Return `host`, without brackets; an `argparse` type"
     label = r'(?!-)[a-zA-Z0-9-]{1,63}(?<!-)'
-    if host is None or host and re.fullmatch(rf'({label}\.)*(?![0-9]+$){label}', host): return host
+    if re.fullmatch(rf'({label}\.)*(?![0-9]+$){label}', host): return host
     try: return str(ip_address(host.strip('[]')))
-    except ValueError: raise ValueError(f'--host is an address or a name, such as 192.168.1.20, not {host!r}') from None
+    except ValueError: raise ArgumentTypeError(f'write an address or a name, such as 192.168.1.20, not {host!r}') from None
 
 # %% ../../nbs/api/cli/01_common.ipynb #5aa1fcbe
 def target(text:str, # Such as '1/100'

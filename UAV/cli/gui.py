@@ -8,15 +8,16 @@ from contextlib import contextmanager, ExitStack
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Literal
 import logging, os, signal, sys, webbrowser
 
 from ..cameras import SimCamera
-from .common import address, links, on_links, or_exit, place_for, run_with_options, sentence
+from UAV.cli.common import (address, between, links, number, on_links, or_exit, place_for, run_with_options,
+    sentence)
 from .serve import Aboard, add_streams, log_to, serving, Teller
 from ..manager import Gui
 from ..manager.server import Door
 from ..mavlink import CameraClient, GimbalClient, mavlink
-from ..utils.general import inside
 from ..wire.signing import secret_key, state_file
 
 # %% auto #0
@@ -57,16 +58,15 @@ def _own_token(typed:str|None)->str|None:
 # %% ../../nbs/api/cli/05_gui.ipynb #1fa05b10
 def _opened(typed, stack:ExitStack)->tuple:
     "Open the panel and return `(Gui, its server)`; raises `ValueError`, `MAVError` or `OSError`"
-    system,component = (int(inside(f'--{name}', getattr(typed, name), 1, 255)) for name in ('system','component'))
-    port = int(inside('--port', typed.port, 0, 65535))
-    page = dict(port=port, host=address(typed.host), token=_own_token(typed.token))
-    connections,key = _wanted_links(typed),typed.sign and secret_key(Path(typed.sign))
+    token,connections = _own_token(typed.token),_wanted_links(typed)
+    key = secret_key(Path(typed.sign)) if typed.sign else None
     if typed.sim: stack.enter_context(sim_vehicle([_inner], typed.path or 'hover'))
-    com = stack.enter_context(on_links(connections, source_system=system, signing=key))
-    second = next(id for id in (mavlink.MAV_COMP_ID_USER1,mavlink.MAV_COMP_ID_USER2) if id!=component)
-    clients = com.add_component(CameraClient(second)),com.add_component(GimbalClient(component))
+    com = stack.enter_context(on_links(connections, source_system=typed.system, signing=key))
+    second = next(id for id in (mavlink.MAV_COMP_ID_USER1,mavlink.MAV_COMP_ID_USER2) if id!=typed.component)
+    clients = com.add_component(CameraClient(second)),com.add_component(GimbalClient(typed.component))
     gui = stack.enter_context(Gui(*clients, title='A simulated vehicle' if typed.sim else 'UAV'))
-    with place_for('page', page['host'], page['port'], instead='--port 0'): return gui,gui.serve(**page)
+    with place_for('page', typed.host, typed.port, instead='--port 0'):
+        return gui,gui.serve(port=typed.port, host=typed.host, token=token)
 
 # %% ../../nbs/api/cli/05_gui.ipynb #28b41dd2
 def _keep_url(server)->Path:
@@ -119,24 +119,21 @@ def _follow(gui, teller:Teller, period:float=1.):
 def fly(
     connection:str=None, # MAVLink links, separated by commas; or set UAV_CONNECTION (default: udpin:0.0.0.0:14550)
     sim:bool=False, # Simulate a vehicle with a camera on a gimbal
-    path:str=None, # Flight path of that vehicle: hover or circle
+    path:Literal['hover','circle']=None, # Flight path of that vehicle
     browser:bool=False, # Open the page in your browser
-    port:int=0, # TCP port of the page; 0: a free one
-    host:str='127.0.0.1', # Address of the page; 0.0.0.0: reachable from other computers
+    port:between(0, 65535, int)=0, # TCP port of the page; 0: a free one
+    host:address='127.0.0.1', # Address of the page; 0.0.0.0: reachable from other computers
     token:str=None, # Token, at the end of the page's address: #token=TOKEN; or set UAV_GUI_TOKEN; default: a new one
     sign:str=None, # Sign the link with the key in this file
-    system:int=253, # System id of the panel
-    component:int=mavlink.MAV_COMP_ID_MISSIONPLANNER, # Component id of the panel
+    system:number=253, # System id of the panel
+    component:number=mavlink.MAV_COMP_ID_MISSIONPLANNER, # Component id of the panel
 ):
     """Serve a control panel for cameras and gimbals to your browser, until Ctrl-C
 
     examples:
-      uav-gui --sim --browser
-        a simulated vehicle
-      uav-gui
-        listens on UDP port 14550, where vehicles send to
-      uav-gui --connection /dev/ttyUSB0,57600 --port 8440
-        a radio, and a page that stays where it is"""
+      uav-gui --sim --browser     # a simulated vehicle
+      uav-gui                     # listen on UDP port 14550, where vehicles send to
+      uav-gui --connection /dev/ttyUSB0,57600 --port 8440     # a radio, and a page that stays where it is"""
     typed,teller = SimpleNamespace(**locals()),Teller()
     log_to(teller)
     if typed.sim: logging.getLogger().handlers[0].setLevel(logging.WARNING)     # keep the vehicle's log out of ours
