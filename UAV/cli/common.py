@@ -250,7 +250,8 @@ def address(host:str, # Address or host name of this machine
     label = r'(?!-)[a-zA-Z0-9-]{1,63}(?<!-)'
     if re.fullmatch(rf'({label}\.)*(?![0-9]+$){label}', host): return host
     try: return str(ip_address(host.strip('[]')))
-    except ValueError: raise ArgumentTypeError(f'write an address or a name, such as 192.168.1.20, not {host!r}') from None
+    except ValueError: pass
+    raise ArgumentTypeError(f'write an address or a name, such as 192.168.1.20, not {host!r}')
 
 # %% ../../nbs/api/cli/01_common.ipynb #5aa1fcbe
 def target(text:str, # Such as '1/100'

@@ -133,7 +133,7 @@ def fly(
     examples:
       uav-gui --sim --browser     # a simulated vehicle
       uav-gui                     # listen on UDP port 14550, where vehicles send to
-      uav-gui --connection /dev/ttyUSB0,57600 --port 8440     # a radio, and a page that stays where it is"""
+      uav-gui --connection /dev/ttyUSB0,57600 --port 8440     # a radio; the page keeps its address"""
     typed,teller = SimpleNamespace(**locals()),Teller()
     log_to(teller)
     if typed.sim: logging.getLogger().handlers[0].setLevel(logging.WARNING)     # keep the vehicle's log out of ours

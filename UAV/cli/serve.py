@@ -124,7 +124,8 @@ def _wanted_streams(typed)->list:
 def _mounting(text:str)->tuple:
     "Convert down, forward or ROLL,PITCH,YAW to three angles, degrees"
     angles = dict(down=(0.,-90.,0.), forward=(0.,0.,0.)).get(text)
-    if found := re.fullmatch(','.join([r'\s*([+-]?\d+(?:\.\d+)?)\s*']*3), text): angles = tuple(map(float, found.groups()))
+    number = r'\s*([+-]?\d+(?:\.\d+)?)\s*'
+    if found := re.fullmatch(','.join([number]*3), text): angles = tuple(map(float, found.groups()))
     if angles and all(-360<=angle<=360 for angle in angles): return angles
     raise ArgumentTypeError(f'write down, forward, or ROLL,PITCH,YAW in degrees, not {text!r}')
 
@@ -312,7 +313,8 @@ def _camera_of(typed, stack:ExitStack, aboard:Aboard, storage:dict)->Camera:
 def _opened(typed, stack:ExitStack)->tuple:
     "Open everything and return `(camera, MAVCom)`; raises `ValueError`, `CameraError`, `MAVError` or `OSError`"
     if typed.name is not None: _checked_name(typed.name, '--name')
-    connections,signing,places,streams = links(typed.connection),_signing_of(typed),_places(typed),_wanted_streams(typed)
+    connections,signing = links(typed.connection),_signing_of(typed)
+    streams,places = _wanted_streams(typed),_places(typed)
     rtsp = stack.enter_context(_with_password(streams, _viewer(typed.rtsp_user, typed.rtsp_password_file)))
     storage = dict(folder=typed.folder, quota=typed.quota)
     if typed.storage: storage = dict(storages=[Storage(place, typed.quota, name=Path(place).name) for place in places])
@@ -391,11 +393,11 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
     """Serve a camera to ground stations until Ctrl-C, with stills, video and storage
 
     examples:
-      uav-camera-server                      # a simulated camera, for an autopilot or for Python on this machine
-      uav-camera-server --camera 0 --connection /dev/serial0,921600     # a USB camera behind an autopilot
-      uav-camera-server --device siyi://192.168.144.25                  # the camera and the gimbal of a SIYI
-      uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # play a file, and send RTP
-      uav-camera-server --gimbal sim --path circle --autopilot          # an aircraft with a camera on a gimbal"""
+      uav-camera-server      # a simulated camera, for an autopilot or Python on this machine
+      uav-camera-server --camera 0 --connection /dev/serial0,921600     # USB, behind an autopilot
+      uav-camera-server --device siyi://192.168.144.25      # camera and gimbal of a SIYI
+      uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # a file, sent as RTP
+      uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal"""
     return _serve(SimpleNamespace(**locals()))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
