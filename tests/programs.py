@@ -7,11 +7,13 @@ __all__ = ['is_installed', 'own_environment', 'mavproxy', 'Shell', 'Kernel', 'to
            'LabPage', 'commands_in', 'parse_command', 'check_commands', 'run_pytest']
 
 # %% programs.ipynb #a22a1b87
-from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from argparse import ArgumentParser
+from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from functools import cache
 from importlib import import_module
 from pathlib import Path
 from secrets import token_hex
+from unittest.mock import patch as mocked
 from urllib.request import urlopen
 import atexit, io, json, os, re, shlex, shutil, signal, subprocess, sys, sysconfig, tempfile, textwrap, time, venv
 
@@ -354,13 +356,10 @@ def parse_command(
     "Parse a command as its program does; raises SystemExit if it's wrong"
     main = import_module(f"UAV.cli.{dict(zip(_programs, 'demo serve camera gimbal gui check'.split()))[words[0]]}").main
     if hasattr(main, '__self__'): return main.__self__.parse(words[1:])
-    def stop(*parts):
-        read(*parts)
+    def stop(parser, *parts):
+        ArgumentParser.parse_args(parser, *parts)
         raise _Parsed
-    read,common._read = common._read,stop
-    try: main(words[1:])
-    except _Parsed: return
-    finally: common._read = read
+    with mocked.object(common._Parser, 'parse_args', stop), suppress(_Parsed): main(words[1:])
 
 _programs = 'uav-demo uav-camera-server uav-camera uav-gimbal uav-gui uav-camera-check'.split()
 

@@ -97,7 +97,8 @@ _orders = dict(
     REC=lambda device, data: setattr(device, 'recording', device.card and data==b'01'),
     ZMC=lambda device, data: setattr(device, 'zooming', {b'01':-1, b'02':1}.get(data, 0)),
     FCC=lambda device, data: setattr(device, 'focus', data.decode()),
-    **{what: lambda device, data, what=what: device.vehicle.update({what: data.decode()}) for what in ('LAT','LON','ALT','AZI')})
+    **{what: lambda device, data, what=what: device.vehicle.update({what: data.decode()})
+       for what in ('LAT','LON','ALT','AZI')})
 
 _answers = dict(SDC=lambda device: '1D4C' if device.card else 'NNNN',      # what is left on its card; none
                 VSN=lambda device: device.version, PA2=lambda device: device.model)

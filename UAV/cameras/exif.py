@@ -85,14 +85,12 @@ _film_width = 36.       # mm
 
 def _lens_tags(size:tuple, camera:CameraInformation)->dict:
     "Focal length and pixel pitch of a picture, as far as `camera` has them: tag to value"
-    shown = camera.shown(*size)
-    focal = camera.focal_length if known(camera.focal_length) and camera.focal_length>0 else NAN
-    longer,tags = max(filter(known, shown), default=NAN),{}
-    film = focal*_film_width/longer
-    if known(film) and .5<film<65535: tags[Base.FocalLengthIn35mmFilm] = round(film)
+    shown,focal,tags = camera.shown(*size),camera.focal_length,{}
+    longer = max((mm for mm in shown if mm>0), default=NAN)         # no comparison with NaN is true
+    if focal>0 and .5<(film := focal*_film_width/longer)<65535: tags[Base.FocalLengthIn35mmFilm] = round(film)
     if camera.equivalent: return tags                               # millimetres that no part of the camera has
-    if known(focal): tags[Base.FocalLength] = _tiff.IFDRational(round(focal*1000), 1000)
-    if all(map(known, shown)):
+    if focal>0: tags[Base.FocalLength] = _tiff.IFDRational(round(focal*1000), 1000)
+    if all(mm>0 for mm in shown):
         across,down = (_tiff.IFDRational(round(px/mm*10_000), 1000) for px,mm in zip(size, shown))
         tags |= {Base.FocalPlaneXResolution: across, Base.FocalPlaneYResolution: down,
                  Base.FocalPlaneResolutionUnit: 3}                  # pixels for each cm

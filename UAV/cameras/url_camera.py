@@ -138,7 +138,7 @@ def _receive(self:URLCamera):
     scheme,(url,transport) = _scheme(self.url),_in_our_schemes(self.url)
     with receivers[scheme](url, self.open_timeout, *([transport] if scheme=='rtsp' else [])) as self._receiver:
         if self._closing.is_set(): return
-        self._receiver.tell = self._tell
+        self._receiver.on_fault = self._tell
         with closing(self._receiver.units()) as units:
             for unit in units:
                 self._receiver.timeout = self.read_timeout

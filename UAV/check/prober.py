@@ -21,7 +21,7 @@ from ..wire.links import Link, open_link
 from ..wire.lossy import LossyLink
 
 # %% auto #0
-__all__ = ['message_ids', 'Prober', 'Acks', 'Row']
+__all__ = ['message_ids', 'Prober', 'Acks', 'Finding']
 
 # %% ../../nbs/api/check/01_prober.ipynb #15ff42ae
 class _Arrival(NamedTuple):
@@ -341,7 +341,7 @@ def find(self:Prober, timeout:float=10., # s
 _marks = {'passed':'✓', 'failed':'✗', 'does not apply':'·', 'could not be tested':'?'}
 
 @dataclass(frozen=True)
-class Row:
+class Finding:
     "One requirement's outcome; it prints two lines: the sentence with its verdict, and the measurement"
     requirement:Requirement
     verdict:str # One of `verdicts`
@@ -399,15 +399,15 @@ def put_on(self:Prober, role:str):
 # %% ../../nbs/api/check/01_prober.ipynb #dfa8fda5
 @patch
 def judge(self:Prober, r:Requirement, destroy:bool=False, # Are checks allowed that delete or reset?
-         )->Row:
+         )->Finding:
     "Put the camera to one requirement; raises `LinkError` when the link has gone"
     try:
         self.check_manners(r, destroy)
         self.put_on(r.role)
-        return Row(r, verdicts[None], str(r.check(self)))
-    except tuple(k for k in verdicts if k) as e: return Row(r, verdicts[type(e)], str(e))
+        return Finding(r, verdicts[None], str(r.check(self)))
+    except tuple(k for k in verdicts if k) as e: return Finding(r, verdicts[type(e)], str(e))
     except LinkError: raise
-    except Exception as e: return Row(r, verdicts[Untested], f'the check broke: {type(e).__name__}: {e}')
+    except Exception as e: return Finding(r, verdicts[Untested], f'the check broke: {type(e).__name__}: {e}')
     finally: self.put_on('qgc')
 
 # %% ../../nbs/api/check/01_prober.ipynb #fe13a336

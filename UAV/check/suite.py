@@ -13,7 +13,7 @@ import re
 
 from fastcore.basics import patch
 from . import basics, files, pictures, settings, video      # their requirements
-from .prober import _chosen, _marks, Prober, Row
+from .prober import _chosen, _marks, Finding, Prober
 from .requirement import verdicts
 from ..utils import clock
 from ..utils.values import plain
@@ -71,7 +71,7 @@ def describe(p:Prober)->dict:
 # %% ../../nbs/api/check/07_suite.ipynb #12b609fd
 def run_suite(p:Prober, only=(), # As for `suite`
               destroy:bool=False, # Are checks allowed that delete or reset?
-              tell=None, # Called with each requirement before it is looked at, and with each `Row`
+              tell=None, # Called with each requirement before it is looked at, and with each `Finding`
               connection:str='', # For the report
              )->Findings:
     "Put the camera to all that is chosen; raises `LinkError` when the link has gone"
@@ -119,7 +119,7 @@ _style = (resources.files('UAV.check')/'report.css').read_text(encoding='utf-8')
 _asked = dict(qgc='QGroundControl', mavsdk='MAVSDK', ardupilot='ArduPilot', lossy='a ground station far away')
 
 # %% ../../nbs/api/check/07_suite.ipynb #a0c055a0
-def _row_html(row:Row)->str:
+def _row_html(row:Finding)->str:
     "A row of the table"
     r,kind = row.requirement,row.verdict.split()[0]
     return (f'<tr><td class="{kind}">{_marks[row.verdict]} {row.verdict}</td>'

@@ -9,7 +9,7 @@ from pathlib import Path
 from types import SimpleNamespace
 import json, re, sys
 
-from ..check.prober import Prober, Row
+from ..check.prober import Finding, Prober
 from ..check.suite import cost, describe, Findings, run_suite, subjects, suite
 from .common import between, complain, ending, painted, Result, run_with_options, target
 from ..utils.output import output_error
@@ -28,7 +28,7 @@ class _Shower:
         self.live = sys.stderr.isatty()
 
     def __call__(self, what):
-        is_row = isinstance(what, Row)
+        is_row = isinstance(what, Finding)
         self.n += not is_row
         now = '' if is_row else f'{self.n}/{self.count} {what.name} …'
         if self.live: print(f'\r\033[K{now}', end='', file=sys.stderr, flush=True)

@@ -9,10 +9,10 @@ from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 import logging, os, re, shutil, signal, sys
-
 from fastcore.basics import basic_repr
 from ..cameras import Camera, CameraError, CV2Camera, SimCamera, SimDualCamera, Storage
-from .common import address, links, listed, on_links, or_exit, painted, place_for, run_with_options
+from .common import (address, links, listed, on_links, or_exit, painted, place_for, run_with_options,
+    between, number)
 from ..gimbals import circle, FixedMount, Gimbal, hover, SimGimbal, SimVehicle
 from ..mavlink import CameraServer, GimbalCameraServer, GimbalServer, SimAutopilot
 from ..mavlink.camera_server import _checked_name
@@ -23,10 +23,11 @@ from ..utils.devices import device_schemes, device_url, open_device
 from ..utils.files import read_secret
 from ..utils.threads import Closes
 from ..utils.values import inside, known, one_of
-from ..video.units import codecs
 from ..video.rtsp_server import RTSPServer
 from ..video.stream import senders
 from ..wire.signing import secret_key, Signing
+from argparse import ArgumentTypeError
+from typing import Literal
 
 # %% auto #0
 __all__ = ['main', 'add_streams', 'serving', 'Aboard', 'Teller', 'log_to', 'serve_camera']
@@ -96,43 +97,37 @@ def serving(camera, # A Camera
         yield com
 
 # %% ../../nbs/api/cli/02_serve.ipynb #d05ee97a
-def _picture_size(text:str|None)->tuple|None:
-    "Return (width, height), px, of a size such as '1280x720'"
-    if text is None: return None
+def _picture_size(text:str)->tuple:
+    "Convert a size such as '1280x720' to (width, height), px"
     numbers = re.fullmatch(r'(\d{2,5})[x×](\d{2,5})', text)
-    if not numbers: raise ValueError(f'--size is WIDTHxHEIGHT, such as 1280x720, not {text!r}')
+    if not numbers: raise ArgumentTypeError(f'write WIDTHxHEIGHT, such as 1280x720, not {text!r}')
     return int(numbers[1]),int(numbers[2])
 
 # %% ../../nbs/api/cli/02_serve.ipynb #a6fd376a
 def _host_port(text:str)->tuple:
-    "Return (host, port) of HOST:PORT; an IPv6 address is in brackets"
+    "Convert HOST:PORT to (host, port); an IPv6 address is in brackets"
     host,_,port = text.rpartition(':')
     if not host or not port.isdecimal() or not 0<int(port)<65536:
-        raise ValueError(f'{text!r} is not a HOST:PORT, such as 192.168.1.10:5600')
+        raise ArgumentTypeError(f'write HOST:PORT, such as 192.168.1.10:5600, not {text!r}')
     return host.strip('[]'),int(port)
 
-# %% ../../nbs/api/cli/02_serve.ipynb #834c1ebb
-def _video_format(codec:str='h264', size:str|None=None, rate:float=15., bitrate:float|None=None)->dict:
-    "Return the arguments of `Camera.add_stream`; `bitrate` is in Mbit/s"
-    bits = None if bitrate is None else int(inside('--bitrate', bitrate, .01, 1000)*1e6)
-    one_of('--codec', codec, codecs)
-    return dict(codec=codec, size=_picture_size(size), rate=inside('--rate', rate, .1, 240), bitrate=bits)
-
 # %% ../../nbs/api/cli/02_serve.ipynb #3c572bf0
-def _wanted_streams(rtsp:int=8554, rtp:str|None=None, mpegts:str|None=None, tcp:int|None=None)->list:
-    "Return (kind, host, port) of each stream; port 0 is a free one, -1 none"
-    found = [('rtsp', '', int(inside('--rtsp', rtsp, -1, 65535)))]
-    found += [(kind, *_host_port(to)) for kind,to in (('rtp',rtp), ('mpegts',mpegts)) if to is not None]
-    if tcp is not None: found.append(('tcp', '', int(inside('--tcp', tcp, 0, 65535))))
-    return [stream for stream in found if stream[2]>=0]
+def _wanted_streams(typed)->list:
+    "Return (kind, host, port) of each stream; port 0 is a free one"
+    found = [('rtsp', '', typed.rtsp)] if typed.rtsp>=0 else []
+    if typed.rtp: found.append(('rtp', *typed.rtp))
+    if typed.mpegts: found.append(('mpegts', *typed.mpegts))
+    if typed.tcp is not None: found.append(('tcp', '', typed.tcp))
+    return found
 
 # %% ../../nbs/api/cli/02_serve.ipynb #f4b0aecc
-def _mounting(text:str|None)->tuple|None:
-    "Return roll, pitch and yaw of the camera from the vehicle's nose, degrees"
-    if text in (None,'down','forward'): return {'down':(0.,-90.,0.), 'forward':(0.,0.,0.)}.get(text)
-    numbers = re.fullmatch(','.join([r'\s*([+-]?\d+(?:\.\d+)?)\s*']*3), text)
-    if not numbers: raise ValueError(f'--mounted is down, forward, or ROLL,PITCH,YAW in degrees, not {text!r}')
-    return tuple(inside('--mounted', float(n), -360, 360) for n in numbers.groups())
+def _mounting(text:str)->tuple:
+    "Convert down, forward or ROLL,PITCH,YAW to three angles, degrees"
+    angles = dict(down=(0.,-90.,0.), forward=(0.,0.,0.)).get(text)
+    number = r'\s*([+-]?\d+(?:\.\d+)?)\s*'
+    if found := re.fullmatch(','.join([number]*3), text): angles = tuple(map(float, found.groups()))
+    if angles and all(-360<=angle<=360 for angle in angles): return angles
+    raise ArgumentTypeError(f'write down, forward, or ROLL,PITCH,YAW in degrees, not {text!r}')
 
 # %% ../../nbs/api/cli/02_serve.ipynb #fbf8e396
 def _viewer(user:str|None, file:str|None=None)->dict:
@@ -147,15 +142,21 @@ def _viewer(user:str|None, file:str|None=None)->dict:
     return dict(user=user, password=typed)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #2c0206f7
-def _destroyers(text:str|None, signed:bool=False):
-    "Return the `guard` of a `CameraServer`; raises `ValueError`"
-    if text=='signed' and not signed: raise ValueError('--guard signed needs a key: --sign')
-    if text in (None,'signed'): return text
+def _guarding(text:str)->str|list:
+    "Convert text to the `guard` of a `CameraServer`"
+    if text=='signed': return text
     found = [re.fullmatch(r'\s*(\d{1,3})(?:/(\d{1,3}))?\s*', part) for part in text.split(',')]
     numbers = [tuple(int(n) for n in m.groups() if n) if m else () for m in found]
     if not all(n and all(1<=i<=255 for i in n) for n in numbers):
-        raise ValueError(f'--guard is signed, or systems and addresses such as 255,254/190, not {text!r}')
+        raise ArgumentTypeError(f'write signed, or systems and addresses such as 255,254/190, not {text!r}')
     return [n[0] if len(n)==1 else n for n in numbers]
+
+def _signing_of(typed):
+    "Return the key, or the `Signing` of a server with `--guard signed`; raises `ValueError`, or `OSError` for its file"
+    key = secret_key(Path(typed.sign)) if typed.sign else None
+    if typed.guard!='signed': return key
+    if not key: raise ValueError('--guard signed needs a key: --sign')
+    return Signing(key, accept_unsigned=lambda msg_id, source: True)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #320df580
 def _make_gimbal(text:str, vehicle:SimVehicle|None=None, stand_in:bool=False, **storage)->Gimbal:
@@ -280,19 +281,9 @@ def log_to(teller:Teller):
     logging.basicConfig(stream=teller.out, level=logging.INFO, format=form)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #e2ed96e7
-def _understood(typed)->SimpleNamespace:
-    "Return the options as values; raises `ValueError`, or `OSError` for an unreadable key"
-    if typed.name is not None: _checked_name(typed.name, '--name')
-    key = typed.sign and secret_key(Path(typed.sign))
-    guard = _destroyers(typed.guard, bool(key))
-    if guard=='signed': key = Signing(key, accept_unsigned=lambda msg_id, source: True)
-    return SimpleNamespace(video=_video_format(typed.codec, typed.size, typed.rate, typed.bitrate),
-        streams=_wanted_streams(typed.rtsp, typed.rtp, typed.mpegts, typed.tcp), connections=links(typed.connection),
-        server=dict(system=typed.system, component=int(inside('--component', typed.component, 100, 105)),
-                    host=address(typed.host), guard=guard, name=typed.name),
-        com=dict(signing=key, forward=typed.forward),
-        more=listed('--storage', typed.storage) if typed.storage is not None else [],
-        watcher=_viewer(typed.rtsp_user, typed.rtsp_password_file), mounted=_mounting(typed.mounted))
+def _places(typed)->list:
+    "Return the folders of all storages"
+    return [typed.folder] if typed.storage is None else [typed.folder, *listed('--storage', typed.storage)]
 
 # %% ../../nbs/api/cli/02_serve.ipynb #64f0c6f9
 def _device(typed, stack:ExitStack, storage:dict)->tuple:
@@ -307,33 +298,42 @@ def _device(typed, stack:ExitStack, storage:dict)->tuple:
     if not (camera or typed.camera): raise ValueError(f'--device {shown} gives no picture: add --camera rtsp://HOST/…')
     return gimbal,camera
 
-def _camera_of(typed, stack:ExitStack, aboard:Aboard, size:tuple|None, storage:dict)->Camera:
+# %% ../../nbs/api/cli/02_serve.ipynb #5b1fa3d8
+def _camera_of(typed, stack:ExitStack, aboard:Aboard, storage:dict)->Camera:
     "Open that of the gimbal, or `--camera` with the gimbal's camera verbs; raises `ValueError`, `CameraError`"
-    own,orders = getattr(aboard.gimbal, 'camera', None),aboard.gimbal if takes_orders(aboard.gimbal) else None
+    own = getattr(aboard.gimbal, 'camera', None)
+    orders = aboard.gimbal if takes_orders(aboard.gimbal) else None
     if own and not (orders or typed.camera):
         raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
     if orders and not typed.camera: return own or stack.enter_context(gimbal_camera(orders, **storage))
     if orders and own: own.close()
-    return stack.enter_context(_make_camera(typed.camera or 'sim', size, aboard.mount, orders, **storage))
+    return stack.enter_context(_make_camera(typed.camera or 'sim', typed.size, aboard.mount, orders, **storage))
 
+# %% ../../nbs/api/cli/02_serve.ipynb #00cdc623
 def _opened(typed, stack:ExitStack)->tuple:
     "Open everything and return `(camera, MAVCom)`; raises `ValueError`, `CameraError`, `MAVError` or `OSError`"
-    u = _understood(typed)
-    rtsp = stack.enter_context(_with_password(u.streams, u.watcher))
-    several = [Storage(place, typed.quota, name=Path(place).name) for place in (typed.folder, *u.more) if u.more]
-    storage = dict(storages=several) if several else dict(folder=typed.folder, quota=typed.quota)
+    if typed.name is not None: _checked_name(typed.name, '--name')
+    connections,signing = links(typed.connection),_signing_of(typed)
+    streams,places = _wanted_streams(typed),_places(typed)
+    rtsp = stack.enter_context(_with_password(streams, _viewer(typed.rtsp_user, typed.rtsp_password_file)))
+    storage = dict(folder=typed.folder, quota=typed.quota)
+    if typed.storage: storage = dict(storages=[Storage(place, typed.quota, name=Path(place).name) for place in places])
     gimbal,camera = _device(typed, stack, storage)
-    how,own = (typed.path, typed.autopilot, typed.camera or 'sim', typed.role),{} if camera or typed.camera else storage
-    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, *how, u.mounted, **own))
-    camera = camera or _camera_of(typed, stack, aboard, u.video['size'], storage)
-    camera.mounted = u.mounted
+    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, typed.camera or 'sim',
+                                        typed.role, typed.mounted, **({} if camera or typed.camera else storage)))
+    camera = camera or _camera_of(typed, stack, aboard, storage)
+    camera.mounted = typed.mounted
     if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
-    add_streams(camera, [] if isinstance(camera, CardCamera) else u.streams, rtsp, **u.video)
-    return camera,stack.enter_context(serving(camera, u.connections, **u.server, components=aboard.components, **u.com))
+    bitrate = None if typed.bitrate is None else int(typed.bitrate*1e6)
+    add_streams(camera, [] if isinstance(camera, CardCamera) else streams, rtsp, codec=typed.codec, size=typed.size,
+                rate=typed.rate, bitrate=bitrate)
+    com = serving(camera, connections, typed.system, typed.component, typed.host, typed.guard, typed.name,
+                  aboard.components, signing=signing, forward=typed.forward)
+    return camera,stack.enter_context(com)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3fa5d9e4
 def _named(guard)->str:
-    "Return a guard, as from `_destroyers`, as text"
+    "Return a guard, as from `_guarding`, as text"
     texts = ('/'.join(map(str, one)) if isinstance(one, tuple) else str(one) for one in guard)
     return 'those who sign' if guard=='signed' else ', '.join(texts)
 
@@ -346,8 +346,7 @@ def _serve(typed):
             _introduce(camera, com, teller)
             for status in _statuses(camera, com): teller.tell(*status)
     except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
-    places = [typed.folder, *(listed('--storage', typed.storage) if typed.storage else ())]
-    teller.say(f'stopped; the pictures are in {" and ".join(places)}')
+    teller.say(f'stopped; the pictures are in {" and ".join(_places(typed))}')
 
 def _introduce(camera, com, teller:Teller):
     "Print what is served, and on which links"
@@ -366,45 +365,40 @@ def _introduce(camera, com, teller:Teller):
 def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
     device:str=None, # Camera/gimbal: siyi|viewsheen|topotek://HOST, onvif://USER:PASSWORD@HOST, gphoto2://, picamera://
     camera:str=None, # sim (the default), dual (with heat), 0, /dev/video0, FILE, URL, PIPELINE.toml, or 'source ! …'
-    system:int=1, # System id of the vehicle
-    component:int=100, # Component id of the camera, 100 to 105
+    system:number=1, # System id of the vehicle
+    component:between(100, 105, int)=100, # Component id of the camera, 100 to 105
     name:str=None, # Name that ground stations show; default: the model
     folder:str='uav_pictures', # Folder for pictures and recordings
     quota:float=None, # Limit each storage to this many MiB; default: the whole disk
     storage:str=None, # Folders of further storages, separated by commas; choose with `uav-camera storage`
-    rtsp:int=8554, # Serve RTSP on this port; 0: a free one, -1: none
+    rtsp:between(-1, 65535, int)=8554, # Serve RTSP on this port; 0: a free one, -1: none
     rtsp_user:str=None, # Only this user may watch over RTSP, with the password in UAV_RTSP_PASSWORD
     rtsp_password_file:str=None, # Read that password from this file
-    rtp:str=None, # Send RTP to HOST:PORT, for example a ground station
-    mpegts:str=None, # Send MPEG-TS over UDP to HOST:PORT
-    tcp:int=None, # Serve MPEG-TS over TCP on this port
-    host:str=None, # Our address in stream URLs; default: the one that reaches each client
-    codec:str='h264', # Video codec: h264 or h265
-    size:str=None, # Video size, such as 1280x720; default: the camera's
-    rate:float=15., # Frames per second, at most
-    bitrate:float=None, # Video bit rate, Mbit/s; default: by size and rate
+    rtp:_host_port=None, # Send RTP to HOST:PORT, for example a ground station
+    mpegts:_host_port=None, # Send MPEG-TS over UDP to HOST:PORT
+    tcp:between(0, 65535, int)=None, # Serve MPEG-TS over TCP on this port
+    host:address=None, # Our address in stream URLs; default: the one that reaches each client
+    codec:Literal['h264','h265']='h264', # Video codec
+    size:_picture_size=None, # Video size, such as 1280x720; default: the camera's
+    rate:between(.1, 240)=15., # Frames per second, at most
+    bitrate:between(.01, 1000)=None, # Video bit rate, Mbit/s; default: by size and rate
     sign:str=None, # Sign the link with the key in this file
-    guard:str=None, # Only these may format, reset and delete: 255,254/190 or signed (all else may be unsigned)
+    guard:_guarding=None, # Only these may format, reset and delete: 255,254/190 or signed (all else may be unsigned)
     forward:bool=False, # Forward MAVLink between the links
     gimbal:str=None, # Add a gimbal, component 154: sim, which carries the simulated camera, or a URL
-    role:str='both', # Gimbal role: both, or device if an autopilot manages it (ArduPilot: MNT1_TYPE 6)
-    mounted:str=None, # Fixed camera: down, forward, or ROLL,PITCH,YAW in degrees
-    path:str=None, # Simulate a vehicle that flies this path: hover or circle
+    role:Literal['both','device']='both', # Gimbal role: device if an autopilot manages it (ArduPilot: MNT1_TYPE 6)
+    mounted:_mounting=None, # Fixed camera: down, forward, or ROLL,PITCH,YAW in degrees
+    path:Literal['hover','circle']=None, # Simulate a vehicle that flies this path
     autopilot:bool=False): # Also simulate the autopilot: QGroundControl shows no camera without one
     """Serve a camera to ground stations until Ctrl-C, with stills, video and storage
 
     examples:
-      uav-camera-server
-        a simulated camera behind a real autopilot, or for Python on this machine
-      uav-camera-server --camera 0 --connection /dev/serial0,921600
-        a USB camera behind an autopilot
-      uav-camera-server --device siyi://192.168.144.25
-        a SIYI gimbal camera: the camera and the gimbal
-      uav-camera-server --camera flight.mp4 --rtp 192.168.1.10:5600 --rtsp -1
-        plays a file, and sends RTP
-      uav-camera-server --gimbal sim --path circle --autopilot
-        an aircraft with a camera that can be turned"""
-    _serve(SimpleNamespace(**locals()))
+      uav-camera-server      # a simulated camera, for an autopilot or Python on this machine
+      uav-camera-server --camera 0 --connection /dev/serial0,921600     # USB, behind an autopilot
+      uav-camera-server --device siyi://192.168.144.25      # camera and gimbal of a SIYI
+      uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # a file, sent as RTP
+      uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal"""
+    return _serve(SimpleNamespace(**locals()))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
 _groups = {'the link':'connection system component sign guard forward',

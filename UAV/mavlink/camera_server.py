@@ -84,7 +84,7 @@ class CameraServer(_CameraVerbs):
         self._activity = 0.,False          # interval and recording, as last announced
         self._begun = math.inf          # start of a picture not yet announced
         self._levels,self._runs = _Levels(),{}          # levels that were sent; drives that a command has started
-        self._announced,self._runs_on = {},False             # settings as last announced; is the end of a motion to come?
+        self._announced,self._runs_on = {},False        # settings as last announced; is the end of a motion to come?
         self.ftp = self.add_part(FtpServer(self, guard=self.check_guard))
         self.video = self.add_part(VideoPart(self, video_host))
         self.tracking,self.settings = self.add_part(TrackingPart(self)),self.add_part(SettingsPart(self))
@@ -180,7 +180,7 @@ def _result_of(self:CameraServer, error:BaseException, what:str)->int:
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #14ba4112
 class _Dropped(Part):
-    "Shots refused because the camera was busy, said in a text: an autopilot reads no ack"
+    "Shots refused because the camera was busy, counted in a text: an autopilot reads no ack"
     again = 5.          # s between two texts
     def __init__(self, component):
         super().__init__(component)
@@ -232,7 +232,7 @@ def mount_media(self:CameraServer,
     for s in storages:
         if s is not None: self.files.mount(self.media_path(s.storage_id), s.folder, writable, _no_media)
 
-# %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ae7ab24
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #1806a925
 class _Sent(NamedTuple):
     "A level that was sent: its turn, and when it was sent for the first and the last time, monotonic s"
     turn:int
@@ -240,6 +240,7 @@ class _Sent(NamedTuple):
     last:float
     level:float
 
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ae7ab24
 class _Levels:
     "Levels of zoom and focus in recent CAMERA_SETTINGS, to recognize orders that only send one back"
     window = 2.     # s after which an order is no echo
@@ -439,7 +440,7 @@ def _encode_picture(self:CameraServer, picture:Picture):
 @patch
 @announced(Picture)
 def _announce_picture(self:CameraServer, picture:Picture):
-    "Encode the news of a `Picture`; send the reason first if it failed"
+    "Encode a new `Picture`; send the reason first if it failed"
     if picture.ok: self.health.last_text = ''
     elif picture.error: self._report_failure(picture.error)
     return self._encode_picture(picture)
@@ -480,7 +481,8 @@ def _announce_settings(self:CameraServer, event:CameraSettings):
 
 @patch
 @announced(StorageInformation)
-def _announce_storage(self:CameraServer, event:StorageInformation)->list: return self._storage_information(event.storage_id)
+def _announce_storage(self:CameraServer, event:StorageInformation)->list:
+    return self._storage_information(event.storage_id)
 
 @patch
 @announced(DeviceStatus)
@@ -491,8 +493,8 @@ def _announce_fault(self:CameraServer, event:DeviceStatus): self.beat()
 def _on_camera(self:CameraServer, event):
     "Broadcast what the camera announces"
     if self.mav is None or self._closed: return
-    for tell in self.tables['announced'].get(type(event), ()):
-        found = tell(event) or ()
+    for encode in self.tables['announced'].get(type(event), ()):
+        found = encode(event) or ()
         for msg in [found] if isinstance(found, mavlink.MAVLink_message) else found: self.send_message(msg)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #1e2414fb

@@ -22,8 +22,25 @@ from .protocol import Busy, Denied, Unsupported, announced, command, message
 _all_ = ['CAMERA_FOV_STATUS', 'CAMERA_TRACKING_GEO_STATUS', 'CAMERA_TRACKING_IMAGE_STATUS']
 
 # %% auto #0
-__all__ = ['earth_radius', 'not_known', 'sky', 'field_of_view', 'image_center', 'footprint', 'as_int32', 'from_int32',
-           'TrackingPart', 'CAMERA_FOV_STATUS', 'CAMERA_TRACKING_GEO_STATUS', 'CAMERA_TRACKING_IMAGE_STATUS']
+__all__ = ['earth_radius', 'not_known', 'sky', 'TrackingPart', 'field_of_view', 'image_center', 'footprint', 'as_int32',
+           'from_int32', 'CAMERA_FOV_STATUS', 'CAMERA_TRACKING_GEO_STATUS', 'CAMERA_TRACKING_IMAGE_STATUS']
+
+# %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #8ed5c10f
+class TrackingPart(Part):
+    "Field of view and tracking of a camera over MAVLink"
+    interval = 200_000      # default µs between two statuses
+    def __init__(self, component): # The `CameraServer`
+        super().__init__(component)
+        self.camera = component.camera
+        self._followers = {}    # receivers of the status: at our rate (True), or at their own (False)
+
+    @property
+    def flags(self)->frozenset:
+        "Capability flags for tracking"
+        can = self.component.can
+        places = all(map(can, ('camera_track_point','_target_place','pose'))) and known(field_of_view(self.camera)[0])
+        has = dict(POINT=can('camera_track_point'), RECTANGLE=can('camera_track_rectangle'), GEO_STATUS=places)
+        return frozenset(f'HAS_TRACKING_{name}' for name,there in has.items() if there)
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #991f2aa6
 def field_of_view(camera, # A Camera, or an object with `information`
@@ -75,23 +92,6 @@ def as_int32(value:float, # NaN: unknown; `inf`: the sky
 def from_int32(number:int, scale:float)->float:
     "Decode a coordinate of CAMERA_FOV_STATUS"
     return {not_known:NAN, sky:math.inf}.get(number, number/scale)
-
-# %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #8ed5c10f
-class TrackingPart(Part):
-    "Field of view and tracking of a camera over MAVLink"
-    interval = 200_000      # default µs between two statuses
-    def __init__(self, component): # The `CameraServer`
-        super().__init__(component)
-        self.camera = component.camera
-        self._followers = {}    # receivers of the status: at our rate (True), or at their own (False)
-
-    @property
-    def flags(self)->frozenset:
-        "Capability flags for tracking"
-        can = self.component.can
-        places = all(map(can, ('camera_track_point','_target_place','pose'))) and known(field_of_view(self.camera)[0])
-        has = dict(POINT=can('camera_track_point'), RECTANGLE=can('camera_track_rectangle'), GEO_STATUS=places)
-        return frozenset(f'HAS_TRACKING_{name}' for name,there in has.items() if there)
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #fd5cdb55
 @patch

@@ -48,7 +48,7 @@ class VideoPart(Part):
         "Check for new or silent viewers, and changed formats"
         if self._aims and not self.component._closed: self.component.worker.do(self._aim_streams)
         for stream in getattr(self.camera, 'streams', ()):
-            if self._is_news(stream): self.component._on_camera(VideoStatus(stream.stream_id))
+            if self._has_changed(stream): self.component._on_camera(VideoStatus(stream.stream_id))
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #57041279
 _outside = '192.0.2.1'      # in a network for documentation (RFC 5737): the default route leads there
@@ -81,7 +81,7 @@ def _is_thermal(self:VideoPart, stream)->bool:
     return bool(self._shows(stream).get('thermal', getattr(stream, 'thermal', False)))
 
 @patch
-def _told_of(self:VideoPart, stream)->tuple:
+def _description(self:VideoPart, stream)->tuple:
     "Return the parts of VIDEO_STREAM_INFORMATION that may change: the format, and true if thermal"
     return replace(stream.format, headers=b''),self._is_thermal(stream)
 
@@ -119,7 +119,7 @@ def _encode_stream(self:VideoPart, stream, host:str):
     if len(uri)>159:
         self.component.log.warning('the URI of stream %s has more than 159 bytes: %s', stream.stream_id, uri)
         uri = b''
-    self._formats[stream.stream_id] = self._told_of(stream)
+    self._formats[stream.stream_id] = self._description(stream)
     return self.component.mav.video_stream_information_encode(stream.stream_id, len(streams), stream_types[stream.kind],
         *self._state(stream), name.encode(), uri, stream_encodings[stream.format.codec])
 
@@ -171,7 +171,8 @@ def _follows(self:VideoPart, stream)->bool:
 def _check_viewer(self:VideoPart, stream, host:str|None):
     "Raise `Denied` if a stream is pushed to a viewer with heartbeats at another address than `host`"
     taken = self._aims.get(stream.stream_id) if self._follows(stream) else stream.host
-    if not stream.running or taken==host or taken not in self.component.mav_com.beating_hosts: return
+    is_watched = stream.running and taken in self.component.mav_com.beating_hosts
+    if not is_watched or taken==host: return
     why = f'Stream {stream.stream_id} is watched at {taken}'
     self.component.say(mavlink.MAV_SEVERITY_NOTICE, why)
     raise Denied(why)
@@ -241,12 +242,12 @@ def _video_stop_streaming(self:VideoPart, stream_id:int=0, camera_id:int=0, *, m
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #fc0a81c2
 @patch
 @announced(VideoStatus)
-def _video_news(self:VideoPart, event:VideoStatus)->list|None:
+def _announce_stream(self:VideoPart, event:VideoStatus)->list|None:
     "Return VIDEO_STREAM_STATUS, after sending a changed VIDEO_STREAM_INFORMATION with a URI for each viewer"
     try: [stream] = self._streams(event.stream_id)
     except CommandError: return                             # it has gone meanwhile
-    com,news = self.component.mav_com,self._is_news(stream)
-    there = {tuple(com.where(*a)): a for a in self.component.remotes if news and not com.lost(a)}
+    com,changed = self.component.mav_com,self._has_changed(stream)
+    there = {tuple(com.where(*a)): a for a in self.component.remotes if changed and not com.lost(a)}
     for ways,to in there.items():
         way = ways[0] if ways else None
         if way or to in com.here: self.component.send_message(self._encode_stream(stream, self.host_for(way)), to)
@@ -254,10 +255,10 @@ def _video_news(self:VideoPart, event:VideoStatus)->list|None:
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #93774722
 @patch
-def _is_news(self:VideoPart, stream)->bool:
+def _has_changed(self:VideoPart, stream)->bool:
     "True if the format has changed since its announcement"
-    told = self._formats.get(stream.stream_id)
-    return told is not None and told!=self._told_of(stream)
+    before = self._formats.get(stream.stream_id)
+    return before is not None and before!=self._description(stream)
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #fcbd7ec4
 _recording = 'recording'    # marks it, unlike a stream of SET_MESSAGE_INTERVAL
@@ -265,14 +266,14 @@ _recording = 'recording'    # marks it, unlike a stream of SET_MESSAGE_INTERVAL
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #9389b368
 @patch
 @announced(CaptureStatus)
-def _recording_news(self:VideoPart, event:CaptureStatus):
+def _end_reports(self:VideoPart, event:CaptureStatus):
     "Stop reports after a recording; the server announces its end"
     if self._reports and not event.recording: self.component.sending.stop_for_all(CAMERA_CAPTURE_STATUS, _recording)
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #4798e6b8
 @patch
 @announced(RecordingEnded)
-def _tell_end(self:VideoPart, event:RecordingEnded):
+def _report_end(self:VideoPart, event:RecordingEnded):
     self.component.say(mavlink.MAV_SEVERITY_WARNING, f'Recording ended: {event.why}')
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #2de6cef3
@@ -292,7 +293,7 @@ def _video_start_capture(self:VideoPart, stream_id:int=0, rate:float=0., camera_
     self._reports = True
     try: self.component._start_stream(CAMERA_CAPTURE_STATUS, 1e6/rate, _recording, asker=address(msg))
     except CommandError as e: self.component.log.info('no status for %s: %s', address(msg), e) # it records all the same
-    self._recording_news(self.camera.capture_status())          # it may have ended meanwhile
+    self._end_reports(self.camera.capture_status())          # it may have ended meanwhile
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #1ff6132e
 @patch

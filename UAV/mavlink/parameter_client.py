@@ -113,7 +113,7 @@ def _check_name(self:RemoteSettings, name:str)->bool:
 @patch
 async def _check_any(self:RemoteSettings, name:str=''):
     "Raise `Unsupported` if the camera has no settings: no definition, and no answer to READ and LIST"
-    if self._heard or self.declared: return
+    if self._values or self.declared: return
     with self.client.expecting(PARAM_EXT_VALUE, lambda msg: comes_from(msg, *self.target), self.target) as one:
         if name: self.client.send_message(self._read_request(name))
         info = await self.camera.request(CAMERA_INFORMATION)

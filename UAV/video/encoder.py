@@ -57,7 +57,7 @@ class Encoder(Closes):
         self.format,self.fault,self.measured = None,None,_Measured()     # last known; what is wrong now; what came out
         self._sinks,self._changed,self._delivering = {},clock.Condition(),clock.RLock()
         self._thread,self._codec,self._key_wanted,self._closed,self._number = None,None,False,False,-1
-        self._planned = None,None       # shape of the frames, and how they are to be encoded; anew after each change
+        self._planned = None,None       # shape of the frames, and their format; anew after each change
         store_attr()
 
     sinks = property(lambda self: tuple(self._sinks), doc="All that get the units")
@@ -69,7 +69,7 @@ class Encoder(Closes):
         if not self.sinks: self._set(format=None)       # what we knew is no longer true
 
     def _set(self, **facts):
-        "Something is new: tell all who wait for it"
+        "Set these, and wake all who wait for a change"
         with self._changed:
             vars(self).update(facts)
             self._changed.notify_all()
@@ -78,7 +78,7 @@ class Encoder(Closes):
         fault = self.fault and f', {self.fault}' or ''
         return f'{self.codec.upper()} encoder {self.name}, {len(self._sinks)} sinks{fault}'
 
-    def _tell(self, fault:Exception|None):
+    def _set_fault(self, fault:Exception|None):
         "Log a new fault"
         if repr(fault)==repr(self.fault): return
         if fault: _log.warning('%s: %s', self.name, fault)
@@ -169,7 +169,7 @@ def _deliver(self:Encoder, unit:AccessUnit):
 @patch
 def _silent(self:Encoder, seconds:float):
     "No frame for so long"
-    if seconds>(limit := max(self.silence, 3/self.rate)): self._tell(TimeoutError(f'no picture for {limit:g} s'))
+    if seconds>(limit := max(self.silence, 3/self.rate)): self._set_fault(TimeoutError(f'no picture for {limit:g} s'))
 
 # %% ../../nbs/api/video/01_encoder.ipynb #bf70ba9a
 @patch
@@ -185,20 +185,20 @@ def _take(self:Encoder, frame, now:float, pace:_Pace):
     self._number = frame.number
     if early := pace.early(now, self.rate): return self._rest(early)
     for unit in self._encode(frame, now): self._deliver(unit)
-    if self.fault: self._tell(None)
+    if self.fault: self._set_fault(None)
 
 # %% ../../nbs/api/video/01_encoder.ipynb #20708a22
 @patch
 def _watch(self:Encoder):
     "Encode what the source shows, until no sink is left"
-    heard = clock.monotonic()
-    pace = _Pace(heard, self.rate)
+    latest = clock.monotonic()
+    pace = _Pace(latest, self.rate)
     with self.source.watching():
         while self._sinks:
             frame,now = self.source.next(self._number, .5),clock.monotonic()
-            if frame is None: self._silent(now-heard)
+            if frame is None: self._silent(now-latest)
             else:
-                heard = now
+                latest = now
                 self._take(frame, now, pace)
 
 # %% ../../nbs/api/video/01_encoder.ipynb #65256edc
@@ -212,7 +212,7 @@ def _run(self:Encoder):
                 return
         try: self._watch()
         except Exception as e:
-            self._tell(e)
+            self._set_fault(e)
             self._number = -1               # a source that comes back may count anew
             self._rest(self.pause)
         finally: self._codec = None
@@ -287,11 +287,12 @@ def _with_sets(data:bytes, sets, codec:str='h264')->bytes:
     nals = [nal for nal in nal_units(data) if _nal_type(nal, codec) != _delimiter[codec]]
     return byte_stream((*sets, *nals))
 
-# %% ../../nbs/api/video/01_encoder.ipynb #8262522d
+# %% ../../nbs/api/video/01_encoder.ipynb #aba250b8
 def _decided(name:str):
     "A setting of the source"
     return property(lambda encoder: encoder._known(name), lambda encoder, value: encoder._change(name, value))
 
+# %% ../../nbs/api/video/01_encoder.ipynb #8262522d
 class PassThrough(Encoder):
     "Hands the access units of a source that encodes by itself to any number of sinks"
     complete,expected = False,None          # `expected`: the format, as far as it is known before the first key frame
@@ -340,7 +341,7 @@ def _watch(self:PassThrough):
         while self._sinks:
             with self._changed: self._changed.wait_for(lambda: not self._sinks, self.silence/4)
             silent = clock.monotonic()-max(began, self._came)>self.silence
-            if self._sinks: self._tell(TimeoutError(f'no picture for {self.silence:g} s') if silent else None)
+            if self._sinks: self._set_fault(TimeoutError(f'no picture for {self.silence:g} s') if silent else None)
     finally: self.run(False)
 
 # %% ../../nbs/api/video/01_encoder.ipynb #d90a28d0

@@ -38,7 +38,7 @@ class Player(Closes):
         self._source = _open_pictures(url, timeout, newest, transport)
         self._pictures = NewestFrame(None if newest else self._most)
         self._closing = clock.Event()
-        if receiver := getattr(self._source, 'receiver', None): receiver.tell = self._note
+        if receiver := self._source.receiver: receiver.on_fault = self._note
         self._thread = _begin_thread(self._run, f'player {_url_name(url)}')
         _players.add(self)
 
@@ -94,16 +94,16 @@ def _play(self:Player):
 
 # %% ../../nbs/api/video/08_player.ipynb #d29c3aa5
 @patch
-def _note(self:Player, said:str, surprise=None):
+def _note(self:Player, fault:str, surprise=None):
     "Note why there are no pictures"
-    if said!=self.fault: self.log.warning('%s: %s', _url_name(self.url), said, exc_info=surprise)
-    self.connected,self.fault = False,said
+    if fault!=self.fault: self.log.warning('%s: %s', _url_name(self.url), fault, exc_info=surprise)
+    self.connected,self.fault = False,fault
 
 @patch
 def _lose(self:Player, error)->bool:
     "Note why there is no stream; true when all we can do is to listen on"
-    said = (error.strerror if isinstance(error, OSError) else None) or str(error) or type(error).__name__
-    self._note(said, None if isinstance(error, OSError) else error)
+    fault = (error.strerror if isinstance(error, OSError) else None) or str(error) or type(error).__name__
+    self._note(fault, None if isinstance(error, OSError) else error)
     return isinstance(error, TimeoutError) and not self._source.connects
 
 # %% ../../nbs/api/video/08_player.ipynb #03ee16cb
@@ -328,18 +328,18 @@ def _ask(self:RTSPReceiver, method, url, also=(), **headers)->tuple:
     for attempt in range(4):
         self._send(method, url, headers)
         answer = self._answer()
-        code,said = _status(answer.line),answer.headers
-        if code!=401 or not self._take_challenge(said) and attempt: break
+        code,theirs = _status(answer.line),answer.headers
+        if code!=401 or not self._take_challenge(theirs) and attempt: break
         if not self._challenge: break
     why = f'{method}: {answer.line.partition(" ")[2] or answer.line}'
-    if 300<=code<400 and (to := said.get('location')): raise self._moved(why, to)
+    if 300<=code<400 and (to := theirs.get('location')): raise self._moved(why, to)
     if code not in (200,*also): raise ConnectionError(why)
-    return code,said,answer.body.decode('utf-8', 'replace')
+    return code,theirs,answer.body.decode('utf-8', 'replace')
 
 @patch
-def _take_challenge(self:RTSPReceiver, said:dict)->bool:
+def _take_challenge(self:RTSPReceiver, headers:dict)->bool:
     "Answer the server's challenge from now on, if we can; true when only its nonce was too old, not the password wrong"
-    offered = said.get('www-authenticate', '')
+    offered = headers.get('www-authenticate', '')
     able = self._user[0] and _authorization(offered, '', '', *self._user)
     self._challenge,self._count = offered if able else '',0
     return bool(able) and any(fields.get('stale', '').lower()=='true' for _,fields in _challenges(offered))
@@ -356,12 +356,12 @@ def _resolve(base:str, control:str)->str:
 @patch
 def _describe(self:RTSPReceiver):
     "Describe the server's video: `(Media, its URL, URL of the presentation)`"
-    _,said,_ = self._ask('OPTIONS', self._at, also=(400,403,404,405,454,455,501,551))
-    self._methods = said.get('public', '')
-    _,said,body = self._ask('DESCRIBE', self._at, Accept='application/sdp')
+    _,headers,_ = self._ask('OPTIONS', self._at, also=(400,403,404,405,454,455,501,551))
+    self._methods = headers.get('public', '')
+    _,headers,body = self._ask('DESCRIBE', self._at, Accept='application/sdp')
     try: media = _read_sdp(body)
     except ValueError as e: raise ConnectionError(str(e)) from None
-    base = urljoin(self._at, said.get('content-base') or said.get('content-location') or self._at)
+    base = urljoin(self._at, headers.get('content-base') or headers.get('content-location') or self._at)
     session_url = _resolve(base, media.session_control)
     return media,_resolve(session_url, media.control),session_url
 
@@ -371,18 +371,18 @@ def _setup(self:RTSPReceiver, url):
     "Agree with the server on the way of the packets"
     if self.transport!='udp':
         wish = dict(Transport='RTP/AVP/TCP;unicast;interleaved=0-1')
-        code,said,_ = self._ask('SETUP', url, also=() if self.transport else (461,), **wish)
-        if code==200: return self._agreed(said)
+        code,headers,_ = self._ask('SETUP', url, also=() if self.transport else (461,), **wish)
+        if code==200: return self._agreed(headers)
     self._udp = _listen_pair(self._sock.getsockname()[0])
     port = self._udp[0].getsockname()[1]
     self._agreed(self._ask('SETUP', url, Transport=f'RTP/AVP;unicast;client_port={port}-{port+1}')[1])
 
 # %% ../../nbs/api/video/08_player.ipynb #2ac59dd4
 @patch
-def _agreed(self:RTSPReceiver, said):
-    "Remember what the server said to SETUP"
-    self._session,after = (part.strip() for part in said.get('session', '').partition(';')[::2])
-    self._alive,way = max(1, int(_find(r'timeout *= *(\d{1,6})', after, 60))/2),said.get('transport', '')
+def _agreed(self:RTSPReceiver, headers):
+    "Remember what the server agreed to in its answer to SETUP"
+    self._session,after = (part.strip() for part in headers.get('session', '').partition(';')[::2])
+    self._alive,way = max(1, int(_find(r'timeout *= *(\d{1,6})', after, 60))/2),headers.get('transport', '')
     self._channel,port = int(_find(r'interleaved=(\d{1,3})', way, 0)),int(_find(r'server_port=(\d{1,5})', way, 0))
     if not (self._udp and port): return
     host,port = self._sock.getpeername()[0],min(port, 65534)
@@ -419,7 +419,7 @@ def _take(self:RTSPReceiver, data:bytes):
 
 @patch
 def _on_ping(self:RTSPReceiver, status:int):
-    "A sign of life was answered: a refused GET_PARAMETER is said again as OPTIONS"
+    "A sign of life was answered: a refused GET_PARAMETER is sent again as OPTIONS"
     if self._waits: self._ping_at,self._waits = self._ping_at+self._alive-min(self._alive, self.timeout),False
     if status==200: self._denied = 0
     elif self._ping!='OPTIONS': self._ping,self._ping_at = 'OPTIONS',0.
@@ -520,12 +520,12 @@ class _LivePictures(GetAttr):
                 elif vain is None: vain = clock.monotonic()
                 elif clock.monotonic()-vain>patience:
                     vain = float('inf')
-                    self.receiver.tell(f'no picture can be decoded for {patience:g} s')
+                    self.receiver.on_fault(f'no picture can be decoded for {patience:g} s')
 
 # %% ../../nbs/api/video/08_player.ipynb #30aaeb4c
 class _FilePictures:
     "The pictures of a file"
-    connects,port,lost = False,None,0
+    receiver,connects,port,lost = None,False,None,0
     def __init__(self, path:str, paced:bool):
         self._paced,self._began,self._stopped = paced,None,clock.Event()
         if not os.path.isfile(path): raise PlayerError(f'there is no file {path!r}')

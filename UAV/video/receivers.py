@@ -23,7 +23,7 @@ from .units import (AccessUnit, _begins_decoding, byte_stream, clock_rate, codec
 __all__ = ['ts_size', 'Receiver', 'TSReceiver', 'RTPReceiver', 'listen_host', 'RTPReader']
 
 # %% ../../nbs/api/video/03_receivers.ipynb #a3bf5f35
-class _Stopped(Exception): "The receiver was told to stop"
+class _Stopped(Exception): "The receiver was stopped"
 
 # %% ../../nbs/api/video/03_receivers.ipynb #7b3c819d
 class Receiver(Closes):
@@ -35,7 +35,8 @@ class Receiver(Closes):
         if not 0<timeout<float('inf'): raise ValueError(f'timeout is some seconds, not {timeout}')
         store_attr()
         self._reader,self._stopped,self._process = None,False,os.getpid()
-        self.tell,self._vain = (lambda problem: None),None      # called with a fault; since when data are in vain
+        self.on_fault = lambda problem: None        # called with what is wrong
+        self._vain = None                           # since when data are in vain
         self._inside,self._outside = socket.socketpair()
         self._selector = selectors.DefaultSelector()
         self._selector.register(self._inside, selectors.EVENT_READ)
@@ -72,13 +73,13 @@ class Receiver(Closes):
 # %% ../../nbs/api/video/03_receivers.ipynb #3a0e5f51
 @patch
 def _read(self:Receiver, data:bytes)->list:
-    "The access units that the reader makes of `data`; tells when there are none for too long, once"
+    "The access units that the reader makes of `data`; reports a fault when there are none for too long, once"
     units,now = self._reader(data),clock.monotonic()
     if units: self._vain = None
     elif self._vain is None: self._vain = now
     elif now-self._vain>self.patience:
         self._vain = float('inf')
-        self.tell(f'no {"picture" if self._reader.begun else "key frame"} for {self.patience:g} s')
+        self.on_fault(f'no {"picture" if self._reader.begun else "key frame"} for {self.patience:g} s')
     return units
 
 # %% ../../nbs/api/video/03_receivers.ipynb #9e2d2dad
@@ -215,8 +216,8 @@ class _Media:
 # %% ../../nbs/api/video/03_receivers.ipynb #b72d834a
 def _parameter_sets(fmtp)->bytes:
     "The `sprop-…` of RFC 6184 and RFC 7798, as a byte stream"
-    said = dict(re.findall(r'sprop-(parameter-sets|vps|sps|pps) *= *"?([^;\s"]+)', fmtp))
-    texts = ','.join(said[name] for name in ('parameter-sets','vps','sps','pps') if name in said)
+    found = dict(re.findall(r'sprop-(parameter-sets|vps|sps|pps) *= *"?([^;\s"]+)', fmtp))
+    texts = ','.join(found[name] for name in ('parameter-sets','vps','sps','pps') if name in found)
     return byte_stream(filter(None, map(_decoded, texts.split(','))))
 
 def _decoded(text:str)->bytes:
@@ -426,7 +427,8 @@ class RTPReader:
         self._whole = True                                      # `None`: it was too large, and is counted already
         self._marked,self._sliced = False,False     # had the last packet the mark; has the picture a slice?
         self.trust = None                           # does the mark end a picture? `None`: nobody knows yet
-        self._source,self._received,self._left = None,0.,set()     # SSRC, its last packet (monotonic s), and those before
+        self._source,self._received = None,0.       # SSRC, and when its last packet came, monotonic s
+        self._left = set()                          # those before
 
     def __call__(self, packet:bytes)->list:
         "The access units that this packet completes"
@@ -537,10 +539,11 @@ def _ts_parts(packet:bytes)->tuple:
 # %% ../../nbs/api/video/03_receivers.ipynb #ade4fa96
 def _pes_size(payload:bytes)->int|None:
     "All bytes of a PES packet that begins here, as it says; `None` when it does not"
-    return said+6 if (said := int.from_bytes(payload[4:6], 'big')) else None
+    size = int.from_bytes(payload[4:6], 'big')
+    return size+6 if size else None
 
 def _pes_stamp(payload:bytes)->int|None:
-    "When to show what is in a PES packet, in 1/90000 s; `None` when it isn't said (H.222.0, 2.4.3.7)"
+    "When to show what is in a PES packet, in 1/90000 s; `None` when it has no stamp (H.222.0, 2.4.3.7)"
     if len(payload)<14 or not payload[7]&128: return None
     first,*pairs = payload[9],int.from_bytes(payload[10:12], 'big'),int.from_bytes(payload[12:14], 'big')
     return (first>>1&7)<<30 | pairs[0]>>1<<15 | pairs[1]>>1

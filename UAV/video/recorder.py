@@ -36,7 +36,7 @@ class Recorder(Sink):
         super().__init__('recorder')
         store_attr('segment,quota,reserve,on_end,interval')
         self.videos,self._path_of,self._looked = [],name,0.     # `videos`: an `_MP4File` each segment
-        self._before_gap = None         # `dropped` before the gap that is not told yet
+        self._before_gap = None         # `dropped` before the gap that is not logged yet
 
     files = property(lambda self: [video.path for video in self.videos], doc="The paths of all segments")
     bytes = property(lambda self: sum(video.bytes for video in self.videos), doc="What it takes on the disk")
@@ -62,8 +62,8 @@ class Recorder(Sink):
         if self._before_gap is None: self._before_gap = self.dropped
         super()._drop()
 
-    def _tell_gap(self):
-        "Say how much is missing, if a gap has ended"
+    def _log_gap(self):
+        "Log how much is missing, if a gap has ended"
         with self._changed: before,self._before_gap = self._before_gap,None
         if before is None: return
         get_logger('video').warning('%r: the disk was too slow, %d pictures are missing', self, self.dropped-before)
@@ -91,7 +91,7 @@ def _plainly(error:OSError)->OSError:
 @patch
 def send(self:Recorder, unit:AccessUnit):
     "Write a picture; raises `OSError`, which ends the recording"
-    self._tell_gap()
+    self._log_gap()
     try:
         if unit.key and self._needs_file(unit):
             if self.videos: self.videos[-1].close()
@@ -107,8 +107,8 @@ def send(self:Recorder, unit:AccessUnit):
 # %% ../../nbs/api/video/06_recorder.ipynb #cb8f51b7
 @patch
 def end(self:Recorder):
-    "Close the file, and tell when the recording has ended by itself"
-    self._tell_gap()
+    "Close the file, and call `on_end` when the recording has ended by itself"
+    self._log_gap()
     try:
         if self.videos: self.videos[-1].close()
     except OSError as e: self._fail(_plainly(e))
@@ -221,5 +221,5 @@ class _MP4File(Closes):
         container,self._container,is_broken = self._container,None,self.file.fault
         try: container.close()
         except Exception:
-            if not is_broken: raise     # else it was told
+            if not is_broken: raise     # else it is logged
         finally: self.file.close()

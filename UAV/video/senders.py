@@ -180,7 +180,7 @@ class _TSClient(Sink):
         except ConnectionError: self.close()        # it has left
 
     def end(self):
-        "Hang up, and tell the server"
+        "Hang up, and give the place back"
         if source := self.source: source.remove(self, wait=False)
         self._muxer.close()
         self.sock.close()

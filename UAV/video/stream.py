@@ -35,7 +35,7 @@ class VideoStream(Closes):
         host:str='', # Where a sender sends to (this machine); the address that a server listens at (all)
         port:int|None=None, # Where a sender sends to, or a server listens; `None`: as in `default_ports`, 0: a free one
         server:RTSPServer|None=None, # For RTSP; `None`: that of this process at `port`
-        uri:str='', # What viewers are told, in place of what we think
+        uri:str='', # What viewers get, in place of what we work out
         hfov:float=math.nan, # Horizontal field of view, degrees
         size:tuple=(640,480), # Of the frames (px), as long as none was seen
         on_change=lambda stream: None, # Called when it starts or stops
@@ -43,7 +43,7 @@ class VideoStream(Closes):
         if kind not in default_ports: raise ValueError(f'kind must be one of {", ".join(default_ports)}, not {kind!r}')
         if server and kind!='rtsp': raise ValueError(f'an RTSP server cannot serve a stream of kind {kind!r}')
         store_attr('encoder,kind,name,stream_id,host,server,hfov,size,on_change')
-        self.port,self.told_uri,self.home = server.port if server else _port(kind, port),uri,host   # `home`: first host
+        self.port,self.own_uri,self.home = server.port if server else _port(kind, port),uri,host   # `home`: first host
         self.running,self.sink,self._lock = False,None,clock.Lock()         # `sink`: a sender, or a `TSServer`
         self._shared = self._closed = self._noted = False       # `_shared`: is `server` one that we must let go?
         self.path = _path_of(name, stream_id)       # on an RTSP server
@@ -204,7 +204,7 @@ def send_away(self:VideoStream, leaves): # Which players that fetch it: a functi
 def uri(self:VideoStream, host:str='127.0.0.1', # Our address, as the viewer can reach it
        )->str:
     "The viewer's address: a URL, or the number of its own port"
-    if self.told_uri: return self.told_uri
+    if self.own_uri: return self.own_uri
     if self.kind in senders and is_group(self.host): return f'udp://{url_host(self.host)}:{self.port}'
     if self.kind in senders: return str(self.port)
     if self.kind=='rtsp' and self.server: return self.server.url(self.path, host)
