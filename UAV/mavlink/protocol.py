@@ -20,7 +20,7 @@ from ..wire.links import Link, open_link
 
 # %% auto #0
 __all__ = ['patience', 'longest_rto', 'remembered', 'shot_tries', 'contraries', 'Handler', 'arguments', 'command', 'message',
-           'receives', 'announced', 'marked', 'accepts', 'comes_from', 'Outcome', 'Served', 'identity', 'Presses',
+           'receives', 'announced', 'marked', 'Outcome', 'Served', 'identity', 'Presses', 'accepts', 'comes_from',
            'Answer', 'Command', 'Expected', 'Expectations', 'opened', 'check_id', 'check_seconds', 'check_count',
            'check_which', 'Found']
 
@@ -142,21 +142,6 @@ class _Tables:
         "Unregister all ids; safe to call twice"
         if self.wanted is not None: self.wanted.remove(*self._ids)
         self._ids = set()
-
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #0020fd1f
-def accepts(msg, # Any MAVLink message
-            source_system:int, # Our own system id
-            source_component:int, # Our own component id
-           )->bool:
-    "True if `msg` is addressed to this component, or to all"
-    system,component = getattr(msg,'target_system',0),getattr(msg,'target_component',0)
-    return system in (0,source_system) and component in (0,source_component)
-
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #631a94c4
-def comes_from(msg, system:int|None, component:int|None)->bool:
-    "True if `msg` was sent by this system and component; `None` and 0 match any"
-    sent_by = address(msg)
-    return (not system or sent_by[0]==system) and (not component or sent_by[1]==component)
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #6d67ea39
 patience = 10.    # s after the first copy in which a command is retransmitted, unless its client sets another time
@@ -359,7 +344,7 @@ class Presses:
         if outcome: self.note(msg, number, outcome, ways)
         return outcome
 
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #4b545711
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #0020fd1f
 def accepts(msg, # Any MAVLink message
             source_system:int, # Our own system id
             source_component:int, # Our own component id
@@ -368,7 +353,7 @@ def accepts(msg, # Any MAVLink message
     system,component = getattr(msg,'target_system',0),getattr(msg,'target_component',0)
     return system in (0,source_system) and component in (0,source_component)
 
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #9d42d934
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #631a94c4
 def comes_from(msg, system:int|None, component:int|None)->bool:
     "True if `msg` was sent by this system and component; `None` and 0 match any"
     sent_by = address(msg)
