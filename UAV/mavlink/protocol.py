@@ -207,19 +207,24 @@ contraries = {command: set().union(*(row for row in _rows if command in row)) fo
 @patch
 def note(self:Served, msg, outcome:Outcome):
     "Store the answer to the executed command `msg`; only the latest few of its kind are kept"
-    self._store(msg, outcome, self.executed(msg))
+    kind,values = identity(msg)
+    self._store(kind, values, msg, outcome, self._execute(kind, msg))
 
 @patch
-def executed(self:Served, msg)->int:
-    "Store that the command `msg` was executed, which outdates the answers to its contraries; returns its turn"
-    kind,values = identity(msg)
+def executed(self:Served, msg):
+    "Store that the command `msg` was executed, which outdates the answers to its contraries"
+    self._execute(identity(msg)[0], msg)
+
+@patch
+def _execute(self:Served, kind:tuple, msg)->int:
+    "Store an execution; returns its turn"
     turn = next(self._turns)
     self._latest.note(kind, (turn,msg.get_seq(),self.clock()))
     return turn
 
 @patch
-def _store(self:Served, msg, outcome:Outcome, turn:int):
-    kind,values = identity(msg)
+def _store(self:Served, kind:tuple, values:tuple, msg, outcome:Outcome, turn:int):
+    "Store the copy `msg` of a command, with its answer"
     alike = self._copies.find(kind)
     if alike is None: alike = Seen(remembered, self.most_alike, self.clock)
     confirmation = getattr(msg,'confirmation',0)        # a COMMAND_INT has none
@@ -254,7 +259,7 @@ def find(self:Served, msg)->Outcome|None:
         return copy.outcome if overtaken else None
     if age>=higher*longest_rto: return          # no sender waits that long for the copies between
     if self._is_outdated(msg, copy.seq, copy.turn): return
-    if is_later: self._store(msg, copy.outcome, copy.turn)
+    if is_later: self._store(kind, values, msg, copy.outcome, copy.turn)
     return copy.outcome
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #5eed0002
