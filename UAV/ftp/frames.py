@@ -206,11 +206,11 @@ class FtpParts:
         # what is left of the holes, and one more when these bytes lie behind the end
         pieces = [piece for a,b in (*self.holes, (self.end,offset)) for piece in ((a,min(b, offset)), (max(a, stop),b))]
         holes = [(a,b) for a,b in pieces if a<b]
-        news = holes!=self.holes or stop>self.end
-        if news: self.fresh.append((offset, data[:stop-offset]))
+        is_new = holes!=self.holes or stop>self.end
+        if is_new: self.fresh.append((offset, data[:stop-offset]))
         self.holes,self.end = holes,max(self.end, stop)
-        self.count += news
-        return news
+        self.count += is_new
+        return is_new
 
     def take_fresh(self)->list:
         "Return the data to write since the last call"
