@@ -449,16 +449,6 @@ class _Aim(RowPart):
         found = self.gimbals
         return found[0] if len(found)==1 else None
 
-    def field_of_view(self, msg=None)->tuple|None:
-        "Return the horizontal and vertical field of view of `msg` or the last CAMERA_FOV_STATUS, degrees, or `None`"
-        msg,stream = msg or self.row.received.newest.get(CAMERA_FOV_STATUS),self.row.preview.stream
-        fields = [(msg.hfov, msg.vfov)] if msg else []
-        if stream: fields.append((stream.hfov, NAN))
-        wide,high = next(((w, h) for w,h in fields if 0<w<180), (NAN,NAN))
-        size = self.row.preview.newest.size or (stream and (stream.width,stream.height))
-        if not 0<high<180: high = _vertical_fov(wide, size) if size and all(size) else NAN
-        return (wide,high) if 0<wide<180 and 0<high<180 else None
-
     def status(self)->dict:
         "Return its gimbal, and whether a click can point it"
         gimbal,why_not = self.gimbal,self.why_not
@@ -470,6 +460,18 @@ class _Aim(RowPart):
         gimbal = self.gimbal
         able = gimbal is not None and not gimbal.lost and 'CAN_POINT_LOCATION_GLOBAL' in gimbal.client.can
         return able and self.row.ground.vehicle is not None
+
+# %% ../../nbs/api/manager/06_camera_parts.ipynb #7e1d1204
+@patch
+def field_of_view(self:_Aim, msg=None)->tuple|None:
+    "Return the horizontal and vertical field of view of `msg` or the last CAMERA_FOV_STATUS, degrees, or `None`"
+    msg,stream = msg or self.row.received.newest.get(CAMERA_FOV_STATUS),self.row.preview.stream
+    fields = [(msg.hfov, msg.vfov)] if msg else []
+    if stream: fields.append((stream.hfov, NAN))
+    wide,high = next(((w, h) for w,h in fields if 0<w<180), (NAN,NAN))
+    size = self.row.preview.newest.size or (stream and (stream.width,stream.height))
+    if not 0<high<180: high = _vertical_fov(wide, size) if size and all(size) else NAN
+    return (wide,high) if 0<wide<180 and 0<high<180 else None
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #8995c29c
 @patch(as_prop=True)
