@@ -5020,6 +5020,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                  'UAV/mavlink/gimbal_server.py'),
                                            'UAV.mavlink.gimbal_server._Watch.tick': ( 'api/mavlink/gimbal_server.html#_watch.tick',
                                                                                       'UAV/mavlink/gimbal_server.py'),
+                                           'UAV.mavlink.gimbal_server._checked_component': ( 'api/mavlink/gimbal_server.html#_checked_component',
+                                                                                             'UAV/mavlink/gimbal_server.py'),
                                            'UAV.mavlink.gimbal_server._checked_gimbal': ( 'api/mavlink/gimbal_server.html#_checked_gimbal',
                                                                                           'UAV/mavlink/gimbal_server.py'),
                                            'UAV.mavlink.gimbal_server._location_in': ( 'api/mavlink/gimbal_server.html#_location_in',
