@@ -431,10 +431,15 @@ class _Aim(RowPart):
     "Click to point: aims the gimbal of a camera"
     receives,requests = (CAMERA_FOV_STATUS,),{CAMERA_FOV_STATUS:10.}
     delay = .05         # s from exposure to arrival, about
+    @property
+    def named(self)->int:
+        "Gimbal in CAMERA_INFORMATION; 0: none"
+        info = self.row.received.newest.get(CAMERA_INFORMATION)
+        return info.gimbal_device_id if info else 0
+
     def names(self, gimbal)->bool:
         "True if CAMERA_INFORMATION names the gimbal of this row"
-        info,(system,component,number) = self.row.received.newest.get(CAMERA_INFORMATION),gimbal.gimbal
-        named = getattr(info, 'gimbal_device_id', 0)
+        named,(system,component,number) = self.named,gimbal.gimbal
         if named==0 or system!=self.row.camera.system: return False
         return named==number or named>6 and named in (component, gimbal.client.device[1])
 
@@ -477,7 +482,7 @@ def field_of_view(self:_Aim, msg=None)->tuple|None:
 @patch(as_prop=True)
 def why_not(self:_Aim)->str:
     "Reason why a click can't point it, or ''"
-    named,gimbals = getattr(self.row.received.newest.get(CAMERA_INFORMATION), 'gimbal_device_id', 0),self.gimbals
+    named,gimbals = self.named,self.gimbals
     if not named: return 'The camera does not say which gimbal it is on'
     if len(gimbals)>1: return f'The camera is on gimbal {named}, and {len(gimbals)} gimbals have that number'
     if not gimbals: return f'The gimbal of the camera (number {named}) was not found'

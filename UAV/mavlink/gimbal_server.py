@@ -164,8 +164,8 @@ _about_messages = (mavlink.MAV_CMD_REQUEST_MESSAGE,mavlink.MAV_CMD_SET_MESSAGE_I
 @patch
 def _on_command(self:GimbalServer, msg):
     "Run a command, but ignore broadcasts for other gimbals or about messages we don't have"
-    handler = self.commands.get(msg.command)
-    if handler is not None and not msg.target_component:
+    handler = None if msg.target_component else self.commands.get(msg.command)
+    if handler is not None:
         place,values = handler.options.get('device'),parameters(msg)
         if msg.command in _about_messages and values[0] not in self.messages: return
         if place is not None and not self._is_ours(values[place]): return
