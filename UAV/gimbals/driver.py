@@ -60,8 +60,8 @@ class GimbalDriver(Gimbal):
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #4fdcc257
 @patch
-def failures(self:GimbalDriver, goals:dict, # Where axes are to be, degrees; NaN: anywhere
-             **there): # Where they are, degrees
+def _failures(self:GimbalDriver, goals:dict, # Where axes are to be, degrees; NaN: anywhere
+              **there): # Where they are, degrees
     "Yield the names of GIMBAL_DEVICE_ERROR_FLAGS that are set"
     if self.fault: yield 'COMMS_ERROR'
     for axis,angle in there.items():
@@ -73,14 +73,14 @@ def failures(self:GimbalDriver, goals:dict, # Where axes are to be, degrees; NaN
         if pressing or beyond: yield f'AT_{axis.upper()}_LIMIT'
 
 @patch
-def held(self:GimbalDriver, roll:float, pitch:float, yaw:float, # Degrees, yaw from the nose
-         rates:tuple=(NAN,)*3, # Of roll, pitch and yaw, degrees a second
-         vehicle:VehicleState|None=None, # When these angles were measured; `None`: as it is now
-         goals:dict={}, # Where axes are to be, degrees
-        )->GimbalAttitude:
+def attitude_of(self:GimbalDriver, roll:float, pitch:float, yaw:float, # Degrees, yaw from the nose
+                rates:tuple=(NAN,)*3, # Of roll, pitch and yaw, degrees a second
+                vehicle:VehicleState|None=None, # When these angles were measured; `None`: as it is now
+                goals:dict={}, # Where axes are to be, degrees
+               )->GimbalAttitude:
     "Return the attitude of a device that is held like this"
     vehicle,wanted = vehicle or self.vehicle or VehicleState(),self.setpoint
-    flags = tuple(self.failures(goals, pitch=pitch, yaw=yaw))
+    flags = tuple(self._failures(goals, pitch=pitch, yaw=yaw))
     return GimbalAttitude(quaternion(roll, pitch, yaw), rates, vehicle.yaw, vehicle.yaw_rate, wanted.lock, wanted.mode,
                           flags, self.clock())
 

@@ -148,7 +148,7 @@ class _OnvifClient:
         self.log,self.skew = get_logger('onvif'),None       # `skew`: s that its clock is ahead; `None`: not known
         self.received = self.changed = lambda: None         # called when `status` is new; when `error` comes or goes
         self.status = NAN,NAN,NAN,''                        # pan, tilt, zoom, space
-        self.error,self.heard = None,clock()                # why it doesn't answer; when it did last
+        self.error,self.answered = None,clock()             # why it doesn't answer; when it did last
         self._orders,self._wake,self._closing,self._thread = {},_clock.Condition(),False,None
         self._due = self._busy = -math.inf                  # when to poll next; until when it may move
         self.endless = False                                # does it refuse a time-out?
@@ -400,7 +400,7 @@ def _try(self:_OnvifClient, request:str):
     except _GivenUp: raise
     except GimbalError as e: error = str(e)
     self.error = error
-    if not error: self.heard = self.clock()
+    if not error: self.answered = self.clock()
     if bool(was)!=bool(error):
         self.log.warning('%s', error or f'{self!r} answers again')
         self.changed()
@@ -589,7 +589,7 @@ def _choose_spaces(self:Onvif, pan:tuple|None, tilt:tuple|None):
 @patch(as_prop=True)
 def fault(self:Onvif)->str|None:
     "Return a sentence when the device doesn't answer; `None`: it works"
-    silent = self.line.clock()-self.line.heard
+    silent = self.line.clock()-self.line.answered
     return self.line.error or (f'{self.line!r}: no answer for {silent:.0f} s' if silent>3 else None)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #b8bf41dc
@@ -607,7 +607,7 @@ def attitude(self:Onvif)->GimbalAttitude:
     "Return where it points, by its last answer"
     with self._lock:
         goals = dict(pitch=self.setpoint.pitch.angle, yaw=self.setpoint.yaw.angle)
-        return self.held(0., self._angle('pitch'), self._angle('yaw'), goals=goals)
+        return self.attitude_of(0., self._angle('pitch'), self._angle('yaw'), goals=goals)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #fb9290e2
 @patch
