@@ -21,7 +21,7 @@ from UAV.gimbals.siyi_link import (Cmd, read_config, read_range, read_stream, re
     zoom_data)
 from .values import GimbalError
 from ..utils import clock
-from ..utils.general import inside, timers, cv2, np
+from ..utils.general import inside, timers
 from ..utils.pictures import decode_picture
 from ..utils.sockets import get_web, url_host
 from ..video.units import VideoFormat

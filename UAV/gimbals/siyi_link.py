@@ -10,7 +10,7 @@ from enum import IntEnum
 from typing import NamedTuple
 import math, struct
 
-from fastcore.basics import patch, store_attr
+from fastcore.basics import patch
 from .driver import DeviceLine, FrameCutter, SerialPort, TCPPort, UDPPort
 from .values import *
 from ..logging import get_logger
