@@ -23,7 +23,7 @@ from ..utils import clock, clock as _clock
 from ..utils.devices import DeviceURL
 from ..utils.general import _begin_thread, inside
 from ..utils.pictures import decode_picture
-from ..utils.sockets import _ask_web, _Deadline, url_host, _web_path
+from ..utils.sockets import ask_web, Deadline, url_host, web_path
 from ..video.rtsp import _authorization
 
 # %% auto #0
@@ -152,7 +152,7 @@ class _OnvifClient:
         self._orders,self._wake,self._closing,self._thread = {},_clock.Condition(),False,None
         self._due = self._busy = -math.inf                  # when to poll next; until when it may move
         self.endless = False                                # does it refuse a time-out?
-        self._hurry,self._waits = False,None        # is a stop order posted? the `_Deadline` the thread waits for
+        self._hurry,self._waits = False,None        # is a stop order posted? the `Deadline` the thread waits for
 
     def __repr__(self): return f'ONVIF camera at {self.place}'
 
@@ -163,7 +163,7 @@ def _shown(url:str)->str: return re.sub(r'(://)(?:[^/]*@)?([^/]*)/.*', r'\1\2/â€
 def _proof(self:_OnvifClient, url:str, method:str, headers)->str:
     "Return the header Authorization for the headers of a 401; empty: there is none. Raises `GimbalError`"
     asked = ', '.join(headers.get_all('www-authenticate') or ())
-    proof = _authorization(asked, method, _web_path(url), self.user, self.password) if self.user else ''
+    proof = _authorization(asked, method, web_path(url), self.user, self.password) if self.user else ''
     if proof.startswith('Basic') and not (self.basic or url.startswith('https:')):
         raise GimbalError(f'{self!r} asks for the password in plain text, for all on its network to read: '
                           f'to allow that, write onvif://USER:PASSWORD@{self.place}?basic=yes')
@@ -174,7 +174,7 @@ def _proof(self:_OnvifClient, url:str, method:str, headers)->str:
 @contextmanager
 def _deadline(self:_OnvifClient, seconds:float):
     "A deadline; what the thread sends is given up earlier by a stop order, and `_GivenUp` is raised"
-    with _Deadline(seconds) as deadline:
+    with Deadline(seconds) as deadline:
         if clock.current_thread() is not self._thread: return (yield deadline)
         with self._wake: self._waits = None if self._hurry else deadline
         if self._hurry: raise _GivenUp('a stop order waits')
@@ -186,12 +186,12 @@ def _deadline(self:_OnvifClient, seconds:float):
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #7f0fd132
 @patch
-def _exchange(self:_OnvifClient, deadline:_Deadline, url:str, data:bytes|None)->tuple:
+def _exchange(self:_OnvifClient, deadline:Deadline, url:str, data:bytes|None)->tuple:
     "Return status, reason, headers and body of the answer, with our password if it asks for one"
     kind = {'Content-Type':'application/soap+xml; charset=utf-8'} if data else {}
-    answer = _ask_web(deadline, url, most=self.most, body=data, **kind)
+    answer = ask_web(deadline, url, most=self.most, body=data, **kind)
     proof = self._proof(url, 'POST' if data else 'GET', answer[2]) if answer[0]==401 else ''
-    return _ask_web(deadline, url, most=self.most, body=data, Authorization=proof, **kind) if proof else answer
+    return ask_web(deadline, url, most=self.most, body=data, Authorization=proof, **kind) if proof else answer
 
 @patch
 def load(self:_OnvifClient, url:str, data:bytes|None=None, # What to POST; `None`: GET a picture
