@@ -105,7 +105,8 @@ def attitude(self:Siyi)->GimbalAttitude:
     "Return where it points now"
     there = self._there()
     rates = there.roll_rate,there.pitch_rate,there.yaw_rate
-    return self.held(there.roll, there.pitch, there.yaw, rates, goals={a: self._goal(a) for a in ('pitch','yaw')})
+    goals = {axis: self._goal(axis) for axis in ('pitch','yaw')}
+    return self.attitude_of(there.roll, there.pitch, there.yaw, rates, goals=goals)
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #8fb37ab4
 @patch
