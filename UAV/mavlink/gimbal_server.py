@@ -346,7 +346,7 @@ def _let_go(self:GimbalServer, source:tuple, why:str):
 def _see_owner(self:GimbalServer, now:float|None=None): # Monotonic time, s; `None`: now
     "Take control from an owner that was silent for five seconds"
     seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),now or clock.monotonic()
-    late = self._lateness.look(now)         # meanwhile its frames may wait for us
+    late = self._lateness.poll(now)         # meanwhile its frames may wait for us
     if seen!=self._owner_seen[:2]: self._owner_seen,self._was_late = (*seen,now),late
     elif seen[1] and now-self._owner_seen[2]-(late-self._was_late)>=self.mav_com.lost_after:
         self._let_go(seen[0], 'the owner is silent')

@@ -232,7 +232,7 @@ def _bars_of(lines:list)->list:
 
 # %% ../../nbs/api/wire/06_chart.ipynb #c860973a
 class Chart:
-    "Who said what to whom, as SVG; shows itself in a notebook"
+    "Messages between components, as SVG; shows itself in a notebook"
     def __init__(self, rows:list, # The story, line by line, as a message log tells it
                  lanes:dict, # `{(system, component): lane}`, from left to right
                  times:bool=False, # Draw a ruler of seconds as well

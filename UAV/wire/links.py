@@ -178,8 +178,8 @@ class _UDPIn(UDPLink):
         if peer is not None: return self._send(data, peer)
         peers,now = dict(self.peers),clock.monotonic()
         latest = max(peers.values(), default=0)
-        for peer,heard in peers.items():
-            if heard==latest or now-heard<self.forget: self._send(data, peer)
+        for peer,welcome in peers.items():
+            if welcome==latest or now-welcome<self.forget: self._send(data, peer)
 
 # %% ../../nbs/api/wire/03_links.ipynb #c0edf032
 _elsewhere = dict(udp='udpin:', udpin='udpin:', udpout='udpout:', tcp='tcp:', tcpout='tcp:', tcpin='tcpin:', serial='')
@@ -328,7 +328,7 @@ class _Client:
     "One client of a TCP server"
     def __init__(self, sock:socket.socket):
         self.sock,self.outbox = sock,_tcp_outbox(sock)
-        self.heard,self.is_welcome = clock.monotonic(),False
+        self.received,self.is_welcome = clock.monotonic(),False
 
     def __repr__(self): return 'a TCP client'
 
@@ -377,7 +377,7 @@ def _accept(self:_TCPIn):
     except OSError as e:              # no file descriptor is left: nothing to be gained by trying again at once
         log.warning('cannot accept a TCP client: %s', e)
         return clock.sleep(.1)
-    if len(self.clients)>=self.most: self._drop(min(self.clients, key=lambda c: (c.is_welcome,c.heard)))
+    if len(self.clients)>=self.most: self._drop(min(self.clients, key=lambda c: (c.is_welcome,c.received)))
     client = _Client(sock)
     self.clients.add(client)
     self._ready.register(sock, selectors.EVENT_READ, client)
@@ -394,7 +394,7 @@ def recv(self:_TCPIn):
             elif client in self.clients:            # and not just dropped
                 try: data = client.sock.recv(65536)
                 except OSError: data = b''
-                client.heard = clock.monotonic()
+                client.received = clock.monotonic()
                 if data: self._inbox.append((data, client))
                 else: self._drop(client)
     return self._inbox.popleft()

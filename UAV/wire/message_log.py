@@ -413,7 +413,7 @@ def chart(self:MessageLog,
     times:bool=False, # Draw a ruler of seconds as well
     counts:bool=True, # Say how many heartbeats and other messages were left out
 )->Chart:
-    "A picture of who said what to whom; raises `ValueError` for a name that the dialect does not have"
+    "A picture of the messages between components; raises `ValueError` for a name that the dialect does not have"
     entries = _once(self.entries())
     _pair(entries)
     shown = _told(entries, names, self.usual)
