@@ -145,15 +145,17 @@ def velocity_here(lat:float, lon:float, # Here, degrees
 # %% ../../nbs/api/utils/04_geo.ipynb #08d5e2f7
 class SenderClock:
     "Translates moments of a sender's clock into ours"
-    window,piece = 5.,.5        # s: how long a difference counts; how long the least one of a piece is looked for
-    late = 2.                   # s that a message may be on its way; more is another clock: the sender was restarted
-    still = .5                  # s after which a number that is the same is no clock
+    window = 5.     # s that a difference counts
+    piece = .5      # s of which only the least difference is kept
+    late = 2.       # s that a message may be on its way; more is another clock: the sender was restarted
+    still = .5      # s after which a number that is the same is no clock
 
     def __init__(self):
         self._least = deque()    # `[begin of the piece, least difference]`
-        self._newest,self._since = -math.inf,math.inf   # the latest time that was sent, and when it came first
+        self._newest = -math.inf    # the latest time that was sent
+        self._since = math.inf      # when it came first
 
-    def __repr__(self): return f'SenderClock: {self.difference:.3f} s' if self._least else 'SenderClock: nothing received'
+    def __repr__(self): return f'SenderClock: {self.difference:.3f} s' if self._least else 'SenderClock: no message yet'
 
     @property
     def difference(self)->float:

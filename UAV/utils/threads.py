@@ -224,8 +224,11 @@ class HangWatch:
     def __init__(self, period:float, # s between two polls
                  clock=clock.now, # Gives seconds
                  work=None): # As `clock.work`
-        self.clock,self.work,self.lateness = clock,work or (lambda thread: _clock.work(thread)),Lateness(period)
-        self._since,self._ran,self._mark = None,0.,None      # the call; processor by its first poll; the last progress
+        self.clock,self.lateness = clock,Lateness(period)
+        self.work = work or (lambda thread: _clock.work(thread))
+        self._since = None      # when the call began
+        self._ran = 0.          # s of a processor by its first poll
+        self._mark = None       # the last progress: `(time, s of work, lateness)`
 
     def poll(self, since:float|None, # When the call began, monotonic s; `None`: there is none
              thread, # That makes it

@@ -407,10 +407,11 @@ _why_not = {errno.ENOENT:'it is not there; `python -m serial.tools.list_ports` l
 # %% ../../nbs/api/wire/03_links.ipynb #e0f7d68d
 def _serial_trouble(name:str, error:Exception)->str:
     "Why a serial port cannot be opened, in one sentence; `error` is pyserial's"
-    if re.match(r'[A-Za-z]\w+:.', name): return f'{name!r} is no link: links begin with {" ".join(_prefixes())} or name a serial port'
+    kinds = ' '.join(_prefixes())
+    if re.match(r'[A-Za-z]\w+:.', name): return f'{name!r} is no link: links begin with {kinds} or name a serial port'
     said = str(error).replace('invalid literal for int() with base 10: ', 'no baud rate is ')
     why = _why_not.get(getattr(error, 'errno', None), said)
-    others = '' if '/' in name else f' (other links begin with {" ".join(_prefixes())})'
+    others = '' if '/' in name else f' (other links begin with {kinds})'
     return f'cannot open serial port {name}: {why}{others}'
 
 # %% ../../nbs/api/wire/03_links.ipynb #b56b99a8
