@@ -88,22 +88,22 @@ class LineLimit:
             kind.missing += not passes
         if not passes and kind.missing==1: kind.like = record.name,record.levelno,record.getMessage()[:200]
         if missing: record.msg,record.args = f'{record.getMessage()} ({missing:,} more like this before)',()
-        if over: self.tell(record.created)
+        if over: self.report(record.created)
         return passes
 
-    def tell(self, now:float|None=None): # UNIX time; `None`: also for a minute that isn't over
+    def report(self, now:float|None=None): # UNIX time; `None`: also for a minute that isn't over
         "Log the number of lines that did not pass, of each kind whose minute is over"
         with self._guard.lock:
             found = [k for k in self._kinds.values() if k.like and k.missing]
             over = [k for k in found if now is None or k.is_over(now, self.period)]
-            told = [(*k.like, k.missing) for k in over]
+            counted = [(*k.like, k.missing) for k in over]
             for kind in over: kind.missing = 0
-        for name,level,text,missing in told:
+        for name,level,text,missing in counted:
             log = logging.getLogger(name)
             log.callHandlers(log.makeRecord(name, level, '', 0, '%s more like this: %s', (f'{missing:,}', text), None))
 
 line_limit = LineLimit()
-atexit.register(line_limit.tell)
+atexit.register(line_limit.report)
 
 # %% ../nbs/api/00_logging.ipynb #f8d1e688
 def get_logger(

@@ -33,11 +33,13 @@ class _Task:
     def __init__(self, world, thread):
         self.world,self.thread,self.gate = world,thread,_allocate_lock()
         self.gate.acquire()             # it stands here while another one has the baton
-        self.turn,self.spins = 0,0      # its waits so far; how many of the latest took no time
+        self.turn = 0                   # its waits so far
+        self.spins = 0                  # how many of the latest took no time
         self.looks = 0                  # at clocks, locks and events since it has waited
         self.undisturbed = 0            # imports and forks under way: no dice, or a run would differ once all is loaded
         self.waiting,self.late = False,False
-        self.poll,self.found = None,None    # looks for what it waits for outside of the world; what that found
+        self.poll = None                # finds what it waits for outside of the world
+        self.found = None               # by `poll`
         self.error = None               # to be raised in it when it goes on
         self.done,self.joiners = False,[]
         self.outside = False            # true while it waits for the system itself
@@ -57,8 +59,11 @@ class World:
         self.timed = []                     # heap of `(due, count, task, turn)`
         self._count,self._woken = itertools.count(),deque()     # `_woken`: by threads of no world
         self.pacer = None                   # the thread that has the baton while all others are outside
-        self.programs,self.outsiders,self._told = [],0,False    # process ids of programs that run; threads in `outside`
-        self.on_the_way,self._awaited = 0,0.    # bytes not delivered yet; really, until when they're due
+        self.programs = []                  # process ids of those that run
+        self.outsiders = 0                  # threads in `outside`
+        self._told = False                  # that a program runs
+        self.on_the_way = 0                 # bytes not delivered yet
+        self._awaited = 0.                  # in real time, until when they're due
         self.host,self.error,self.ended = None,None,False   # `host`: the asyncio task that began it
         self.changes = 0                # of threads since time has jumped
         self.running = None             # the task that has the baton, once it was handed on

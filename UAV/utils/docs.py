@@ -99,7 +99,7 @@ class _Uniterated(AsyncGenerator):
 
 # %% ../../nbs/api/utils/00_docs.ipynb #3b6db474
 def for_async(f): # An async generator function
-    "Mark `f`: a `for` without `async` is told so"
+    "Mark `f`: a `for` without `async` raises, and says what to write"
     @wraps(f)
     def _f(*args, **kwargs): return _Uniterated(f(*args, **kwargs))
     _f.for_async = True

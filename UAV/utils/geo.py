@@ -145,15 +145,17 @@ def velocity_here(lat:float, lon:float, # Here, degrees
 # %% ../../nbs/api/utils/04_geo.ipynb #08d5e2f7
 class SenderClock:
     "Translates moments of a sender's clock into ours"
-    window,piece = 5.,.5        # s: how long a difference counts; how long the least one of a piece is looked for
-    late = 2.                   # s that a message may be on its way; more is another clock: the sender was restarted
-    still = .5                  # s after which a number that is the same is no clock
+    window = 5.     # s that a difference counts
+    piece = .5      # s of which only the least difference is kept
+    late = 2.       # s that a message may be on its way; more is another clock: the sender was restarted
+    still = .5      # s after which a number that is the same is no clock
 
     def __init__(self):
         self._least = deque()    # `[begin of the piece, least difference]`
-        self._newest,self._since = -math.inf,math.inf   # the latest moment that the sender told, and when it came first
+        self._newest = -math.inf    # the latest time that was sent
+        self._since = math.inf      # when it came first
 
-    def __repr__(self): return f'SenderClock: {self.difference:.3f} s' if self._least else 'SenderClock: nothing heard'
+    def __repr__(self): return f'SenderClock: {self.difference:.3f} s' if self._least else 'SenderClock: no message yet'
 
     @property
     def difference(self)->float:
@@ -166,16 +168,16 @@ class SenderClock:
         if not self._least or now-self._least[-1][0]>=self.piece: self._least.append([now, difference])
         self._least[-1][1] = min(self._least[-1][1], difference)
 
-    def ours(self, told:float, # When the message was made, s on the sender's clock
+    def ours(self, sent:float, # When the message was made, s on the sender's clock
              arrived:float, # When it came, s on ours
             )->float:
         "When the message was made, s on our clock; it is never later than `arrived`"
-        difference = arrived-told
-        if told==self._newest and arrived-self._since>self.still: return arrived
+        difference = arrived-sent
+        if sent==self._newest and arrived-self._since>self.still: return arrived
         if self._least and not 0<=difference-self.difference<=self.late: self._forget(difference)
-        if told>self._newest: self._newest,self._since = told,arrived
+        if sent>self._newest: self._newest,self._since = sent,arrived
         self._note(difference, arrived)
-        return told+self.difference
+        return sent+self.difference
 
     def _forget(self, difference:float):
         "Begin anew, when this is another clock; a message that came faster than all before it is none"

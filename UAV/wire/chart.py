@@ -232,7 +232,7 @@ def _bars_of(lines:list)->list:
 
 # %% ../../nbs/api/wire/06_chart.ipynb #c860973a
 class Chart:
-    "Who said what to whom, as SVG; shows itself in a notebook"
+    "Messages between components, as SVG; shows itself in a notebook"
     def __init__(self, rows:list, # The story, line by line, as a message log tells it
                  lanes:dict, # `{(system, component): lane}`, from left to right
                  times:bool=False, # Draw a ruler of seconds as well
@@ -383,7 +383,7 @@ def __str__(self:Chart):
     wide = max((len(name) for both in ends for name in both), default=0)
     rows = []
     for line,(source,target) in zip(self.lines, ends):
-        gone = line.row.missing
-        when,one,arrow,other = ('',target,'✗',source) if gone else (f'{line.after:.3f}',source,'→',target)
-        rows.append(f'{when:>8}  {one:{wide}} {arrow} {other:{wide}}  {one_line(line.words, 200)}')
+        when,arrow = f'{line.after:.3f}','→'
+        if line.row.missing: when,arrow,source,target = '','✗',target,source
+        rows.append(f'{when:>8}  {source:{wide}} {arrow} {target:{wide}}  {one_line(line.words, 200)}')
     return '\n'.join([*rows, *self.notes])

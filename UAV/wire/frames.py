@@ -110,7 +110,8 @@ class _Kind:
         self.key,self.msg_id = (self.header[0],self.header[1]),int.from_bytes(self.header[2:],'little')
         cls = mavlink.mavlink_map.get(self.msg_id)
         self.counted = -1 if cls is None else self.msg_id     # all unknown ids in one count
-        self.extra,self.build = (None,lambda *args: None) if cls is None else (crc_extras[self.msg_id],_builder(cls))
+        self.extra = None if cls is None else crc_extras[self.msg_id]
+        self.build = (lambda *args: None) if cls is None else _builder(cls)
         self.source = None      # for the reader: its `_Source`, when a frame was accepted
 
     def is_whole(self, data:bytes)->bool:
@@ -204,13 +205,16 @@ class _Source:
     enough = 8          # frames of a component that say something about its way
     longest_gap = 32    # more numbers in a row are not there because of an outage, or since the sender was restarted
     def __init__(self):
-        self.counts,self.next = {},None     # {message id: frames}; the sequence number that should come now
-        self.missing,self.doubled = 0,0     # numbers that never came; frames that came again
-        self.beside = {}                    # all who are heard through the same peer: {(system, component): _Source}
-        self._open = {}                     # missing numbers that may still come, and at which frame they were missed
-        self._run,self._awaited = 0,None    # frames in a row that seem late, and the one that would be the next of them
-        self.skipped = 0                    # numbers of gaps that were longer, and say nothing of the way
-        self.restarts = 0                   # how often its numbers began anew
+        self.counts = {}        # {message id: frames}
+        self.next = None        # the sequence number that should come now
+        self.missing = 0        # numbers that never came
+        self.doubled = 0        # frames that came again
+        self.beside = {}        # all that come through the same peer: {(system, component): _Source}
+        self._open = {}         # missing numbers that may still come, and at which frame they were missed
+        self._run = 0           # frames in a row that seem late
+        self._awaited = None    # the number that would be the next of them
+        self.skipped = 0        # numbers of gaps that were longer, and say nothing of the way
+        self.restarts = 0       # how often its numbers began anew
 
     @property
     def received(self)->int: return sum(self.counts.copy().values())        # frames
@@ -290,9 +294,11 @@ class FrameReader:
     ):
         store_attr('wanted,datagrams,check,only_signed')
         self.sources = Sources() if sources is None else sources
-        self.bad,self._rest = 0,b''         # pieces of garbage; the beginning of a frame
-        self._lost = False                  # True from garbage to the next frame with a good CRC
-        self.seen,self._kinds = {},{}       # what came through here: {(system,component): _Source}, {header: _Kind}
+        self.bad = 0            # pieces of garbage
+        self._rest = b''        # the beginning of a frame
+        self._lost = False      # True from garbage to the next frame with a good CRC
+        self.seen = {}          # {(system,component): _Source}
+        self._kinds = {}        # {header: _Kind}
         self._cleared = self.sources.cleared
 
     def restart(self):

@@ -178,8 +178,8 @@ class _UDPIn(UDPLink):
         if peer is not None: return self._send(data, peer)
         peers,now = dict(self.peers),clock.monotonic()
         latest = max(peers.values(), default=0)
-        for peer,heard in peers.items():
-            if heard==latest or now-heard<self.forget: self._send(data, peer)
+        for peer,welcome in peers.items():
+            if welcome==latest or now-welcome<self.forget: self._send(data, peer)
 
 # %% ../../nbs/api/wire/03_links.ipynb #c0edf032
 _elsewhere = dict(udp='udpin:', udpin='udpin:', udpout='udpout:', tcp='tcp:', tcpout='tcp:', tcpin='tcpin:', serial='')
@@ -328,7 +328,7 @@ class _Client:
     "One client of a TCP server"
     def __init__(self, sock:socket.socket):
         self.sock,self.outbox = sock,_tcp_outbox(sock)
-        self.heard,self.is_welcome = clock.monotonic(),False
+        self.received,self.is_welcome = clock.monotonic(),False
 
     def __repr__(self): return 'a TCP client'
 
@@ -377,7 +377,7 @@ def _accept(self:_TCPIn):
     except OSError as e:              # no file descriptor is left: nothing to be gained by trying again at once
         log.warning('cannot accept a TCP client: %s', e)
         return clock.sleep(.1)
-    if len(self.clients)>=self.most: self._drop(min(self.clients, key=lambda c: (c.is_welcome,c.heard)))
+    if len(self.clients)>=self.most: self._drop(min(self.clients, key=lambda c: (c.is_welcome,c.received)))
     client = _Client(sock)
     self.clients.add(client)
     self._ready.register(sock, selectors.EVENT_READ, client)
@@ -394,7 +394,7 @@ def recv(self:_TCPIn):
             elif client in self.clients:            # and not just dropped
                 try: data = client.sock.recv(65536)
                 except OSError: data = b''
-                client.heard = clock.monotonic()
+                client.received = clock.monotonic()
                 if data: self._inbox.append((data, client))
                 else: self._drop(client)
     return self._inbox.popleft()
@@ -407,10 +407,11 @@ _why_not = {errno.ENOENT:'it is not there; `python -m serial.tools.list_ports` l
 # %% ../../nbs/api/wire/03_links.ipynb #e0f7d68d
 def _serial_trouble(name:str, error:Exception)->str:
     "Why a serial port cannot be opened, in one sentence; `error` is pyserial's"
-    if re.match(r'[A-Za-z]\w+:.', name): return f'{name!r} is no link: links begin with {" ".join(_prefixes())} or name a serial port'
+    kinds = ' '.join(_prefixes())
+    if re.match(r'[A-Za-z]\w+:.', name): return f'{name!r} is no link: links begin with {kinds} or name a serial port'
     said = str(error).replace('invalid literal for int() with base 10: ', 'no baud rate is ')
     why = _why_not.get(getattr(error, 'errno', None), said)
-    others = '' if '/' in name else f' (other links begin with {" ".join(_prefixes())})'
+    others = '' if '/' in name else f' (other links begin with {kinds})'
     return f'cannot open serial port {name}: {why}{others}'
 
 # %% ../../nbs/api/wire/03_links.ipynb #b56b99a8

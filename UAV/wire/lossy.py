@@ -25,7 +25,8 @@ log = get_logger('lossy')
 # %% ../../nbs/api/wire/04_lossy.ipynb #b095b3e5
 class LossyLink(Link):
     "Wraps a link, and treats what passes like a bad radio does; the same seed brings the same fate"
-    buffer,hold = 4096,.1 # bytes that may wait for the line; seconds that a late frame waits to be overtaken
+    buffer = 4096 # bytes that may wait for the line
+    hold = .1 # seconds that a late frame waits to be overtaken
     most = 1<<16 # frames on their way at a time
 
     def __init__(self,
@@ -45,7 +46,8 @@ class LossyLink(Link):
         store_attr('loss,duplicate,reorder,bit_errors,latency,jitter,baudrate,outages,seed')
         self.link,self._name = (open_link(link),repr(link)) if isinstance(link, str) else (link,type(link).__name__)
         self._writer,self._reader,self._gone,self._rests = None,None,False,{}
-        self.up,self.opened,self._closed,self.datagrams = True,clock.monotonic(),False,self.link.datagrams
+        self.datagrams = self.link.datagrams
+        self.up,self.opened,self._closed = True,clock.monotonic(),False
 
     def __setattr__(self, name, value):
         if name=='outages': value = _periods(value)
@@ -113,9 +115,12 @@ class Direction:
     def __init__(self, link:LossyLink, name:str):
         self.link,self.name,self.dice = link,name,{}       # {kind of frame: its generator}
         for what in self.counted: setattr(self, what, 0)
-        self.waiting,self.late = [],[]      # sorted (due, count, data, peer); those of them that may be overtaken
+        self.waiting = []       # sorted (due, count, data, peer)
+        self.late = []          # those of them that may be overtaken
         self.changed = clock.Condition()
-        self._count,self._free,self._last = 0,0.,0.       # the line is free at; the last frame in order is due at
+        self._count = 0
+        self._free = 0.         # when the line is free
+        self._last = 0.         # when the last frame in order is due
 
     def __repr__(self):
         counts = (f'{n} {what}' for what in self.counted if (n := getattr(self, what)) or what=='sent')

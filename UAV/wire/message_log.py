@@ -392,12 +392,14 @@ class _Lane:
 # %% ../../nbs/api/wire/07_message_log.ipynb #8dc7a007
 def _lanes_of(rows:list, entries:list, heartbeats:dict, counts:bool=True)->dict:
     "`{(system, component): _Lane}` for `rows`, from left to right; `entries` are all that passed, shown or not"
-    ours,heard = {e.source for e in entries if e.sent},{e.source for e in entries}|set(heartbeats)
+    ours = {e.source for e in entries if e.sent}
+    present = {e.source for e in entries}|set(heartbeats)
     beats = Counter(e.source for e in entries if e.name=='HEARTBEAT') if counts else {}
     lanes = {}
     def add(a):
-        name,below = _component_name(a, heartbeats.get(a)),_address_text(a)+(f' ♥{beats[a]}' if a in beats else '')
-        lanes.setdefault(a, _Lane(len(lanes), name, below, a in ours, a not in heard))
+        name = _component_name(a, heartbeats.get(a))
+        below = _address_text(a)+(f' ♥{beats[a]}' if a in beats else '')
+        lanes.setdefault(a, _Lane(len(lanes), name, below, a in ours, a not in present))
 
     for row in rows:            # those who speak, and whom they speak to; then those who only hear what is for several
         for address in (row.source,row.target)[:1+all(row.target)]: add(address)
@@ -413,7 +415,7 @@ def chart(self:MessageLog,
     times:bool=False, # Draw a ruler of seconds as well
     counts:bool=True, # Say how many heartbeats and other messages were left out
 )->Chart:
-    "A picture of who said what to whom; raises `ValueError` for a name that the dialect does not have"
+    "A picture of the messages between components; raises `ValueError` for a name that the dialect does not have"
     entries = _once(self.entries())
     _pair(entries)
     shown = _told(entries, names, self.usual)

@@ -42,7 +42,8 @@ class Signing(Closes):
         clock=clock.utc, # UNIX time
     ):
         key = secret_key(key)
-        self._hash,self.fingerprint,self.clock = hashlib.sha256(key),hashlib.sha256(key).hexdigest()[:8],clock
+        self._hash,self.clock = hashlib.sha256(key),clock
+        self.fingerprint = self._hash.hexdigest()[:8]
         self.accept_unsigned = accept_unsigned if callable(accept_unsigned) else frozenset(accept_unsigned)
         self.dropped,self._lock = Counter(),_clock.Lock()
         self.reserve = _Reserve(state, self.fingerprint, self.most, _last_believed(_ticks(clock())))
