@@ -264,15 +264,18 @@ class _SenderTimes:
     def __call__(self, stamp:int, now:float)->float:
         "When to show a picture with this stamp that has come `now`, monotonic s"
         half,before,self._stamp = self._half,self._stamp,stamp
-        step = 0. if before is None else ((stamp-before+half)%(2*half)-half)/clock_rate
+        step = 0. if before is None else ((stamp-before+half)%(2*half)-half)/clock_rate     # s, over the wrap, too
         self._same = 0 if step else self._same+1
-        due,waited,self._came = self._time+step,now-self._came,now
-        is_fast,is_slow = due-now>self.off,now-due>self.off and 2*abs(step)<waited<1       # its clock, not the network
+        waited,self._came = now-self._came,now
+        due = self._time+step
+        is_fast = due-now>self.off
+        is_slow = now-due>self.off and 2*abs(step)<waited<1         # its clock, not the network
         if abs(step)<self.jump and (is_fast or is_slow): self._trusted = False
         anew = abs(step)>self.jump or now-due>self.jump or self._same>1 or not self._trusted
+        most = abs(step)/4                                          # no two pictures change places
         if before is None: self._time = now
         elif anew: self._time = max(now, self._time+1/clock_rate)
-        else: self._time = due+min(max((now-due)*self.gain, -abs(step)/4), abs(step)/4)
+        else: self._time = due+min(max((now-due)*self.gain, -most), most)
         return self._time
 
 # %% ../../nbs/api/video/03_receivers.ipynb #974a59c6
@@ -463,7 +466,7 @@ def _add(self:RTPReader, sequence, marker, timestamp, payload)->list:
     other = timestamp!=self._timestamp or self._marked and first            # of another picture?
     units = self._turn(missing, first) if other else []
     if self._marked and not other: self._distrust(slice)
-    if missing and not other: self._whole = self._whole and False
+    if missing and not other and self._whole: self._whole = False
     self._last,self._timestamp,self._marked = sequence,timestamp,marker or self._marked and not payload
     self._sliced = self._sliced or slice
     try: self._data += _rtp_payload(payload, self.codec) if self._whole and payload else b''
@@ -477,7 +480,7 @@ def _add(self:RTPReader, sequence, marker, timestamp, payload)->list:
 def _turn(self:RTPReader, missing:int, first:bool)->list:
     "Another picture begins; that `missing` packets are of the one before is ruled out by a single one of this one"
     if self.trust is None and self._marked and self._sliced and not missing: self.trust = True
-    elif missing>(not first) and self._data: self._whole = self._whole and False
+    elif missing>(not first) and self._data and self._whole: self._whole = False
     units = self._complete()
     if missing and not first: self._whole = False
     return units

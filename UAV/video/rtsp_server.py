@@ -74,7 +74,8 @@ def _crowd(self:RTSPServer, host:str)->list:
     "The connections of which there are too many for one more from `host`: its own, or all; empty when there is a place"
     every = list(self.connections.values())
     same = [c for c in every if c.host==host]
-    return same if len(same)>=self.each else every if len(every)>=self.most else []
+    if len(same)>=self.each: return same
+    return every if len(every)>=self.most else []
 
 @patch
 def _admit(self:RTSPServer, sock, address:tuple):
