@@ -1,4 +1,4 @@
-"""Video: frames in, bytes out, and back again. It has never heard of MAVLink, nor of cameras. Each name is loaded when it is asked for."""
+"""Video: frames in, bytes out, and back again. It imports neither MAVLink nor cameras. Each name is loaded on first use."""
 _rooms = {'UAV.video.units': 'AccessUnit Sink VideoFormat', 'UAV.video.encoder': 'Encoder', 'UAV.video.rtsp': 'RTPSender',
           'UAV.video.senders': 'TSSender TSServer', 'UAV.video.rtsp_server': 'RTSPServer', 'UAV.video.stream': 'VideoStream',
           'UAV.video.recorder': 'Recorder', 'UAV.video.player': 'Player PlayerError strip'}

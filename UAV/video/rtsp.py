@@ -32,7 +32,7 @@ def _hashed(*parts:str, kind:str='md5')->str:
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #f694c6f0
 def _proof(secret:str, method:str, given:dict, kind:str='md5')->str:
-    "The field `response`, with which a player proves that it knows the secret"
+    "Return the field `response`, with which a player proves that it knows the secret"
     parts = [given.get(name, '') for name in ('nonce','nc','cnonce','qop')]
     asked = _hashed(method, given.get('uri', ''), *[_hashed('', kind=kind)]*(given.get('qop')=='auth-int'), kind=kind)
     return _hashed(secret, *(parts if given.get('qop') else parts[:1]), asked, kind=kind)
@@ -59,7 +59,7 @@ def _strength(challenge:tuple)->int:
 def _quoted(text:str)->str: return re.sub(r'([\\"])', r'\\\1', text)
 
 def _authorization(challenge:str, method:str, url:str, user:str, password:str, count:int=1)->str:
-    "The header Authorization that answers the strongest challenge, the `count`th with it; empty when none is known"
+    "Return the Authorization that answers the strongest challenge, the `count`th with it; empty when none is known"
     scheme,fields = max(_challenges(challenge), key=_strength, default=('',{}))
     if _strength((scheme, fields))<0: return ''
     if scheme=='basic': return 'Basic '+b64encode(f'{user}:{password}'.encode()).decode()
@@ -83,13 +83,13 @@ class _Digest:
         self.realm,self._secret = realm,_hashed(user, realm, password)
 
     def knows(self, method:str, header:str)->bool:
-        "Whether the header Authorization comes from one who knows the password"
+        "True if the header Authorization comes from one who knows the password"
         given = _auth_fields(header)
         right = _same(given.get('response', ''), _proof(self._secret, method, given))
         return right and header.partition(' ')[0].lower()=='digest'
 
     def challenge(self, method:str, header:str, nonce:str)->str:
-        "The header WWW-Authenticate of a 401; empty when the request has the right answer to this nonce"
+        "Return the header WWW-Authenticate of a 401; empty when the request has the right answer to this nonce"
         knows,given = self.knows(method, header),_auth_fields(header)
         if knows and _same(given.get('nonce', ''), nonce): return ''
         return f'Digest realm="{self.realm}", nonce="{nonce}"'+(', stale=TRUE' if knows else '')
@@ -99,7 +99,7 @@ def _same(a:str, b:str)->bool: return hmac.compare_digest(a.encode(), b.encode()
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #6a62b9c9
 def _fragments(nal:bytes, codec:str='h264', size:int=1388)->list:
-    "A NAL unit cut into payloads of at most `size` bytes: FU-A of RFC 6184, or FU of RFC 7798"
+    "Return a NAL unit cut into payloads of at most `size` bytes: FU-A of RFC 6184, or FU of RFC 7798"
     if codec=='h264': header,body = bytes([nal[0]&0xe0|28]),nal[1:]
     else: header,body = bytes([nal[0]&0x81|49<<1, nal[1]]),nal[2:]
     room = size-len(header)-1
@@ -111,7 +111,7 @@ def _fragments(nal:bytes, codec:str='h264', size:int=1388)->list:
 _padding = dict(h264=(9,12), h265=(35,38)) # access unit delimiter, filler data
 
 def _payloads(unit:AccessUnit, size:int=1388)->list:
-    "The payloads of the RTP packets of a picture, in order; `size` bytes each at most, 1400 with the RTP header"
+    "Return the payloads of the RTP packets of a picture, in order; `size` bytes each at most, 1400 with the RTP header"
     codec = unit.format.codec
     nals = [nal for nal in nal_units(unit.data) if _nal_type(nal, codec) not in _padding[codec]]
     return [piece for nal in nals for piece in ([nal] if len(nal)<=size else _fragments(nal, codec, size))]
@@ -129,7 +129,7 @@ class _RTPStream:
     __repr__ = basic_repr('ssrc,packets_sent,octets_sent')
 
     def timestamp(self, seconds:float)->int:
-        "The time stamp of that moment"
+        "Return the time stamp of that moment"
         return self.start+round(seconds*clock_rate) & 0xffff_ffff
 
     def _packet(self, payload:bytes, timestamp:int, marker:bool)->bytes:
@@ -140,13 +140,13 @@ class _RTPStream:
         return header+payload
 
     def packets(self, unit:AccessUnit)->list:
-        "The RTP packets of one picture"
+        "Return the RTP packets of one picture"
         if unit.time_utc: self.utc_offset = unit.time_utc-unit.time
         pieces,timestamp = _payloads(unit, self.size),self.timestamp(unit.time)
         return [self._packet(piece, timestamp, marker=n==len(pieces)) for n,piece in enumerate(pieces, 1)]
 
     def report(self, now:float|None=None)->bytes:
-        "An RTCP sender report, with our name (SDES), of `now`, monotonic s"
+        "Return an RTCP sender report, with our name (SDES), of `now`, monotonic s"
         now = clock.monotonic() if now is None else now
         ntp = int((now+self.utc_offset+_SenderClock.since_1900)*2**32)
         sent = self.packets_sent & 0xffff_ffff,self.octets_sent & 0xffff_ffff
@@ -155,11 +155,11 @@ class _RTPStream:
             + struct.pack('!BBHIBB12s2x', 0x81, 202, 5, self.ssrc, 1, len(name), name))
 
     def goodbye(self)->bytes:
-        "The last report: the stream has ended (BYE)"
+        "Return the last report: the stream has ended (BYE)"
         return self.report()+struct.pack('!BBHI', 0x81, 203, 1, self.ssrc)
 
     def due_report(self, now:float|None=None)->bytes:
-        "A sender report, when it is time for one; else nothing"
+        "Return a sender report, when it is time for one; else nothing"
         now = clock.monotonic() if now is None else now
         if now<self.next_report: return b''
         self.next_report = now+5*random.uniform(.5, 1.5)
@@ -172,7 +172,7 @@ def _is_report(data:bytes)->bool: return len(data)>=8 and data[0]>>6==2 and data
 _sprop = {32:'vps', 33:'sps', 34:'pps'}
 
 def _parameters(format:VideoFormat)->str:
-    "The `fmtp` parameters: RFC 6184, section 8.1, or RFC 7798, section 7.1"
+    "Return the `fmtp` parameters: RFC 6184, section 8.1, or RFC 7798, section 7.1"
     sets = parameter_sets(format.headers, format.codec)
     texts = [b64encode(nal).decode() for nal in sets]
     if format.codec=='h265':
@@ -183,7 +183,7 @@ def _parameters(format:VideoFormat)->str:
 # %% ../../nbs/api/video/04_rtsp.ipynb #b6f56224
 def _sdp(format:VideoFormat, host:str='0.0.0.0', port:int=0, name:str='video', control:str|None=None,
          ttl:int|None=None)->str:
-    "A description of a stream to an address; RTSP agrees on a port (0), and has `control`, the stream's relative URL"
+    "Return a description of a stream to an address; RTSP agrees on a port (0), and has `control`, a relative URL"
     family = 'IP6' if ':' in host else 'IP4'
     address = host if ttl is None or family=='IP6' else f'{host}/{ttl}'
     origin = f'{crc32(repr(format).encode())} 1 IN {family} {host}'       # the same stream, the same number
@@ -204,7 +204,7 @@ class RTPSender(UDPSink):
         self.rtp,self.format = _RTPStream(),None
 
     def send(self, unit:AccessUnit):
-        "One picture, and a report when it is time for one"
+        "Send a picture, and a report when it is time for one"
         self.format = unit.format
         for packet in self.rtp.packets(unit): self.send_datagram(packet)
         if report := self.rtp.due_report(): self.send_datagram(report, beside=1)
@@ -218,7 +218,7 @@ class RTPSender(UDPSink):
 def sdp_file(self:RTPSender, path=None, # Where to write it
              timeout:float=5., # s that the encoder may take to know its headers
             )->str:
-    "The description that a player needs; raises `TimeoutError` when there is no picture yet"
+    "Return the description that a player needs; raises `TimeoutError` when there is no picture yet"
     format = self.format or (self.source and self.source.wait_format(timeout))
     if not format: raise TimeoutError(f'{self!r} has had no picture yet')
     host,port = self.address[:2]
@@ -257,11 +257,11 @@ class _Request:
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #ebcf25eb
 def _head_lines(head:bytes)->list:
-    "The first line and the headers of a request or answer; a header that goes on is one"
+    "Return the first line and the headers of a request or answer; a header that goes on is one"
     return re.split(r'\r?\n', re.sub(r'\r?\n[ \t]+', ' ', head.decode(errors='replace')))
 
 def _parse_head(head:bytes)->_Request:
-    "The request that it begins; raises `RTSPError`"
+    "Return the request that it begins; raises `RTSPError`"
     first,*lines = _head_lines(head)
     match = re.fullmatch(r'([\w$!#-]+) (\S+) RTSP/(\d+\.\d+)', first)
     if not match: raise RTSPError(400)
@@ -294,7 +294,7 @@ class _RequestReader:
     def __init__(self): self._data = bytearray()
 
     def feed(self, data:bytes):
-        "All that is complete with `data`, one after the other; raises `RTSPError`, and then nothing more can be read"
+        "Yield all that is complete with `data`, in order; raises `RTSPError`, and then nothing more can be read"
         self._data += data
         while item := self._next(): yield item
 
@@ -345,7 +345,7 @@ class _Transport:
     pair:tuple # For RTP, and for RTCP
 
     def header(self, ports:tuple, ssrc:int)->str:
-        "The `_Transport` header of our answer"
+        "Return the `_Transport` header of our answer"
         first,second = self.pair
         if self.tcp: return f'RTP/AVP/TCP;unicast;interleaved={first}-{second};ssrc={ssrc:08X};mode="PLAY"'
         server = f'server_port={ports[0]}-{ports[1]}'
@@ -384,13 +384,13 @@ class _Session:
         self.id,self.rtp = secrets.token_hex(8),_RTPStream()
 
     def overdue(self, now:float)->bool:
-        "Whether the client has been silent longer than `timeout`, at `now` (monotonic s)"
+        "True if the client has been silent longer than `timeout`, at `now` (monotonic s)"
         return now-self.last_seen>self.timeout
 
     def _options(self, request:_Request)->_Response: return _Response(200, {'Public': ', '.join(_offered)})
 
     def _get_parameter(self, request:_Request)->_Response:
-        "A sign of life; parameters we have none"
+        "Answer a sign of life; parameters we have none"
         if request.body.strip(): raise RTSPError(451)
         return _Response()
     _set_parameter = _get_parameter
@@ -412,7 +412,7 @@ _offered = 'OPTIONS','DESCRIBE','SETUP','PLAY','PAUSE','TEARDOWN','GET_PARAMETER
 _known = *_offered,'ANNOUNCE','RECORD','REDIRECT'
 
 def _cseq(request:_Request)->str:
-    "Its number, or nothing when that is none"
+    "Return its number, or nothing when that is none"
     number = request.headers.get('cseq', '')
     return number if re.fullmatch('[0-9]{1,10}', number) else ''
 
@@ -448,7 +448,7 @@ def answer(self:_Session, request:_Request)->_Response:
 # %% ../../nbs/api/video/04_rtsp.ipynb #5a6f97c1
 @patch
 def _locate(self:_Session, request:_Request)->tuple:
-    "The path of a video, and whether the URI names its stream; raises `RTSPError`"
+    "Return the path of a video, and whether the URI names its stream; raises `RTSPError`"
     path = request.path
     if path in self.videos: return path,False
     video,_,track = path.rpartition('/')
