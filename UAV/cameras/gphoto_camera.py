@@ -21,6 +21,43 @@ from ..utils.pictures import decode_picture
 # %% auto #0
 __all__ = ['GPhotoCamera']
 
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #80690847
+class GPhotoCamera(Camera):
+    "A camera body on USB, through gphoto2; raises `CameraError` when there is none"
+    first_retry,last_retry = .5,10.     # s between attempts to find a body that is gone, doubled each time
+    second_file = 3.                    # s that the second file of RAW+JPEG may come after the first
+    min_interval = .5
+    def __init__(self, port:str|None=None, # Such as 'usb:001,004', which changes with each plugging in; `None`: any
+                 folder:str|Path|None=None, quota:float|None=None, storages:list|None=None, # As for Camera
+                 pose=None): # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
+        self._body = body = _Body(port, (self.first_retry,self.last_retry))
+        self._live,self._latest,self._numbers,self.pose = True,None,itertools.count(),pose
+        try:
+            body.tried.wait(self.patience)
+            self._settings = body.do(lambda camera: _find_settings(body.gp, camera), self.patience)
+            self.declared = [*self.declared, *(p for p,_ in self._settings.values())]
+            vendor,_,model = body.model.partition(' ')
+            self.information = CameraInformation(vendor[:31], (model or vendor)[:31])
+            super().__init__(folder, quota, storages=storages)
+        except BaseException:
+            body.close()
+            raise
+        body.tell = self.set_fault
+        self.set_fault(body.fault)
+
+    @classmethod
+    def open(cls, url, # `DeviceURL`: gphoto2:// or gphoto2:///usb:001,004
+             **storage): # As for Camera
+        "Open the body of a URL"
+        return cls(url.path.strip('/') or None, **storage)
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #b5ab1ae4
+@patch
+def close(self:GPhotoCamera):
+    "Stop, and let go of the body; may be called twice"
+    super(GPhotoCamera, self).close()
+    self._body.close()
+
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #4a24e39a
 def _gphoto2():
     "Import the package gphoto2; raises `CameraError` with the command that installs it"
@@ -170,43 +207,6 @@ def _jpeg_at(data:bytes, at:int)->bytes:
 def _jpeg_in(raw:bytes)->bytes:
     "Return the largest JPEG in a RAW picture; empty when there is none"
     return max((_jpeg_at(raw, m.start()) for m in re.finditer(rb'\xff\xd8\xff', raw)), key=len, default=b'')
-
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #80690847
-class GPhotoCamera(Camera):
-    "A camera body on USB, through gphoto2; raises `CameraError` when there is none"
-    first_retry,last_retry = .5,10.     # s between attempts to find a body that is gone, doubled each time
-    second_file = 3.                    # s that the second file of RAW+JPEG may come after the first
-    min_interval = .5
-    def __init__(self, port:str|None=None, # Such as 'usb:001,004', which changes with each plugging in; `None`: any
-                 folder:str|Path|None=None, quota:float|None=None, storages:list|None=None, # As for Camera
-                 pose=None): # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
-        self._body = body = _Body(port, (self.first_retry,self.last_retry))
-        self._live,self._latest,self._numbers,self.pose = True,None,itertools.count(),pose
-        try:
-            body.tried.wait(self.patience)
-            self._settings = body.do(lambda camera: _find_settings(body.gp, camera), self.patience)
-            self.declared = [*self.declared, *(p for p,_ in self._settings.values())]
-            vendor,_,model = body.model.partition(' ')
-            self.information = CameraInformation(vendor[:31], (model or vendor)[:31])
-            super().__init__(folder, quota, storages=storages)
-        except BaseException:
-            body.close()
-            raise
-        body.tell = self.set_fault
-        self.set_fault(body.fault)
-
-    @classmethod
-    def open(cls, url, # `DeviceURL`: gphoto2:// or gphoto2:///usb:001,004
-             **storage): # As for Camera
-        "Open the body of a URL"
-        return cls(url.path.strip('/') or None, **storage)
-
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #b5ab1ae4
-@patch
-def close(self:GPhotoCamera):
-    "Stop, and let go of the body; may be called twice"
-    super(GPhotoCamera, self).close()
-    self._body.close()
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #d8a8f065
 @patch

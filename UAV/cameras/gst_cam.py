@@ -24,6 +24,49 @@ from ..utils.pictures import NewestFrame
 # %% auto #0
 __all__ = ['BaseCamera', 'GSTCamera', 'CV2Camera', 'config_file']
 
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #bcb0e7c3
+_all_ = ['BaseCamera', 'CV2Camera', 'config_file']
+
+BaseCamera = Camera         # its name in the first `UAV`
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #0c8ef6fd
+class GSTCamera(_LiveCamera):
+    "A camera that GStreamer can open"
+    _lease = 3.                          # s that frames are made for one who has asked for a frame
+    close_timeout = 5.                  # s that the end of a pipeline may take
+
+    def __init__(self,
+                 config=None, # A pipeline: a string, or a list of strings that `!` joins; or the name of a TOML file
+                 camera_dict:dict|None=None, # Sections as in a TOML file, which count more than the file's
+                 loglevel:int=LogLevels.INFO, open_timeout:float=10.,
+                 read_timeout:float=3., # s until the first frame, and between two of them
+                 folder:str|Path|None=None, quota:float|None=None, storages:list|None=None, # As for Camera
+                 pose=None): # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
+        "Raises `ValueError` for an invalid configuration, and `CameraError` without a picture"
+        store_attr('open_timeout,read_timeout,pose')
+        self.recipe = _recipe_of(_read_sections(config, camera_dict))
+        line,codec = _whole_line(self.recipe)
+        self.information,self.controls = self.recipe.information,_GSTControls(self.recipe.parameters)
+        super().__init__(folder, quota, storages=storages)
+        self.log.setLevel(loglevel)
+        self.newest,self.keeper = _AskedFrame(),_Keeper(line, self, self.information.model)
+        self.encoder = _PipelineEncoder(self, codec) if codec else None
+        self._begin()
+
+    line = property(lambda self: self.keeper.line, doc="The whole pipeline, as GStreamer gets it")
+    position = property(lambda self: self.recipe.position, doc="On the vehicle: x, y, z (m), roll, pitch, yaw (°)")
+    def close(self):
+        "Stop, and release the source; may be called twice"
+        self.controls.leave(self.keeper.pipeline)
+        self.keeper.closing.set()
+        super().close()
+        if self.encoder: self.encoder.close()
+        self.newest.end(f'{self!r} is closed', forget=True)
+        if not self.keeper.close(self.close_timeout): self.log.error('%r does not let go of its source', self)
+
+    _coded = property(lambda self: bool(self.encoder and not self.recipe.encoder),
+        doc="Does the source itself give H.264 or H.265?")
+
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #104d2078
 _kinds = dict(gboolean='bool', gint='int32', guint='uint32', gint64='int64', guint64='uint64',
               gfloat='float', gdouble='float')
@@ -196,11 +239,6 @@ def _run(self:_Keeper):
         self.closing.wait(wait)
     self.pipeline = None            # its sockets close with it
 
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #bcb0e7c3
-_all_ = ['BaseCamera', 'CV2Camera', 'config_file']
-
-BaseCamera = Camera         # its name in the first `UAV`
-
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #38d25435
 class _AskedFrame(NewestFrame):
     "The newest frame of a source that makes frames while one asks"
@@ -213,44 +251,6 @@ class _AskedFrame(NewestFrame):
         try: return super().next(after, timeout, fails)
         finally:
             with self.changed: self.waiting,self.asked = self.waiting-1,clock.monotonic()
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #0c8ef6fd
-class GSTCamera(_LiveCamera):
-    "A camera that GStreamer can open"
-    _lease = 3.                          # s that frames are made for one who has asked for a frame
-    close_timeout = 5.                  # s that the end of a pipeline may take
-
-    def __init__(self,
-                 config=None, # A pipeline: a string, or a list of strings that `!` joins; or the name of a TOML file
-                 camera_dict:dict|None=None, # Sections as in a TOML file, which count more than the file's
-                 loglevel:int=LogLevels.INFO, open_timeout:float=10.,
-                 read_timeout:float=3., # s until the first frame, and between two of them
-                 folder:str|Path|None=None, quota:float|None=None, storages:list|None=None, # As for Camera
-                 pose=None): # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
-        "Raises `ValueError` for an invalid configuration, and `CameraError` without a picture"
-        store_attr('open_timeout,read_timeout,pose')
-        self.recipe = _recipe_of(_read_sections(config, camera_dict))
-        line,codec = _whole_line(self.recipe)
-        self.information,self.controls = self.recipe.information,_GSTControls(self.recipe.parameters)
-        super().__init__(folder, quota, storages=storages)
-        self.log.setLevel(loglevel)
-        self.newest,self.keeper = _AskedFrame(),_Keeper(line, self, self.information.model)
-        self.encoder = _PipelineEncoder(self, codec) if codec else None
-        self._begin()
-
-    line = property(lambda self: self.keeper.line, doc="The whole pipeline, as GStreamer gets it")
-    position = property(lambda self: self.recipe.position, doc="On the vehicle: x, y, z (m), roll, pitch, yaw (°)")
-    def close(self):
-        "Stop, and release the source; may be called twice"
-        self.controls.leave(self.keeper.pipeline)
-        self.keeper.closing.set()
-        super().close()
-        if self.encoder: self.encoder.close()
-        self.newest.end(f'{self!r} is closed', forget=True)
-        if not self.keeper.close(self.close_timeout): self.log.error('%r does not let go of its source', self)
-
-    _coded = property(lambda self: bool(self.encoder and not self.recipe.encoder),
-        doc="Does the source itself give H.264 or H.265?")
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #50aa6dd7
 @patch

@@ -55,7 +55,7 @@ def _component(p): return seen_if(100<=p.target[1]<=105, f'it is {p.target[1]}')
 def _sequence(p):
     since = len(p.record)
     for _ in range(10): p.ask('CAMERA_INFORMATION')
-    seqs = [h.msg.get_seq() for h in p.record.heard[since:] if p.ours(h)]
+    seqs = [h.msg.get_seq() for h in p.record.arrivals[since:] if p.ours(h)]
     given(len(seqs)>10, f'only {len(seqs)} frames came')
     gaps = sum((b-a-1)%256 for a,b in zip(seqs, seqs[1:]))
     return seen_if(gaps<=len(seqs)/5, f'{len(seqs)} frames, {gaps} missing')
@@ -75,7 +75,7 @@ def _info(p): return given(p.information, 'no CAMERA_INFORMATION')
 
 # %% ../../nbs/api/check/02_basics.ipynb #3d266a62
 def _c_string(values)->str|None:
-    "The text of a field of bytes; `None` when it has no end, or is none"
+    "Return the text of a field of bytes; `None` without an end, or if it isn't text"
     data,end,_ = bytes(values).partition(b'\0')
     try: return data.decode() if end else None
     except UnicodeDecodeError: return None
@@ -134,7 +134,7 @@ def _clock(p):
 _about = 'devguide ping.md; common.xml PING'
 
 def _ping(p, *to:int, timeout:float|None=None)->tuple:
-    "`(what we sent, the first PING with its time, or None)`; it is for all, or for the address `to`"
+    "Send a PING to all, or to the address `to`; return it and the first PING with its time, or `None`"
     sent = p.mav.ping_encode(clock.time_ns()//1000, 17, *(to or (0,0)))
     return sent,p.wait('PING', p.send(sent), lambda m: m.time_usec==sent.time_usec, timeout)
 
@@ -148,7 +148,7 @@ def _answered(p):
 
 # %% ../../nbs/api/check/02_basics.ipynb #19f7749c
 def _for_us(p, msg)->str:
-    "Whom an answer is for; raises `NotMet` when that is not the one who asked"
+    "Return an answer's target as text; raises `NotMet` unless that's our address"
     to = msg.target_system,msg.target_component
     must(to==p.address, f'it is for {to[0]}/{to[1]}, not {p.address[0]}/{p.address[1]}')
     return f'it is for {to[0]}/{to[1]}'
@@ -302,7 +302,7 @@ def _ack_first(p):
     answer,m = p.ask('CAMERA_INFORMATION')
     given(answer.acks and m, 'no ack, or no message')
     both = 'COMMAND_ACK','CAMERA_INFORMATION'
-    order = [h.name for h in p.record.heard[answer.since:] if p.ours(h) and h.name in both]
+    order = [h.name for h in p.record.arrivals[answer.since:] if p.ours(h) and h.name in both]
     must(order[0]=='COMMAND_ACK', 'the message came first')
     return 'first the ack'
 
@@ -348,7 +348,7 @@ def _streams_at(p, period:float)->Acks: return p.command('SET_MESSAGE_INTERVAL',
 
 @contextmanager
 def _streamed(p, period:float):
-    "For `with`: the status comes every `period` µs; gives the `Acks`. Raises `NotMet` when it floods"
+    "Stream the status every `period` µs in a `with`, and yield the `Acks`; raises `NotMet` for a flood"
     flooded = p.record.flooded
     try: yield _streams_at(p, period)
     finally:
@@ -432,7 +432,7 @@ def _answered_lossy(p):
 # %% ../../nbs/api/check/02_basics.ipynb #d934e04d
 @contextmanager
 def _clear(p):
-    "For `with`: nothing is lost, as long as we look at what became of it"
+    "Switch the simulated loss off in a `with`, to read what became of a command"
     p.link.loss = p.link.duplicate = p.link.reorder = 0.
     try: yield
     finally: p.put_on(p.role.name)
@@ -449,7 +449,7 @@ def _in_the_end(p, field:str, seconds:float)->int:
 
 # %% ../../nbs/api/check/02_basics.ipynb #6f1c1570
 def _shots(p, count:int)->tuple:
-    "`(pictures by the camera's count, index of the first)` of so many presses; raises `Untested`"
+    "Press `count` times; return the number of pictures and the first one's index; raises `Untested`"
     with _clear(p), p.ready('image'): before = p.status()
     answers = []
     for _ in range(count):

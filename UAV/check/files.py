@@ -39,7 +39,7 @@ def _entries(p, path:bytes=b'/')->list:
 
 # %% ../../nbs/api/check/06_files.ipynb #13be7dbf
 def _a_file(p)->str:
-    "The path of a file that may be read: the definition, or the first one; raises `NotForThis`"
+    "Return the path of a readable file: the definition, or the first one; raises `NotForThis`"
     _is_served(p)
     if path := _definition_path(p): return path
     names = [e[1:].partition('\t')[0] for e in _entries(p) if e[0]=='F']
@@ -47,7 +47,7 @@ def _a_file(p)->str:
     return '/'+names[0]
 
 def _must_open(p, path:str, silence='no answer'):
-    "The ACK of a file that is opened; raises `NotMet`"
+    "Open a file and return the ACK; raises `NotMet`"
     reply = must(p.ftp(FtpOp.OPEN_FILE_RO, path.encode()), silence)
     must(reply.opcode==ACK, f'{path}: {reply}')
     return reply
@@ -229,7 +229,7 @@ _told = 'CAMERA_TRACKING_IMAGE_STATUS'
 
 # %% ../../nbs/api/check/06_files.ipynb #1a1331c2
 def _tracked(p, command, *params):
-    "`(answer, status, all statuses)` of tracking that is started, streamed and stopped"
+    "Start, stream and stop tracking; return `(answer, status, all statuses)`"
     p.command('SET_MESSAGE_INTERVAL', message_ids[_told], 250_000)
     answer = p.command(command, *params)
     try:
@@ -259,7 +259,7 @@ _holds('tracking.rectangle', 'It tracks a rectangle, and says so',
 
 # %% ../../nbs/api/check/06_files.ipynb #4a0d882b
 def _start_of(p):
-    "A command that starts to track, and its parameters; raises `NotForThis`"
+    "Return a command that starts tracking, with its parameters; raises `NotForThis`"
     if p.has('HAS_TRACKING_RECTANGLE'): return 'CAMERA_TRACK_RECTANGLE',.4,.4,.6,.6
     if p.has('HAS_TRACKING_POINT'): return 'CAMERA_TRACK_POINT',.5,.5,.05
     raise NotForThis('it does not claim to track')

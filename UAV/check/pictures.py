@@ -17,7 +17,7 @@ __all__ = []
 
 # %% ../../nbs/api/check/03_pictures.ipynb #9941b31d
 def _first(p)->_Shot:
-    "One picture, as QGroundControl takes it; the same one for all that look at it"
+    "Take a picture as QGroundControl does, once for all requirements that only read it"
     if 'shot' not in p.known:
         with p.ready('image'): p.known['shot'] = p.shot(0, 0, 1)
     return p.known['shot']
@@ -25,7 +25,7 @@ def _first(p)->_Shot:
 def _first_notice(p): return given(_first(p).notices, 'no notice')[-1]
 
 def _first_taken(p)->_Shot:
-    "As `_first`; raises `Untested` when it was not accepted"
+    "Take it as `_first`; raises `Untested` if it wasn't accepted"
     given(_first(p).answer, repr(_first(p).answer))
     return _first(p)
 
@@ -158,7 +158,7 @@ def _pair(p):
 
 # %% ../../nbs/api/check/03_pictures.ipynb #89727186
 def _takes_none(p, *params)->Acks:
-    "The `Acks` of a start that must be refused and take nothing; raises `NotMet`"
+    "Send a start that must be refused and take nothing, and return its `Acks`; raises `NotMet`"
     with p.ready('image'):
         found = p.shot(*params, wanted=0)
         if found.answer: p.command(_stop, 0)
@@ -229,7 +229,7 @@ _pace = 1.      # s between two pictures, which most cameras can do
 
 @contextmanager
 def _begun(p, interval, count):
-    "For `with`: a series goes on, and ends; gives the `Acks` of its start. Raises `Untested` when it is not accepted"
+    "Run a series in a `with`, and yield the `Acks` of its start; raises `Untested` if it isn't accepted"
     with p.ready('image'):
         given(answer := p.command(_start, 0, interval, count), f'{answer!r}')
         try: yield answer
@@ -359,7 +359,7 @@ _brings('storage.old', 'The older REQUEST_STORAGE_INFORMATION brings it, too',
 
 # %% ../../nbs/api/check/03_pictures.ipynb #39c987ad
 def _uses(p, storage:int, use:int)->Acks:
-    "Give a storage a use; raises `NotMet`, and `NotForThis` when the camera does not know the command"
+    "Set a storage's use; raises `NotMet`, and `NotForThis` for an unknown command"
     answer = p.command('SET_STORAGE_USAGE', storage, use)
     if answer.name=='UNSUPPORTED': raise NotForThis(answer.name)
     return answer.must_be('ACCEPTED')
@@ -375,7 +375,7 @@ _answers('storage.set-missing', 'The usage of a storage that is not there cannot
 
 # %% ../../nbs/api/check/03_pictures.ipynb #3d4874aa
 def _two_storage(p)->list:
-    "STORAGE_INFORMATION of the storage for pictures, and of another one; raises `Untested`, `NotForThis`"
+    "Return STORAGE_INFORMATION of the storage for pictures, and of another one; raises `Untested`, `NotForThis`"
     found = _storages(p)
     if len(found)<2: raise NotForThis('it has one storage')
     first = given([m for m in found if m.storage_usage & _photo], 'no storage says that it is for pictures')[0]
@@ -384,7 +384,7 @@ def _two_storage(p)->list:
 # %% ../../nbs/api/check/03_pictures.ipynb #b409feb6
 @contextmanager
 def _moved(p):
-    "For `with`: pictures go to another storage; `(from, to, place in the record)`. Raises as `_two_storage`, `NotMet`"
+    "Store pictures elsewhere in a `with`; yield `(from, to, place in the record)`; raises as `_two_storage`, `NotMet`"
     first,second = _two_storage(p)
     flags = [m.storage_usage & ~mavlink.STORAGE_USAGE_FLAG_SET for m in (first,second)]
     answer = _uses(p, second.storage_id, flags[1] | _photo)
@@ -422,7 +422,7 @@ def _moves_count(p):
 # %% ../../nbs/api/check/03_pictures.ipynb #aa8fee78
 _format = dict(destroys=True, pictures=1)
 
-def _first_storage(p)->int: "The number of a storage; raises `Untested`"; return _storages(p)[0].storage_id
+def _first_storage(p)->int: "Return the number of a storage; raises `Untested`"; return _storages(p)[0].storage_id
 
 @requirement('storage.format', 'A storage is formatted, and STORAGE_INFORMATION comes when it is done',
              'common.xml MAV_CMD_STORAGE_FORMAT; QGroundControl', **_format)

@@ -39,13 +39,13 @@ class _Record:
     "All that comes in on a link, but no flood"
     most,most_a_second = 200_000,500     # frames that are kept: a camera that floods must not fill our memory
     def __init__(self, link:Link):
-        self.link,self.heard = link,[]
+        self.link,self.arrivals = link,[]
         self.ended,self.flooded = False,0   # has the link gone? Frames that were too many
         self._second,self._count = 0,0      # the second that it is, and how many came in it
         self._changed,self._readers = clock.Condition(),{}
         self._thread = _begin_thread(self._read, 'recorder')
 
-    def __len__(self): return len(self.heard)
+    def __len__(self): return len(self.arrivals)
     def _read(self):
         while got := self.link.recv(): self._take(*got)
         with self._changed:
@@ -60,9 +60,9 @@ class _Record:
 # %% ../../nbs/api/check/01_prober.ipynb #7d339029
 @patch
 def _room(self:_Record, second:int)->int:
-    "How many more frames are kept in this second"
+    "Return how many more frames are kept in this second"
     if second!=self._second: self._second,self._count = second,0
-    return max(0, min(self.most_a_second-self._count, self.most-len(self.heard)))
+    return max(0, min(self.most_a_second-self._count, self.most-len(self.arrivals)))
 
 # %% ../../nbs/api/check/01_prober.ipynb #63f26dd8
 @patch
@@ -73,20 +73,20 @@ def _take(self:_Record, data:bytes, peer):
     if messages and room: self.link.welcome(peer)
     with self._changed:
         self.flooded += max(0, len(messages)-room)
-        self.heard += [_Arrival(msg, at) for msg in messages[:room]]
+        self.arrivals += [_Arrival(msg, at) for msg in messages[:room]]
         self._count += min(len(messages), room)
         self._changed.notify_all()
 
 # %% ../../nbs/api/check/01_prober.ipynb #4a5a3349
 @patch
 def wait(self:_Record, fits, timeout:float, since:int=0)->_Arrival|None:
-    "The first `_Arrival` that `fits`; `None` when none comes in `timeout` s. Raises `LinkError` when the link has gone"
+    "Wait for the first `_Arrival` that `fits`; `None` after `timeout` s. Raises `LinkError` if the link has ended"
     end = clock.monotonic()+timeout
     with self._changed:
         while True:
-            for heard in self.heard[since:]:
-                if fits(heard): return heard
-            since,left = len(self.heard),end-clock.monotonic()
+            for arrival in self.arrivals[since:]:
+                if fits(arrival): return arrival
+            since,left = len(self.arrivals),end-clock.monotonic()
             if self.ended: raise LinkError('the link has gone')
             if left<=0: return
             self._changed.wait(left)
@@ -117,9 +117,9 @@ class Prober(Closes):
         "The encoder of our role"
         return self._encoders.setdefault(self.address, mavlink.MAVLink(None, *self.address))
 
-    def ours(self, heard:_Arrival)->bool:
+    def ours(self, arrival:_Arrival)->bool:
         "Return whether the camera sent it"
-        return heard.source==self.target
+        return arrival.source==self.target
 
     def has(self, flag:str)->bool:
         "Return whether the camera claims `flag`, such as 'CAPTURE_IMAGE'"
@@ -137,7 +137,7 @@ def send(self:Prober, msg)->int:
 # %% ../../nbs/api/check/01_prober.ipynb #863243bc
 @patch
 def beat(self:Prober):
-    "Our heartbeat, when it is time; an autopilot that we play has none, as the real one would not like that"
+    "Send our heartbeat, if it's due; as autopilot we send none, since the real one may be on the link"
     if clock.monotonic()-self._beaten<1 or self.role.system is None: return
     self._beaten = clock.monotonic()
     state = mavlink.MAV_AUTOPILOT_INVALID,0,0,mavlink.MAV_STATE_ACTIVE
@@ -146,7 +146,7 @@ def beat(self:Prober):
 # %% ../../nbs/api/check/01_prober.ipynb #dc48f0b4
 @patch
 def wait_any(self:Prober, fits, timeout:float, since:int=0)->_Arrival|None:
-    "The first message that fits, from any sender; our heartbeats go on meanwhile"
+    "Wait for the first message that fits, from any sender, and send our heartbeats"
     end = clock.monotonic()+timeout
     while True:
         self.beat()
@@ -161,7 +161,7 @@ def wait(self:Prober, name:str, # Of a message
          since:int, # Where in the record to begin
          fits=lambda msg: True, # What else must be true of it
          timeout:float|None=None): # s; `None`: our patience
-    "The first message of the camera that fits, or `None`"
+    "Wait for the camera's first message that fits; `None` if none comes"
     found = self.wait_any(lambda h: self.ours(h) and h.name==name and fits(h.msg), timeout or self.patience, since)
     return found and found.msg
 
@@ -169,7 +169,7 @@ def wait(self:Prober, name:str, # Of a message
 @patch
 def came(self:Prober, name:str, since:int, fits=lambda msg: True)->list:
     "List the camera's messages of this name, each a `_Arrival`"
-    return [h for h in self.record.heard[since:] if self.ours(h) and h.name==name and fits(h.msg)]
+    return [h for h in self.record.arrivals[since:] if self.ours(h) and h.name==name and fits(h.msg)]
 
 # %% ../../nbs/api/check/01_prober.ipynb #ce8a0889
 @patch
@@ -180,7 +180,7 @@ def listen(self:Prober, seconds:float|None=None):
 # %% ../../nbs/api/check/01_prober.ipynb #40c9a016
 @patch
 def long(self:Prober, command:str|int, *params:float, to:tuple|None=None, confirmation:int=0):
-    "A COMMAND_LONG of our role, which broadcasts when it is ArduPilot; the rest of its parameters are unused"
+    "Return a COMMAND_LONG as our role sends it: ArduPilot broadcasts, MAVSDK writes NaN for unused parameters"
     number = getattr(mavlink, f'MAV_CMD_{command}') if isinstance(command, str) else command
     to = to or ((0,0) if self.role.name=='ardupilot' else self.target)
     return self.mav.command_long_encode(*to, number, confirmation, *params, *[self.role.unused]*(7-len(params)))
@@ -190,29 +190,31 @@ class Acks:
     "A command's acks; as text, its result"
     def __init__(self, command:int, sent:float, since:int, acks:list):
         self.command,self.sent,self.since,self.acks = command,sent,since,acks
-        last = acks[-1].msg if acks else None
-        self.result,self.after = (last.result,acks[0].at-sent) if acks else (None,None)     # MAV_RESULT; s to the first
+        self.result = acks[-1].msg.result if acks else None     # MAV_RESULT
+        self.after = acks[0].at-sent if acks else None          # s to the first
         self.name = enum_name('MAV_RESULT', self.result, 'MAV_RESULT_') if acks else 'no ack'
 
     def __bool__(self): return self.result==mavlink.MAV_RESULT_ACCEPTED
     def __str__(self): return self.name
     def __repr__(self): return f'{enum_name("MAV_CMD", self.command, "MAV_CMD_")}: {self.name}'
     @property
-    def refused(self)->bool: "Is it UNSUPPORTED or DENIED?"; return self.name in ('UNSUPPORTED','DENIED')
+    def refused(self)->bool: "True for UNSUPPORTED and DENIED"; return self.name in ('UNSUPPORTED','DENIED')
     def must_be(self, *names:str)->Acks:
-        "Itself, when its result is one of these, such as 'ACCEPTED'; raises `NotMet`"
+        "Return itself if its result is one of these, such as 'ACCEPTED'; raises `NotMet`"
         must(self.name in names, self.name)
         return self
-    def must_be_refused(self)->Acks: "As `must_be`: UNSUPPORTED or DENIED"; return self.must_be('UNSUPPORTED', 'DENIED')
+    def must_be_refused(self)->Acks:
+        "Return itself if it is UNSUPPORTED or DENIED; raises `NotMet`"
+        return self.must_be('UNSUPPORTED', 'DENIED')
     def must_fail(self)->Acks:
-        "Itself, when it was answered and not accepted; raises `NotMet`"
+        "Return itself if it was answered and not accepted; raises `NotMet`"
         must(self.acks and not self, self.name)
         return self
 
 # %% ../../nbs/api/check/01_prober.ipynb #94925207
 @patch
 def acks(self:Prober, command:int, since:int)->list:
-    "The camera's acks of a command, to us or to all"
+    "Return the camera's acks of a command, to us or to all"
     def ours(m): return all(to in (0,us) for to,us in zip((m.target_system,m.target_component), self.address))
     return self.came('COMMAND_ACK', since, lambda m: m.command==command and ours(m))
 
@@ -221,7 +223,7 @@ _in_progress = mavlink.MAV_RESULT_IN_PROGRESS
 
 @patch
 def await_ack(self:Prober, command:int, since:int, timeout:float|None=None)->list:
-    "All acks of a command until the last one"
+    "Wait for the last ack of a command, and return all"
     def last(h): return any(a.msg.result!=_in_progress for a in self.acks(command, since))
     timeout = timeout or self.patience
     self.wait_any(last, timeout, since)
@@ -253,7 +255,7 @@ message_ids = {cls.msgname:i for i,cls in mavlink.mavlink_map.items()}
 
 @patch
 def ask(self:Prober, name:str, *params:float, **options)->tuple:
-    "`(answer, message)` of a REQUEST_MESSAGE; the message is `None` when it did not come"
+    "Request a message; return `(answer, message)`, or `(answer, None)` if it didn't come"
     answer = self.command('REQUEST_MESSAGE', message_ids[name], *params, **options)
     return answer,self.wait(name, answer.since, timeout=.1 if answer.acks and not answer else None)
 
@@ -263,7 +265,7 @@ _older = {'CAMERA_INFORMATION':(1,), 'CAMERA_SETTINGS':(1,), 'CAMERA_CAPTURE_STA
 
 @patch
 def get(self:Prober, name:str, *params:float)->tuple:
-    "As `ask`; when that brings nothing, the older request for all is tried, as clients do"
+    "Request a message as `ask`, then with the older command, as clients do"
     answer,msg = self.ask(name, *params)
     if msg is not None: return answer,msg
     again = self.command(f'REQUEST_{name}', *_older[name])
@@ -273,7 +275,7 @@ def get(self:Prober, name:str, *params:float)->tuple:
 # %% ../../nbs/api/check/01_prober.ipynb #4c2ad382
 @patch
 def all_of(self:Prober, name:str, count:str)->list:
-    "Each message of a name, which says in its field `count` how many there are; raises `Untested`"
+    "Request all messages of a name, whose field `count` has their number; raises `Untested`"
     for _ in range(2):          # a late answer to the question before would be one too many, but only once
         answer,first = self.get(name, 0)
         given(first, f'no {name}')
@@ -289,13 +291,13 @@ def _is_camera_id(address)->bool: return 100<=address[1]<=105
 
 @patch(as_prop=True)
 def beats(self:Prober)->dict:
-    "The newest heartbeat of each component that was heard: `{(system, component): message}`"
-    return {h.source:h.msg for h in list(self.record.heard) if h.name=='HEARTBEAT'}
+    "Newest heartbeat of each component: `{(system, component): message}`"
+    return {h.source:h.msg for h in list(self.record.arrivals) if h.name=='HEARTBEAT'}
 
 @patch(as_prop=True)
 def others(self:Prober)->dict:
-    "All components that were heard: `{(system, component): MAV_TYPE, or None without a heartbeat}`"
-    return {h.source:None for h in list(self.record.heard)}|{a:beat.type for a,beat in self.beats.items()}
+    "All components on the link: `{(system, component): MAV_TYPE, or None without a heartbeat}`"
+    return {h.source:None for h in list(self.record.arrivals)}|{a:beat.type for a,beat in self.beats.items()}
 
 # %% ../../nbs/api/check/01_prober.ipynb #dcc5a1b6
 @patch(as_prop=True)
@@ -360,8 +362,8 @@ class Finding:
 # %% ../../nbs/api/check/01_prober.ipynb #bf0a2410
 @patch
 def is_there(self:Prober, silence:float=6.)->bool:
-    "Was the camera heard in the last `silence` s? If not, it gets a moment more; a third time it gets none"
-    last = next((h.at for h in reversed(self.record.heard) if self.ours(h)), -math.inf)
+    "True if the camera sent something in the last `silence` s, or does in a moment more; at most twice"
+    last = next((h.at for h in reversed(self.record.arrivals) if self.ours(h)), -math.inf)
     if clock.monotonic()-last<silence: return True
     self.known['silent'] = self.known.get('silent', 0)+1
     return self.wait_any(self.ours, 3. if self.known['silent']<=2 else .05, len(self.record)) is not None
@@ -369,7 +371,7 @@ def is_there(self:Prober, silence:float=6.)->bool:
 # %% ../../nbs/api/check/01_prober.ipynb #5c3c2420
 @patch
 def floods(self:Prober)->bool:
-    "Does the camera send more frames than we keep? A flood that ends within a moment is forgiven"
+    "True if the camera sends more frames than we keep, and goes on for two seconds"
     before = self.record.flooded
     if before>self.known.get('flooded', 0) and not self.known.get('flood'):
         self.listen(2.)
@@ -412,7 +414,7 @@ def judge(self:Prober, r:Requirement, destroy:bool=False, # Are checks allowed t
 
 # %% ../../nbs/api/check/01_prober.ipynb #fe13a336
 def _chosen(only=())->list:
-    "The requirements of these names, such as 'photo.notice', or subjects; none: all. Raises `ValueError`"
+    "Return the requirements of these names, such as 'photo.notice', or subjects; none: all. Raises `ValueError`"
     known = {name for r in all_requirements.values() for name in (r.name,r.subject)}
     for name in only:
         if name not in known: raise ValueError(f'no requirement is called {name!r}')
@@ -421,38 +423,38 @@ def _chosen(only=())->list:
 # %% ../../nbs/api/check/01_prober.ipynb #90ff8416
 @patch
 def judge_all(self:Prober, only=(), destroy:bool=False)->list:
-    "A row for each chosen requirement"
+    "Return a `Finding` for each chosen requirement"
     return [self.judge(r, destroy) for r in _chosen(only)]
 
 # %% ../../nbs/api/check/01_prober.ipynb #f7ac857d
 _several = 'STORAGE_INFORMATION','VIDEO_STREAM_INFORMATION','VIDEO_STREAM_STATUS'
 
 def _must_bring(p:Prober, name:str, *command):
-    "The message `name` that a command brings, or else REQUEST_MESSAGE; raises `NotMet`"
+    "Return the message `name` that a command brings, or else REQUEST_MESSAGE; raises `NotMet`"
     answer = p.command(*(command or ('REQUEST_MESSAGE',message_ids[name]))).must_be('ACCEPTED')
     msg = must(p.wait(name, answer.since), f'{answer}, and no message')
     if name in _several: p.listen(min(p.quiet, .3))     # those of the others are no answer to what is asked next
     return msg
 
 # %% ../../nbs/api/check/01_prober.ipynb #631a062e
-def _holds(name:str, sentence:str, source:str, look, *args, **options):
-    "The requirement that `look(p, *args)` finds nothing wrong"
-    requirement(name, sentence, source, **options)(lambda p: look(p, *args))
+def _holds(name:str, sentence:str, source:str, check, *args, **options):
+    "Add the requirement that `check(p, *args)` passes"
+    requirement(name, sentence, source, **options)(lambda p: check(p, *args))
 
 def _brings(name:str, sentence:str, source:str, message:str, *command, **options):
-    "The requirement that a command, or else REQUEST_MESSAGE, brings a message"
-    def look(p): return _must_bring(p, message, *command) and 'ACCEPTED, and the message'
-    _holds(name, sentence, source, look, **options)
+    "Add the requirement that a command, or else REQUEST_MESSAGE, brings a message"
+    def check(p): return _must_bring(p, message, *command) and 'ACCEPTED, and the message'
+    _holds(name, sentence, source, check, **options)
 
 _refused = 'UNSUPPORTED DENIED'
 
 def _answers(name:str, sentence:str, source:str, results:str, *command, **options):
-    "The requirement that a command is answered with one of these results, such as 'DENIED FAILED'"
+    "Add the requirement that a command is answered with one of these results, such as 'DENIED FAILED'"
     _holds(name, sentence, source, lambda p: p.command(*command).must_be(*results.split()), **options)
 
 # %% ../../nbs/api/check/01_prober.ipynb #5609a1cb
 def _must_tell_one(p:Prober, name:str, field:str, number:int):
-    "Ask for the one of several whose `field` is `number`: it must come, and no other; raises `NotMet`"
+    "Request the one of several whose `field` is `number`; raises `NotMet` unless it comes alone"
     answer = p.command('REQUEST_MESSAGE', message_ids[name], number).must_be('ACCEPTED')
     if p.wait(name, answer.since): p.listen(min(p.quiet, .5))
     numbers = [getattr(h.msg, field) for h in p.came(name, answer.since)]
@@ -460,7 +462,7 @@ def _must_tell_one(p:Prober, name:str, field:str, number:int):
 
 # %% ../../nbs/api/check/01_prober.ipynb #704d6052
 def _must_end(p:Prober, name:str, seconds:float=1.):
-    "At most one more of a name may come in the time after; raises `NotMet`"
+    "Wait `seconds`; raises `NotMet` if more than one message of a name comes"
     since = len(p.record)
     p.listen(seconds)
     count = len(p.came(name, since))
@@ -468,7 +470,7 @@ def _must_end(p:Prober, name:str, seconds:float=1.):
 
 # %% ../../nbs/api/check/01_prober.ipynb #f266accc
 def _slowdown()->float:
-    "How many times longer work takes now than it would alone: a busy machine is no fault of the camera"
+    "Return how much longer work takes now than alone, as a busy machine is no fault of the camera"
     begun,work = clock.monotonic(),clock.thread_time()
     while clock.thread_time()-work<.005: pass
     return max(1., (clock.monotonic()-begun)/.005)
@@ -492,7 +494,7 @@ def _must_pace(p:Prober, name:str, period:float, seconds:float=2.)->str:
 # %% ../../nbs/api/check/01_prober.ipynb #99c33bc9
 @patch
 def status(self:Prober):
-    "CAMERA_CAPTURE_STATUS now; raises `Untested`"
+    "Request CAMERA_CAPTURE_STATUS; raises `Untested`"
     answer,msg = self.get('CAMERA_CAPTURE_STATUS')
     return given(msg, f'no CAMERA_CAPTURE_STATUS ({answer.name})')
 
@@ -510,7 +512,7 @@ def idle(self:Prober, timeout:float=8.):
 # %% ../../nbs/api/check/01_prober.ipynb #dc65adaa
 @patch
 def mode_now(self:Prober)->int|None:
-    "The mode in CAMERA_SETTINGS; `None` when it has no modes"
+    "Request the mode in CAMERA_SETTINGS; `None` for a camera without modes"
     settings = self.get('CAMERA_SETTINGS')[1] if self.has('HAS_MODES') else None
     return settings and settings.mode_id
 
@@ -518,7 +520,7 @@ def mode_now(self:Prober)->int|None:
 @patch
 @contextmanager
 def ready(self:Prober, mode:str): # 'image' or 'video'
-    "For `with`: the camera is idle and in this mode; it gets its old mode back. Raises `Untested`"
+    "Make the camera idle and set a mode in a `with`, then restore its old mode; raises `Untested`"
     self.idle()
     before,wanted = self.mode_now(),dict(image=0, video=1)[mode]
     moves = before not in (None,wanted)
@@ -530,14 +532,14 @@ def ready(self:Prober, mode:str): # 'image' or 'video'
 # %% ../../nbs/api/check/01_prober.ipynb #c5e68fe6
 @patch
 def next_number(self:Prober)->int:
-    "A new sequence number, for parameter 4 of IMAGE_START_CAPTURE"
+    "Return a new sequence number, for parameter 4 of IMAGE_START_CAPTURE"
     self.known['number'] = number = self.known.get('number', int(clock.time())%1_000_000+1)+1
     return number
 
 # %% ../../nbs/api/check/01_prober.ipynb #f9f06626
 @patch
 def notices(self:Prober, since:int, wanted:int=0, timeout:float=10.)->list:
-    "The CAMERA_IMAGE_CAPTURED since then; waits for as many as `wanted`, then until it is clear that no more come"
+    "Wait for `wanted` CAMERA_IMAGE_CAPTURED, then until no more can be expected, and return all"
     begun = clock.monotonic()
     def enough(h): return len(self.came('CAMERA_IMAGE_CAPTURED', since))>=wanted
     came,took = self.wait_any(enough, timeout, since),clock.monotonic()-begun
@@ -556,7 +558,7 @@ class _Shot(NamedTuple):
 
     @property
     def taken(self)->int:
-        "How many pictures, by the camera's own count; by its notices when it does not count"
+        "Number of pictures, by the camera's own count; by its notices if it doesn't count"
         counted = self.after.image_count-self.before.image_count
         return counted if self.after.image_count else len({m.image_index for m in self.notices})
 
@@ -602,13 +604,13 @@ def ftp_send(self:Prober, packet:FtpFrame)->int:
 # %% ../../nbs/api/check/01_prober.ipynb #b438dc5a
 @patch
 def ftp_replies(self:Prober, since:int)->list:
-    "The packets of the camera since then"
+    "Return the camera's packets since then"
     return [_reply(h.msg) for h in self.came('FILE_TRANSFER_PROTOCOL', since)]
 
 # %% ../../nbs/api/check/01_prober.ipynb #e7cb4e62
 @patch
 def ftp_reply(self:Prober, since:int, asked:int, seq:int|None=None, timeout:float|None=None)->_FtpReply|None:
-    "The reply to a request, or `None`"
+    "Wait for the reply to a request; `None` if none comes"
     def fits(m):
         packet = _reply(m)
         return packet.opcode in (ACK,NAK) and packet.req_opcode==asked and seq in (None,packet.seq)
@@ -620,7 +622,7 @@ def ftp_reply(self:Prober, since:int, asked:int, seq:int|None=None, timeout:floa
 def ftp(self:Prober, opcode:int, data:bytes=b'', session:int=0, offset:int=0,
         size:int|None=None, # Bytes that are wanted
        )->_FtpReply|None:
-    "One operation: its reply, or `None`. Repeated as it is when our role has a bad radio"
+    "Request one operation, and return its reply, or `None`; repeated if our role has a bad radio"
     seq = self.known['ftp'] = (self.known.get('ftp', 0)+2)%0x10000
     size,since = len(data) if size is None else size,len(self.record)
     packet = FtpFrame(seq, opcode, session, size, offset=offset, data=data)
@@ -632,7 +634,7 @@ def ftp(self:Prober, opcode:int, data:bytes=b'', session:int=0, offset:int=0,
 # %% ../../nbs/api/check/01_prober.ipynb #45815248
 @patch
 def ftp_open(self:Prober, path:str)->tuple:
-    "`(session, size)` of a file; raises `Untested` when it cannot be opened"
+    "Open a file and return `(session, size)`; raises `Untested`"
     reply = self.ftp(FtpOp.OPEN_FILE_RO, path.encode())
     given(reply and reply.opcode==ACK and len(reply.data)==4, f'{path} cannot be opened: {reply or "no answer"}')
     return reply.session,int.from_bytes(reply.data, 'little')
@@ -640,7 +642,7 @@ def ftp_open(self:Prober, path:str)->tuple:
 # %% ../../nbs/api/check/01_prober.ipynb #5f30efde
 @patch
 def ftp_read(self:Prober, session:int, size:int, piece:int=239)->bytes:
-    "A file that is open, in pieces; raises `Untested` when one does not come"
+    "Read an open file in pieces; raises `Untested` if one doesn't come"
     content = b''
     while len(content)<size:
         reply = self.ftp(FtpOp.READ_FILE, session=session, offset=len(content), size=min(piece, size-len(content)))
@@ -652,7 +654,7 @@ def ftp_read(self:Prober, session:int, size:int, piece:int=239)->bytes:
 @patch
 @contextmanager
 def ftp_opened(self:Prober, path:str):
-    "For `with`: `(session, size)` of a file, which is closed again; raises `Untested` when it cannot be opened"
+    "Open a file in a `with`, and yield `(session, size)`; raises `Untested`"
     session,size = self.ftp_open(path)
     try: yield session,size
     finally: self.ftp(FtpOp.TERMINATE_SESSION, session=session)
@@ -664,6 +666,6 @@ def ftp_fetch(self:Prober, path:str, pieces:int=1)->bytes:
 
 # %% ../../nbs/api/check/01_prober.ipynb #c29409d6
 def _ftp_path(uri:str)->str|None:
-    "The path of an `mftp://` URI, as QGroundControl asks for it; `None` when it is no such URI"
+    "Return the path of an `mftp://` URI, as QGroundControl requests it; `None` for another URI"
     found = re.fullmatch(r'(?:mftp|mavlinkftp)://(?:\[;comp=\d+\])?(.*)', uri)
     return found and '/'+found[1].lstrip('/')

@@ -28,7 +28,7 @@ verdicts = {None:'passed', NotMet:'failed', NotForThis:'does not apply', Unteste
 # %% ../../nbs/api/check/00_requirement.ipynb #f12c0b32
 def must(holds, # What the requirement demands
          seen:str): # What was seen instead
-    "`holds`, when it does; raises `NotMet`"
+    "Return `holds` if it's true; raises `NotMet`"
     if not holds: raise NotMet(seen)
     return holds
 
@@ -36,13 +36,13 @@ def must(holds, # What the requirement demands
 def seen_if(holds, # What the requirement demands
             seen:str, # What was seen, in any case
            )->str:
-    "`seen`, when the demand holds; raises `NotMet`"
+    "Return `seen` if the demand holds; raises `NotMet`"
     return must(holds, seen) and seen
 
 # %% ../../nbs/api/check/00_requirement.ipynb #cd7e095b
 def given(holds, # What is needed before a look is worth while
           why:str): # What is missing
-    "`holds`, when it does; raises `Untested`"
+    "Return `holds` if it's true; raises `Untested`"
     if not holds: raise Untested(why)
     return holds
 

@@ -20,20 +20,20 @@ __all__ = ['unpacked', 'definition_tree']
 
 # %% ../../nbs/api/check/05_settings.ipynb #ee86bbbc
 def _definition_uri(p:Prober)->str:
-    "Where the definition is; raises `NotForThis` when there is none"
+    "Return the definition's URI; raises `NotForThis`"
     uri = given(p.information, 'no CAMERA_INFORMATION').cam_definition_uri.strip()
     if not uri: raise NotForThis('it has no definition file')
     return uri
 
 # %% ../../nbs/api/check/05_settings.ipynb #56b8449a
 def _camera_hosts(p:Prober)->set:
-    "The addresses that the camera's frames come from, as far as they are known"
+    "Return the known addresses that the camera's frames come from"
     if isinstance(p.link.link, VirtualLink): return {'127.0.0.1'}
     peers = list(p.record._readers.items())
     return {peer[0] for peer,reader in peers if isinstance(peer, tuple) and p.target in reader.seen}
 
 def _definition_bytes(p:Prober)->bytes:
-    "The definition file as it comes, fetched once; raises `Untested` and `NotForThis`"
+    "Fetch the definition file, once; raises `Untested` and `NotForThis`"
     uri = _definition_uri(p)
     if 'definition' in p.known: return p.known['definition']
     path = _ftp_path(uri)
@@ -45,7 +45,7 @@ def _definition_bytes(p:Prober)->bytes:
 
 # %% ../../nbs/api/check/05_settings.ipynb #df5139c2
 def unpacked(content:bytes, most:int=1<<22)->bytes:
-    "A definition file without its compression; raises `ValueError`"
+    "Unpack a definition file; raises `ValueError`"
     return _unpacked(content, most) if content.startswith(b'\xfd7zXZ') else content     # MAVSDK reads no other
 
 # %% ../../nbs/api/check/05_settings.ipynb #fce727e5
@@ -53,7 +53,7 @@ class _NoDoctype(ElementTree.TreeBuilder):
     def doctype(self, *args): raise ValueError('a DOCTYPE')
 
 def definition_tree(content:bytes):
-    "The XML in a definition file; raises `ValueError`"
+    "Parse the XML in a definition file; raises `ValueError`"
     try: root = ElementTree.fromstring(unpacked(content), ElementTree.XMLParser(target=_NoDoctype()))
     except ElementTree.ParseError as e: raise ValueError(f'no XML: {e}') from None
     if root.tag!='mavlinkcamera': raise ValueError(f'its root is {root.tag}, not mavlinkcamera')
@@ -61,7 +61,7 @@ def definition_tree(content:bytes):
 
 # %% ../../nbs/api/check/05_settings.ipynb #a41a1f27
 def _definition(p:Prober):
-    "The definition; raises `Untested` and `NotForThis`"
+    "Return the definition's XML; raises `Untested` and `NotForThis`"
     try: return definition_tree(_definition_bytes(p))
     except ValueError as e: given(False, f'it cannot be read: {e}')
 
@@ -72,7 +72,7 @@ _value_kinds = dict(bool=('B',1), uint8=('B',1), int8=('b',2), uint16=('H',3), i
                    int32=('i',6), uint64=('Q',7), int64=('q',8), float=('f',9), double=('d',10), custom=('',11))
 
 def _text_value(kind:str, text:str):
-    "A value of the file as a number (`bytes` for custom); raises `ValueError`"
+    "Convert a value of the file to a number (`bytes` for custom); raises `ValueError`"
     if kind=='custom': return text.encode()
     if kind in ('float','double'): return float(text)
     if kind=='bool' and text.lower() in ('true','false'): return int(text.lower()=='true')
@@ -212,14 +212,14 @@ class _ParamExt:
 
 # %% ../../nbs/api/check/05_settings.ipynb #448a6a06
 def _raw_value(kind:int, value)->bytes:
-    "A number as it is sent"
+    "Return a number as it is sent"
     if isinstance(value, bytes): return value.ljust(128, b'\0')
     code = next(c for c,number in _value_kinds.values() if number==kind)
     return struct.pack('<'+code, value if code in 'fd' else int(value)).ljust(128, b'\0')
 
 # %% ../../nbs/api/check/05_settings.ipynb #46bbbb11
 def _list_params(p:Prober)->dict:
-    "`{name: _ParamExt}` of all, listed once; raises `Untested` and `NotForThis`"
+    "List all parameters, once, as `{name: _ParamExt}`; raises `Untested` and `NotForThis`"
     _definition_uri(p)
     if 'params' not in p.known:
         since = p.send(p.mav.param_ext_request_list_encode(*p.target))
@@ -232,7 +232,7 @@ def _list_params(p:Prober)->dict:
 
 # %% ../../nbs/api/check/05_settings.ipynb #fa71e0fd
 def _read_param(p:Prober, name:str='', index:int=-1)->_ParamExt|None:
-    "One parameter by name or index; `None` when it does not come"
+    "Read a parameter by name or index; `None` if it doesn't come"
     since = p.send(p.mav.param_ext_request_read_encode(*p.target, name.encode(), index))
     msg = p.wait('PARAM_EXT_VALUE', since, lambda m: m.param_id==name or index==m.param_index)
     return msg and _ParamExt(msg)
@@ -288,7 +288,7 @@ def _read_index(p):
 
 # %% ../../nbs/api/check/05_settings.ipynb #2a05847e
 def _free(p)->list:
-    "Parameters that may be set: neither the mode, nor read-only, nor custom; raises `NotForThis`"
+    "Return the parameters that may be set: neither the mode, nor read-only, nor custom; raises `NotForThis`"
     bad = {name for name,e in _elements(p).items() if '1' in (e.get('readonly'),e.get('writeonly'))}|{'CAM_MODE'}
     found = [v for v in _list_params(p).values() if v.kind<11 and v.name not in bad]
     if not found: raise NotForThis('it has none that can be set')
@@ -305,7 +305,7 @@ def _same(p):
 
 # %% ../../nbs/api/check/05_settings.ipynb #d0c6e529
 def _others(p, one)->list:
-    "Other values that a parameter may have, by the definition"
+    "Return other values that a parameter may have, by the definition"
     e = _elements(p)[one.name]
     texts = [o.get('value') for o in e.findall('options/option') if not o.findall('exclusions/exclude')]
     if not texts: texts = ['0','1'] if e.get('type')=='bool' else [e.get('min'),e.get('max')]
@@ -314,7 +314,7 @@ def _others(p, one)->list:
 # %% ../../nbs/api/check/05_settings.ipynb #0ee72289
 @contextmanager
 def _changed_param(p:Prober):
-    "For `with`: set one to another value, and back; `(parameter, value, ack)`. Raises `NotForThis`, `Untested`"
+    "Set a parameter to another value in a `with`; yield `(parameter, value, ack)`; raises `NotForThis`, `Untested`"
     choices = [(one.name,others[0]) for one in _free(p) if (others := _others(p, one))]
     if not choices: raise NotForThis('none has another value')
     name,value = choices[0]
@@ -357,7 +357,7 @@ def _wrong(p):
 
 # %% ../../nbs/api/check/05_settings.ipynb #2d7f7b2e
 def _mode_param(p)->tuple:
-    "CAM_MODE now, and the other mode; raises `NotForThis`"
+    "Return CAM_MODE and the other mode; raises `NotForThis`"
     if 'CAM_MODE' not in _list_params(p): raise NotForThis('there is no CAM_MODE')
     one = given(_read_param(p, 'CAM_MODE'), 'CAM_MODE cannot be read')
     return one,int(not one.value)

@@ -32,7 +32,7 @@ subjects = dict(
 # %% ../../nbs/api/check/07_suite.ipynb #d463a254
 def suite(only=(), # Names such as 'photo.notice', or subjects such as 'photo'; none: all
          )->list:
-    "The requirements in order; raises `ValueError` for an unknown name"
+    "Return the requirements in order; raises `ValueError` for an unknown name"
     return sorted(_chosen(only), key=lambda r: list(subjects).index(r.subject))
 
 # %% ../../nbs/api/check/07_suite.ipynb #2bfe3892
@@ -104,7 +104,7 @@ def to_json(self:Findings)->dict:
 
 # %% ../../nbs/api/check/07_suite.ipynb #5a3fe025
 def _source_html(source:str)->str:
-    "The source with links"
+    "Return a source with links"
     def link(url, text): return f'<a href="https://mavlink.io/en/{url}">{escape(text)}</a>'
     def one(part):
         guide,named = re.match(r'devguide (\w+)\.md', part),re.search(r'\b([A-Z]{3,}_[A-Z_]+)', part)
@@ -120,7 +120,7 @@ _asked = dict(qgc='QGroundControl', mavsdk='MAVSDK', ardupilot='ArduPilot', loss
 
 # %% ../../nbs/api/check/07_suite.ipynb #a0c055a0
 def _row_html(row:Finding)->str:
-    "A row of the table"
+    "Return a row of the table"
     r,kind = row.requirement,row.verdict.split()[0]
     return (f'<tr><td class="{kind}">{_marks[row.verdict]} {row.verdict}</td>'
             f'<td>{escape(r.sentence)}<div class="seen">{escape(row.seen)}</div></td>'
@@ -128,13 +128,13 @@ def _row_html(row:Finding)->str:
 
 # %% ../../nbs/api/check/07_suite.ipynb #3e9f8443
 def _table_html(title:str, rows:list)->str:
-    "A table with a heading; nothing when it has no rows"
+    "Return a table with a heading; '' without rows"
     return f'<h2>{escape(title)}</h2><table>{"".join(map(_row_html, rows))}</table>' if rows else ''
 
 # %% ../../nbs/api/check/07_suite.ipynb #cfdc2ad1
 @patch
 def page(self:Findings)->str:
-    "The report as a page: one file, for a screen and for paper"
+    "Return the report as one HTML file, for a screen and for paper"
     c,when = {k:escape(str(v)) for k,v in self.camera.items()},clock.gmtime(self.when)
     counts = ', '.join(f'<span class="{v.split()[0]}">{n} {v}</span>' for v,n in self.counts.items() if n)
     def of(subject): return [row for row in self.rows if row.requirement.subject==subject]

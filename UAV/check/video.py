@@ -25,7 +25,7 @@ def _recording(status): return status.video_status==1
 
 @contextmanager
 def _filmed(p:Prober, rate:float=0.):
-    "For `with`: the camera records; gives the `Acks`. Raises `Untested`"
+    "Record in a `with`, and yield the `Acks`; raises `Untested`"
     with p.ready('video'):
         answer = given(p.command('VIDEO_START_CAPTURE', 0, rate), 'VIDEO_START_CAPTURE is not accepted')
         try: yield answer
@@ -225,7 +225,7 @@ _answers('streams.absent', 'A camera without streams says so', 'common.xml CAMER
 def _settings(p): return given(p.get('CAMERA_SETTINGS')[1], 'no CAMERA_SETTINGS')
 
 def _told_settings(p, answer, fits):
-    "The CAMERA_SETTINGS that came after a command, and fits; raises `NotMet`"
+    "Return the CAMERA_SETTINGS that a command brought, and that fits; raises `NotMet`"
     answer.must_be('ACCEPTED')
     came = p.wait('CAMERA_SETTINGS', answer.since, fits, 5)
     other = p.came('CAMERA_SETTINGS', answer.since)
@@ -257,7 +257,7 @@ _to,_continuous = 2,1       # ways to move: to a place in the range, and until i
 
 @contextmanager
 def _restored(p:Prober, command:str, field:str):
-    "For `with`: gives the level in CAMERA_SETTINGS, and puts it back. Raises `Untested`"
+    "Yield the level in CAMERA_SETTINGS, and restore it after the `with`; raises `Untested`"
     level = getattr(_settings(p), field)
     try: yield level
     finally:
@@ -293,7 +293,7 @@ def _by_speed(p, command, field):
 
 # %% ../../nbs/api/check/04_video.ipynb #85265f0b
 def _lens_requirements(lens:str, does:str, callers:str, value:int):
-    "The requirements of 'zoom' or 'focus'; `value` is any place in its range"
+    "Add the requirements of 'zoom' or 'focus'; `value` is any place in its range"
     name,field = lens.upper(),f'{lens}Level'
     command,has = f'SET_CAMERA_{name}',dict(needs=f'HAS_BASIC_{name}')
     requirement(f'{lens}.range', f'It {does} to a place in its range, and CAMERA_SETTINGS comes unasked',
@@ -345,14 +345,14 @@ def _another(p):
 
 # %% ../../nbs/api/check/04_video.ipynb #b82d4c10
 def _looks(p, name, ids)->dict:
-    "`{stream: its flags, width, height and field of view}`, by a message of that name"
+    "Request `{stream: its flags, width, height and field of view}` by a message of that name"
     found = {i:p.ask(name, i)[1] for i in ids}
     return {i:(m.flags,m.resolution_h,m.resolution_v,m.hfov) for i,m in found.items() if m}
 
 # %% ../../nbs/api/check/04_video.ipynb #56df5efc
 @contextmanager
 def _other_source(p):
-    "For `with`: another source than the usual one is shown; the place in the record. Raises `NotForThis`"
+    "Show another source in a `with`, and yield the place in the record; raises `NotForThis`"
     try:
         shown = next((answer for source in (2,3,1) if (answer := _shown(p, source))), None)
         if shown is None: raise NotForThis('it has no other source')
@@ -361,7 +361,7 @@ def _other_source(p):
 
 # %% ../../nbs/api/check/04_video.ipynb #2e601973
 def _news(p, unasked, asked):
-    "Each stream that changes with the source is told in the message `unasked`; raises `NotMet`, `NotForThis`"
+    "Check that the message `unasked` comes for each stream that changes; raises `NotMet`, `NotForThis`"
     ids = [m.stream_id for m in _streams(p)]
     _shown(p, 0)
     p.listen(min(p.quiet, .3))
@@ -384,7 +384,7 @@ _heat,_range_flag = dict(needs='HAS_THERMAL_RANGE'),mavlink.VIDEO_STREAM_STATUS_
 def _with_heat(p, wanted=True)->list: return [m.stream_id for m in _streams(p) if bool(m.flags & _range_flag)==wanted]
 
 def _hot(p)->list:
-    "The numbers of the streams that tell how hot it is; raises `NotForThis`"
+    "Return the ids of the streams with temperatures; raises `NotForThis`"
     if not (found := _with_heat(p)): raise NotForThis('no stream has the flag THERMAL_RANGE_ENABLED now')
     return found
 

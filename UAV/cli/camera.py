@@ -50,7 +50,7 @@ class CameraVisit(Visit):
         "Return address and name of a camera"
         return f'{camera.system}/{camera.component} {camera.name}'.removesuffix(' unknown')
 
-    async def look(self, count:int|None, seconds:float)->list:
+    async def discover(self, count:int|None, seconds:float)->list:
         "Return the cameras received; raises `NoAnswer` if the chosen component is no camera"
         there = self.options.system,self.options.component
         if None in there: return await self.client.find_cameras(count, seconds)
@@ -91,13 +91,13 @@ async def first_sign(self:CameraVisit, seconds:float)->bool|None:
 
 # %% ../../nbs/api/cli/03_camera.ipynb #7bc0018d
 @patch
-def tell(self:CameraVisit, result, # A `Result`, or a sentence
+def report(self:CameraVisit, result, # A `Result`, or a sentence
          more:str='', # Text after the result
          **fields): # Further fields for programs
     "Print a result, with the camera's address"
     system,component = self.client.target()
     about = dict(system=system, component=component, verb=self.verb)
-    self.say(Result(f'{system}/{component}: {result}{more}', **about, **getattr(result, 'fields', {}), **fields))
+    self.show(Result(f'{system}/{component}: {result}{more}', **about, **getattr(result, 'fields', {}), **fields))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #29e1d2d2
 class _Visitor(Visitor, CameraClient): "Camera client of short visits"
@@ -113,17 +113,17 @@ _pictures,_stream_number = between(0, 65535, int),between(0, 255, int)
 async def _list(visit):
     "List the cameras, and the other components on the link"
     found,remotes = await visit.find(),visit.client.remotes
-    def say(text, there, **fields):
+    def show(text, there, **fields):
         system,component = there
-        visit.say(Result(text, system=system, component=component, verb='list', **fields))
+        visit.show(Result(text, system=system, component=component, verb='list', **fields))
     for c in found:
         info = c.information = c.information or await c.request(CAMERA_INFORMATION)
         what = dict(name=c.name, can=c.can, width=info.resolution_h, height=info.resolution_v) if info else {}
-        say(str(c), c.address, camera=True, **what)
+        show(str(c), c.address, camera=True, **what)
     cameras = {c.address for c in (*found, *visit.seen)}
     others = [r for there,r in sorted(remotes.items()) if there not in cameras and r.type is not None]
     for r in others:
-        say(f'{r.name}, no camera', r.address, camera=False, name=enum_name('MAV_TYPE', r.type, 'MAV_TYPE_'))
+        show(f'{r.name}, no camera', r.address, camera=False, name=enum_name('MAV_TYPE', r.type, 'MAV_TYPE_'))
     if not found: visit.only(found)              # raises `NoAnswer`
 
 # %% ../../nbs/api/cli/03_camera.ipynb #70977813
@@ -132,8 +132,8 @@ def _information(info)->Result:
     about,can = about_camera(info),flags_of(info)
     uri,vendor,model = map(printable, (info.cam_definition_uri, info.vendor_name, info.model_name))
     abilities = ', '.join(flag.replace('_', ' ').lower() for flag in can)
-    said = about|dict(can=abilities)|(dict(definition=uri) if uri else {})
-    lines = [f'{vendor} {model}'.strip(), *(f'  {what}: {text}' for what,text in said.items())]
+    shown = about|dict(can=abilities)|(dict(definition=uri) if uri else {})
+    lines = [f'{vendor} {model}'.strip(), *(f'  {what}: {text}' for what,text in shown.items())]
     return Result('\n'.join(lines), vendor=vendor, model=model, firmware=about.get('firmware'), width=info.resolution_h,
                  height=info.resolution_v, focal_length=info.focal_length,
                   sensor=[info.sensor_size_h, info.sensor_size_v],
@@ -148,7 +148,7 @@ async def _info(visit):
     if info is None: raise NoAnswer('it does not say what it is: no CAMERA_INFORMATION came')
     angles = dict(hfov=fov.hfov, vfov=fov.vfov) if fov else dict(hfov=None, vfov=None)
     sees = f'\n  sees: {fov.hfov:.1f}° × {fov.vfov:.1f}°' if fov and known(fov.hfov) else ''
-    visit.tell(_information(info), sees, **angles)
+    visit.report(_information(info), sees, **angles)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #15d48d40
 def _doing(msg)->Result:
@@ -168,7 +168,7 @@ def _settings(msg)->Result:
 
 # %% ../../nbs/api/cli/03_camera.ipynb #c95896f9
 @patch
-async def tell_status(self:CameraVisit, name:str=''):
+async def report_status(self:CameraVisit, name:str=''):
     "Print the camera's status; raises `NoAnswer`"
     c = self.camera
     asked = c.request(CAMERA_SETTINGS), c.request(CAMERA_CAPTURE_STATUS), c.request(STORAGE_INFORMATION)
@@ -178,7 +178,7 @@ async def tell_status(self:CameraVisit, name:str=''):
     count = capture and f'{capture.image_count} picture{"s"*(capture.image_count!=1)}'
     words = [name, settings and str(how), capture and str(doing), count, room and room['text']]
     sizes = dict(free=room['free'], total=room['total']) if room else dict(free=None, total=None)
-    self.tell('; '.join(filter(None, words)), **how.fields, **doing.fields, **sizes)
+    self.report('; '.join(filter(None, words)), **how.fields, **doing.fields, **sizes)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #9bf23a6f
 @_verb('status', 'status --watch', 'status --json')
@@ -186,10 +186,10 @@ async def _status(visit, watch:bool=False): # Repeat once a second, until Ctrl-C
     "Show mode, zoom, capture, number of pictures and free space"
     found = await visit.choose()
     visit.endless = watch
-    await visit.tell_status(found.name if found.information else '')
+    await visit.report_status(found.name if found.information else '')
     while watch:
         await asyncio.sleep(1)
-        await visit.tell_status()
+        await visit.report_status()
 
 # %% ../../nbs/api/cli/03_camera.ipynb #24eba39d
 @_verb('stream', 'stream --start 1', 'stream --stop 1')
@@ -200,21 +200,21 @@ async def _stream(visit, start:_stream_number=None, # Start this stream first
     if start is not None: (await video.start(start)).check()
     if stop is not None: (await video.stop(stop)).check()
     found = await video.streams()
-    for s in found: visit.tell(f'stream {s!r}', **vars(s))
+    for s in found: visit.report(f'stream {s!r}', **vars(s))
     if not found: raise MAVError('it has no video stream')
 
 # %% ../../nbs/api/cli/03_camera.ipynb #1aa1b6dd
 @patch
 @contextmanager
-def hearing(self:CameraVisit, msg_ids, # Message ids
+def receiving(self:CameraVisit, msg_ids, # Message ids
             put): # Called with each such message of the camera, on the event loop
     "Return a context manager that receives messages of the camera"
     target,loop = self.client.target(),asyncio.get_running_loop()
-    def heard(msg):
+    def receive(msg):
         if comes_from(msg, *target): loop.call_soon_threadsafe(put, msg)
         return False            # keep receiving
     with ExitStack() as stack:
-        for msg_id in msg_ids: stack.enter_context(self.client.expecting(msg_id, heard))
+        for msg_id in msg_ids: stack.enter_context(self.client.expecting(msg_id, receive))
         yield
 
 # %% ../../nbs/api/cli/03_camera.ipynb #42951833
@@ -228,11 +228,11 @@ def _picture(msg)->Result:
 
 # %% ../../nbs/api/cli/03_camera.ipynb #1c578c3d
 @patch
-async def tell_settings(self:CameraVisit):
+async def report_settings(self:CameraVisit):
     "Print mode, zoom and focus, as reported by the camera; raises `NoAnswer`"
     msg = await self.camera.request(CAMERA_SETTINGS)
     if msg is None: raise NoAnswer('it was told, and does not say how it is set')
-    self.tell(_settings(msg))
+    self.report(_settings(msg))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #01ee6856
 _lens_limits = dict(percent='percent is from 0 to 100', speed='speed is from -1 to 1', mm='is that beyond its lens?',
@@ -244,14 +244,15 @@ async def move(self:CameraVisit, verb:str, # 'zoom' or 'focus'
                value, # Number, or a kind of autofocus
                seconds:float): # Duration, for a speed
     "Move the lens, and print its setting; a refusal includes the allowed values"
-    turn,unit = getattr(await self.choose(), verb),dict(step='steps').get(unit, unit)
+    turn = getattr(await self.choose(), verb)
+    if unit=='step': unit = 'steps'
     try: (await turn(**{unit:value})).check()
     except Denied as e: raise Denied('; '.join(filter(None, (str(e), _lens_limits.get(unit))))) from None
     if unit=='speed':
         try: await asyncio.sleep(seconds)
         finally: stopped = await turn(speed=0.)
         stopped.check()
-    await self.tell_settings()
+    await self.report_settings()
 
 # %% ../../nbs/api/cli/03_camera.ipynb #db94676f
 @_verb('zoom 50', 'zoom 1 --unit step', 'zoom -0.5 --unit speed --seconds 3', 'zoom 30 --unit degrees')
@@ -284,7 +285,7 @@ async def _focus(visit, value:_focus_value, # Number, or auto, once, continuous 
 async def _set_mode(visit, mode:Literal['image','video','survey']): # Camera mode
     "Set the mode: image, video or survey"
     (await (await visit.choose()).mode('image_survey' if mode=='survey' else mode)).check()
-    await visit.tell_settings()
+    await visit.report_settings()
 
 # %% ../../nbs/api/cli/03_camera.ipynb #571f3124
 def _folder_here(folder)->Path:
@@ -318,13 +319,15 @@ async def _snap(visit, count:_pictures=1, # Number of pictures; 0: until Ctrl-C
     "Take pictures, and wait for the report of each"
     if to is not None: _folder_here(to)
     camera = await visit.choose()
-    visit.endless,came,failed = count==0,0,0
+    visit.endless = count==0
+    came = failed = 0
     async with aclosing(camera.capture(count, every)) as notices:
         async for msg in notices:
-            came,taken,ok = came+1,_picture(msg),msg.capture_result==1
+            came += 1
+            ok = msg.capture_result==1
             failed += not ok
             here = await visit.fetch(msg, to) if to and ok else None
-            visit.tell(taken, f' → {here}' if here else '', **(dict(saved=str(here)) if here else {}))
+            visit.report(_picture(msg), f' → {here}' if here else '', **(dict(saved=str(here)) if here else {}))
     if came<count: raise NotTaken(f'{count-came} of {count} pictures were not announced')
     if failed: raise NotTaken(f'{failed} of {count} pictures failed')
 
@@ -339,7 +342,7 @@ async def _within(coroutine, seconds:float):
 async def recorded(self:CameraVisit, seconds:float):
     "Wait while the camera records; raises `NotTaken` if the recording ends early"
     came,began,seen = asyncio.Queue(),clock.monotonic(),False
-    with self.hearing([CAMERA_CAPTURE_STATUS], came.put_nowait):
+    with self.receiving([CAMERA_CAPTURE_STATUS], came.put_nowait):
         while (left := began+seconds-clock.monotonic())>0:
             msg = await _within(came.get(), min(left, 2.))
             msg = msg or await _within(self.camera.request(CAMERA_CAPTURE_STATUS), left)
@@ -358,11 +361,11 @@ async def _record(visit, seconds:seconds=None, # Seconds to record; default: unt
         await camera.stop_recording(stream)
         raise
     ack.check()
-    if seconds is None: return visit.tell('recording', recording=True)
+    if seconds is None: return visit.report('recording', recording=True)
     try: await visit.recorded(seconds)
     finally: ended = await camera.stop_recording(stream)
     ended.check()
-    visit.tell(f'recorded for {seconds:g} s', recording=False, seconds=seconds)
+    visit.report(f'recorded for {seconds:g} s', recording=False, seconds=seconds)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #a1ee371b
 @_verb('stop')
@@ -371,7 +374,7 @@ async def _stop(visit):
     camera = await visit.choose()
     acks = [await camera.stop(), await camera.stop_recording()]
     for ack in [ack for ack in acks if ack.result!=mavlink.MAV_RESULT_UNSUPPORTED] or acks: ack.check()
-    visit.tell('stopped', capturing='', recording=False)
+    visit.report('stopped', capturing='', recording=False)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #e4cef1b8
 @patch
@@ -387,12 +390,12 @@ def _time_text(moment:float)->str:
 
 # %% ../../nbs/api/cli/03_camera.ipynb #5d7cb703
 @patch
-async def tell_entries(self:CameraVisit, folder:str)->list:
+async def report_entries(self:CameraVisit, folder:str)->list:
     "Print the files and folders in a folder of the camera, and return the paths of its folders"
     found = sorted(await self.entries(folder), key=lambda one: (not one[1].folder, one[1].name))
     for path,e in found:
         text = f'{path}/' if e.folder else f'{path}  {amount(e.size)}  {_time_text(e.time)}'.rstrip()
-        self.tell(printable(text), path=path, folder=e.folder, size=None if e.folder else e.size, time=e.time)
+        self.report(printable(text), path=path, folder=e.folder, size=None if e.folder else e.size, time=e.time)
     return [path for path,e in found if e.folder and e.name not in ('.','..')]
 
 # %% ../../nbs/api/cli/03_camera.ipynb #27003e38
@@ -401,12 +404,12 @@ async def _files(visit, paths:list[str]): # Folders on the camera; default: the 
     "List the files on the camera, with sizes"
     await visit.choose()
     if paths:
-        for folder in paths: await visit.tell_entries(folder)
+        for folder in paths: await visit.report_entries(folder)
         return
-    for folder in await visit.tell_entries('/'):
-        try: await visit.tell_entries(folder)
+    for folder in await visit.report_entries('/'):
+        try: await visit.report_entries(folder)
         except FtpError as e:
-            visit.tell(f'{printable(folder)}/ is skipped: {printable(str(e))}', path=folder, skipped=str(e))
+            visit.report(f'{printable(folder)}/ is skipped: {printable(str(e))}', path=folder, skipped=str(e))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #c40787cc
 @patch
@@ -429,10 +432,10 @@ async def bring(self:CameraVisit,
     try: place = await self.fetch(path, folder)
     except (ValueError, FtpError, OSError) as e:
         if named or isinstance(e, OSError) and e.errno in disk_errors: raise
-        self.tell(f'{printable(path)} is skipped: {printable(str(e))}', path=path, skipped=str(e))
+        self.report(f'{printable(path)} is skipped: {printable(str(e))}', path=path, skipped=str(e))
         return False
     size = place.stat().st_size
-    self.tell(f'{path} → {place}  {amount(size)}', path=path, saved=str(place), size=size)
+    self.report(f'{path} → {place}  {amount(size)}', path=path, saved=str(place), size=size)
     return True
 
 @_verb('fetch /media --to pictures', 'fetch /media/IMG_000000.jpg')
@@ -456,7 +459,7 @@ async def _remove(visit, paths:list[str], # Files on the camera
     files = (await visit.choose()).files
     for path in paths:
         await files.remove(path)
-        visit.tell(f'{path} is deleted', path=path)
+        visit.report(f'{path} is deleted', path=path)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #5d502622
 def _setting(table, name:str, width:int=0)->Result:
@@ -473,7 +476,7 @@ def _setting(table, name:str, width:int=0)->Result:
 async def _list_settings(visit):
     "List all settings, with their values and allowed values"
     table = await (await visit.choose()).settings.load()
-    for name in table: visit.tell(_setting(table, name, max(map(len, table))))
+    for name in table: visit.report(_setting(table, name, max(map(len, table))))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #b02e2788
 @patch
@@ -502,7 +505,7 @@ async def _get(visit, names:list[str]): # Names of settings
     for name in [_setting_named(name, known) for name in names]:
         value,p = await settings.ask(name),known[name]
         text = p.text(value) if p else str(value)
-        visit.tell(f'{name} is {text}', name=name, value=value, text=text)
+        visit.report(f'{name} is {text}', name=name, value=value, text=text)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #5956d06e
 def _typed_value(text:str, p:Parameter|None=None):
@@ -541,7 +544,7 @@ async def _set(visit, name:str, # Name of the setting
     except CommandError as e:
         if known[name] and (why := await visit.why_not(name, meant)): raise type(e)(f'{e}; {why}') from None
         raise
-    visit.tell(f'{name} is {ack.now}', name=name, value=meant, text=ack.now)
+    visit.report(f'{name} is {ack.now}', name=name, value=meant, text=ack.now)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #943ea9a2
 @_verb('reset --yes')
@@ -549,7 +552,7 @@ async def _reset(visit, yes:bool=False): # Really reset them
     "Reset all settings to their defaults"
     if not yes: raise ValueError('reset puts back all settings: add --yes')
     (await (await visit.choose()).reset()).check()
-    visit.tell('all settings have their defaults')
+    visit.report('all settings have their defaults')
 
 # %% ../../nbs/api/cli/03_camera.ipynb #2be8ca02
 def _view(stream:RemoteStream, heat:ThermalRange|None)->Result:
@@ -577,7 +580,7 @@ async def _source(visit, sources:list[_source_word]): # Sensor to show, and one 
     camera = await visit.choose()
     if sources: (await camera.source(*sources)).check()
     found = await camera.video.streams()
-    for stream in found: visit.tell(_view(stream, await camera.thermal_range(stream.id) if stream.thermal else None))
+    for stream in found: visit.report(_view(stream, await camera.thermal_range(stream.id) if stream.thermal else None))
     if not found: raise MAVError('it has no video stream')
 
 # %% ../../nbs/api/cli/03_camera.ipynb #58280283
@@ -606,7 +609,7 @@ async def _storages(visit, photo:number=None, # Store pictures on this storage f
     for number,media in _usages(await camera.storages() if wanted else [], wanted).items():
         (await camera.use_storage(number, media)).check()
     there = await camera.storages()
-    for storage in there: visit.tell(_storage(storage))
+    for storage in there: visit.report(_storage(storage))
     if not there: raise MAVError('it has no storage')
 
 # %% ../../nbs/api/cli/03_camera.ipynb #ac7f7c3b
@@ -616,7 +619,7 @@ async def _format(visit, storage:number=1, # Number of the storage
     "Format a storage"
     if not yes: raise ValueError(f'format deletes all pictures on storage {storage}: add --yes')
     (await (await visit.choose()).format(storage)).check()
-    visit.tell(f'storage {storage} is empty', storage=storage)
+    visit.report(f'storage {storage} is empty', storage=storage)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #4a085007
 def _target(now)->Result:
@@ -644,9 +647,9 @@ async def _track(visit, place:list[_part], # X Y, or LEFT TOP RIGHT BOTTOM: part
     if not watch:
         now = await camera.tracking.status()
         if now is None: raise NoAnswer('it does not say what it tracks')
-        return visit.tell(_target(now))
+        return visit.report(_target(now))
     async with aclosing(camera.tracking.updates()) as updates:
-        async for now in updates: visit.tell(_target(now))
+        async for now in updates: visit.report(_target(now))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #8cae21a6
 @_verb('trigger 25', 'trigger 25 --now', 'trigger 0')
@@ -657,7 +660,7 @@ async def _trigger(visit, distance:_spacing, # Metres between two pictures; 0: s
     ack = await (await visit.choose()).trigger_every(metres=distance, first=now)
     try: ack.check()
     except Busy as e: raise Busy(f'{e}; does it know where it is, and is it idle?') from None
-    visit.tell(f'a picture every {distance:g} m' if distance else 'no more pictures by distance', distance=distance)
+    visit.report(f'a picture every {distance:g} m' if distance else 'no more pictures by distance', distance=distance)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #54207283
 def _text(text)->Result:
@@ -673,12 +676,13 @@ def _room(msg)->Result:
     storage = storage_of(msg)
     return Result(f'storage {storage.storage_id}: {size_of(storage.available)} free', **_storage(storage).fields)
 
-_news = {CAMERA_SETTINGS:_settings, CAMERA_CAPTURE_STATUS:_doing, STATUSTEXT:_text, PARAM_EXT_VALUE:_changed_setting,
-         STORAGE_INFORMATION:_room, CAMERA_TRACKING_IMAGE_STATUS:lambda msg: _target(tracking_of(msg))}
+_described = {CAMERA_SETTINGS:_settings, CAMERA_CAPTURE_STATUS:_doing, STATUSTEXT:_text,
+              PARAM_EXT_VALUE:_changed_setting, STORAGE_INFORMATION:_room,
+              CAMERA_TRACKING_IMAGE_STATUS:lambda msg: _target(tracking_of(msg))}
 
 # %% ../../nbs/api/cli/03_camera.ipynb #dfed7836
 @patch
-async def news(self:CameraVisit):
+async def events(self:CameraVisit):
     "Yield `(message name, Result)` of the camera's messages; raises `Lost`"
     came,texts,told = asyncio.Queue(),Texts(),deque(maxlen=16)      # `told`: the newest texts
     async def follow():
@@ -694,12 +698,12 @@ async def news(self:CameraVisit):
         if text in told or not (text.complete or is_late): return None
         told.append(text)
         return text
-    with self.hearing(_news, came.put_nowait):
+    with self.receiving(_described, came.put_nowait):
         following = asyncio.ensure_future(follow())
         try:
             while not isinstance(msg := await came.get(), Exception):
                 is_text = isinstance(msg, StatusText) or msg.get_msgId()==STATUSTEXT
-                if not is_text: yield msg.get_type(),_news.get(msg.get_msgId(), _picture)(msg)
+                if not is_text: yield msg.get_type(),_described.get(msg.get_msgId(), _picture)(msg)
                 elif text := joined(msg): yield 'STATUSTEXT',_text(text)
             raise msg
         finally: following.cancel()
@@ -709,8 +713,8 @@ async def _watch(visit):
     "Print pictures, settings, storage and texts as the camera reports them, until Ctrl-C"
     await visit.choose()
     visit.endless = True
-    async with aclosing(visit.news()) as news:
-        async for name,result in news: visit.tell(result, message=name)
+    async with aclosing(visit.events()) as events:
+        async for name,result in events: visit.report(result, message=name)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #dc0b5618
 main = _program.main

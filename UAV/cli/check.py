@@ -21,7 +21,7 @@ __all__ = ['main', 'check_camera']
 # %% ../../nbs/api/cli/06_check.ipynb #d7a2af80
 _styles = dict(passed='good', failed='bad')
 
-class _Shower:
+class _Printer:
     "Printer of rows as they come, and of progress on a terminal"
     def __init__(self, count:int, quiet:bool=False, page:bool=False):
         self.count,self.quiet,self.page,self.n,self.subject = count,quiet,page,0,''
@@ -40,7 +40,7 @@ class _Shower:
         if not self.page and isinstance(error := output_error(), BrokenPipeError): raise error
 
 # %% ../../nbs/api/cli/06_check.ipynb #c7f37673
-def _heard_lines(p:Prober)->list:
+def _components(p:Prober)->list:
     "Return the components on the link, as text"
     def name(kind): return 'no heartbeat' if kind is None else enum_name('MAV_TYPE', kind, 'MAV_TYPE_')
     return [f'{s}/{c} {name(kind)}' for (s,c),kind in sorted(p.others.items())]
@@ -48,13 +48,14 @@ def _heard_lines(p:Prober)->list:
 # %% ../../nbs/api/cli/06_check.ipynb #9cba9c7b
 def _no_camera(p:Prober, typed)->int:
     "Report that there is no camera, and return the exit code"
-    where,heard = ' at {}/{}'.format(*typed.target) if typed.target else '',_heard_lines(p)
-    complain('uav-camera-check', f'no camera{where} on {typed.connection}\n  heard: {", ".join(heard) or "nothing"}')
-    if typed.json: Result(error=f'no camera{where}', exit=3, heard=heard).show(True)
+    where = ' at {}/{}'.format(*typed.target) if typed.target else ''
+    received = _components(p)
+    complain('uav-camera-check', f'no camera{where} on {typed.connection}\n  heard: {", ".join(received) or "nothing"}')
+    if typed.json: Result(error=f'no camera{where}', exit=3, heard=received).show(True)
     return 3
 
 # %% ../../nbs/api/cli/06_check.ipynb #e29c8988
-def _tell(found:Findings, typed)->int:
+def _report(found:Findings, typed)->int:
     "Print the findings, and return the exit code"
     if typed.html: Path(typed.html).write_text(found.page(), encoding='utf-8')
     if typed.json: print(json.dumps(found.to_json(), ensure_ascii=False))
@@ -67,8 +68,8 @@ def _check_camera(typed)->int:
     only = [name.strip() for name in typed.only.split(',')] if typed.only else ()
     found = suite(only)
     for r in found if typed.list else ():
-        said = dict(name=r.name, sentence=r.sentence, source=r.source, role=r.role)
-        Result(f'{r.name:<24} {r.sentence}', **said).show(typed.json)
+        fields = dict(name=r.name, sentence=r.sentence, source=r.source, role=r.role)
+        Result(f'{r.name:<24} {r.sentence}', **fields).show(typed.json)
     if typed.list: return 0
     if typed.html: Path(typed.html).touch()         # a wrong name fails now, not after minutes
     with Prober(typed.connection, typed.target, typed.patience) as p:
@@ -77,8 +78,8 @@ def _check_camera(typed)->int:
         who = f'{c["vendor"]} {c["model"]} at {c["system"]}/{c["component"]}'
         count = f'{len(found)} requirement{s}'
         print(f'uav-camera-check: {who}, {count}; {cost(found, typed.destructive)}', file=sys.stderr)
-        shower = _Shower(len(found), typed.json, bool(typed.html))
-        return _tell(run_suite(p, only, typed.destructive, shower, typed.connection), typed)
+        printer = _Printer(len(found), typed.json, bool(typed.html))
+        return _report(run_suite(p, only, typed.destructive, printer, typed.connection), typed)
 
 # %% ../../nbs/api/cli/06_check.ipynb #efcf9e0e
 _seconds = between(.1, 600)

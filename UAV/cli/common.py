@@ -392,12 +392,12 @@ class Visit:
                  out=None): # Output stream; `None`: standard output
         store_attr()
 
-    def say(self, result:Result):
+    def show(self, result:Result):
         "Print a result; raises `BrokenPipeError` if the output of an `endless` visit is closed"
         result.show(self.options.json, self.out)
         if self.endless and isinstance(error := output_error(self.out), BrokenPipeError): raise error
 
-    async def look(self, count:int|None, seconds:float)->list:
+    async def discover(self, count:int|None, seconds:float)->list:
         "Return the devices received within `seconds`, or as soon as there are `count`"
         raise NotImplementedError
 
@@ -415,7 +415,7 @@ async def find(self:Visit)->list:
     o,end = self.options,clock.monotonic()+self.options.timeout
     count = 1 if o.system and o.component else None         # it is unique
     while True:
-        found = await self.look(count, max(min(self.listen, end-clock.monotonic()), .1))
+        found = await self.discover(count, max(min(self.listen, end-clock.monotonic()), .1))
         self.seen = found
         meant = [device for device in found if self.is_meant(device)]
         if meant or clock.monotonic()>=end: return meant
@@ -451,7 +451,7 @@ async def choose(self:Visit):
 
 # %% ../../nbs/api/cli/01_common.ipynb #f9665402
 @patch
-def heard(self:Visit)->dict:
+def received(self:Visit)->dict:
     "Return `{link: names of the components received there}`"
     com = self.client.mav_com
     return {c.name:[com.name_of(source) for source in sorted(c.sources)] for c in (com.channels if com else ())}
@@ -464,13 +464,13 @@ def fail(self:Visit, error:Exception, # Exception of a verb
         )->int:
     "Report an error, and return the exit code"
     code,text = ending(error)
-    received = self.heard()
+    received = self.received()
     if code==1: text += advice
     lines = [text]
     if code==3: lines += [f'  heard on {link}: {", ".join(names) or "nothing"}' for link,names in received.items()]
     complain(self.program, '\n'.join(lines))
     result = enum_name('MAV_RESULT', error.result, 'MAV_RESULT_') if isinstance(error, CommandError) else None
-    if self.options.json: self.say(Result(error=text, exit=code, result=result, **fields, heard=received))
+    if self.options.json: self.show(Result(error=text, exit=code, result=result, **fields, heard=received))
     return code
 
 # %% ../../nbs/api/cli/01_common.ipynb #a029e2bd

@@ -26,7 +26,7 @@ class Steering(Visit):
     effect = .1     # s until its attitude shows a command
     patient = 2.    # longest s to wait for its attitude
 
-    async def look(self, count:int|None, seconds:float)->list:
+    async def discover(self, count:int|None, seconds:float)->list:
         "Return the gimbals received"
         return await self.client.find_gimbals(count, seconds)
 
@@ -82,12 +82,20 @@ async def acting(self:Steering):
 @patch
 async def newest(self:Steering):
     "Return the attitude after a command took effect; `None` if it doesn't come in time"
+<<<<<<< /tmp/tmpju_ibe6p/o
     async def told():
         await self.device.current_attitude()           # request a stream, if needed
+||||||| /tmp/tmpju_ibe6p/b
+    async def told():
+        await self.device._see()           # request a stream, if needed
+=======
+    async def first():
+        await self.device._see()           # request a stream, if needed
+>>>>>>> /tmp/tmpju_ibe6p/y
         return await anext(attitudes)
     await asyncio.sleep(self.effect)
     async with aclosing(self.device.attitudes()) as attitudes:
-        try: return await asyncio.wait_for(told(), self.patient)
+        try: return await asyncio.wait_for(first(), self.patient)
         except (asyncio.TimeoutError, NoAnswer): return None
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #a8dd1043
@@ -99,14 +107,14 @@ def _attitude(there:GimbalAttitude|None)->Result:
     return Result(said, **fields, heading=there.vehicle_yaw)
 
 @patch
-async def tell(self:Steering, text:str='', # Text before the attitude
+async def report(self:Steering, text:str='', # Text before the attitude
                **fields): # Further fields for programs
     "Print the attitude of the gimbal"
     (system,component,number),there = self.device.gimbal,_attitude(await self.newest())
     said = '; '.join(filter(None, (text, str(there))))
     about = dict(system=system, component=component, gimbal=number, verb=self.verb)
     more = dict(**about, **fields, control=self.owner, **there.fields)
-    self.say(Result(f'{system}/{component} gimbal {number}: {said}', **more))
+    self.show(Result(f'{system}/{component} gimbal {number}: {said}', **more))
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #971faf13
 @_verb('list', 'list --json', 'list --connection /dev/ttyUSB0,57600')
@@ -117,7 +125,7 @@ async def _list(steering):
     for g in found:
         i = g.information
         what = dict(vendor=i.vendor, model=i.model, pitch_limits=i.pitch, yaw_limits=i.yaw) if i else {}
-        steering.say(Result(str(g), system=g.system, component=g.component, gimbal=g.gimbal_device_id,
+        steering.show(Result(str(g), system=g.system, component=g.component, gimbal=g.gimbal_device_id,
                             verb='list', name=g.name,
                             can=g.can, **what))
 
@@ -127,12 +135,12 @@ async def _status(steering, watch:bool=False): # Repeat once a second, until Ctr
     "Show where it points, and who is in control"
     gimbal = await steering.choose()
     await gimbal.wait_ready(steering.options.timeout)
-    await steering.tell(f'{gimbal.name}; {gimbal.status}')
+    await steering.report(f'{gimbal.name}; {gimbal.status}')
     steering.endless = watch
     while watch:
         await asyncio.sleep(1)
         if gimbal.attitude is None: raise NoAnswer('it is silent')
-        await steering.tell()
+        await steering.report()
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #4e1c80cc
 class NotReached(MAVError): "A gimbal that didn't reach its angles"
@@ -171,7 +179,7 @@ async def _angle(steering, pitch:_degrees, # Pitch from the horizon, degrees; -9
         beyond = _beyond(gimbal, pitch, yaw, frame)
         if wait and beyond: raise NotReached(beyond)
         if wait: await steering.arrive(gimbal)
-    await steering.tell(beyond or ('there' if wait else 'on its way'), reached=wait, beyond=bool(beyond))
+    await steering.report(beyond or ('there' if wait else 'on its way'), reached=wait, beyond=bool(beyond))
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #a908cc18
 @_verb('rate 0 10', 'rate -5 0 --seconds 4')
@@ -180,14 +188,14 @@ async def _rate(steering, pitch:_speed, # Pitch rate, degrees a second, upwards
                 seconds:seconds=2.): # Seconds to turn
     "Turn for some time; Ctrl-C stops it"
     async with steering.acting() as gimbal, gimbal.keep_turning(pitch, yaw): await asyncio.sleep(seconds)
-    await steering.tell('stopped')
+    await steering.report('stopped')
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #a5c3e572
 @patch
 async def act(self:Steering, name:str, *args):
     "Take control, call a method of the gimbal, and print the attitude; raises as `Ack.check`"
     async with self.acting() as gimbal: (await getattr(gimbal, name)(*args)).check()
-    await self.tell('done')
+    await self.report('done')
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #0abb98a2
 def _plain_verb(verb:str, about:str, name:str=''):
@@ -202,7 +210,7 @@ async def _center(steering, wait:bool=False): # Wait until it points there
     async with steering.acting() as gimbal:
         (await gimbal.center()).check()
         if wait: await steering.arrive(gimbal)
-    await steering.tell('there' if wait else 'done', reached=wait)
+    await steering.report('there' if wait else 'done', reached=wait)
 
 _plain_verb('retract', 'Fold the gimbal away')
 
@@ -232,7 +240,7 @@ async def _release(steering):
     "Return control that was kept, or with --force that of another client"
     steering.options.keep = False
     async with steering.acting() as gimbal: pass
-    await steering.tell(str(gimbal.status))
+    await steering.report(str(gimbal.status))
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #648767f6
 @patch

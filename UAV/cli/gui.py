@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import logging, os, signal, sys, webbrowser
 from ..cameras import SimCamera
 from .common import address, links, on_links, or_exit, place_for, run_with_options, sentence, between, number
-from .serve import Aboard, add_streams, log_to, serving, Teller
+from .serve import Aboard, add_streams, log_to, serving, StatusPrinter
 from ..manager import Gui
 from ..manager.server import Door
 from ..mavlink import CameraClient, GimbalClient, mavlink
@@ -77,9 +77,9 @@ def _keep_url(server)->Path:
     with open(os.open(new, os.O_WRONLY|os.O_CREAT|os.O_EXCL, 0o600), 'w') as file: print(server.url, file=file)
     return new.replace(path)
 
-def _told_url(server, teller:Teller, own:bool, stack:ExitStack)->str:
+def _shown_url(server, printer:StatusPrinter, own:bool, stack:ExitStack)->str:
     "Return the address to print: with the token on a terminal, else with its file, unless it's the user's `own`"
-    if teller.live: return server.url
+    if printer.live: return server.url
     page = server.url.partition('#')[0]
     if sys.stderr.isatty(): print(f'The panel: {server.url}', file=sys.stderr, flush=True)      # somebody is there
     if own: return f'{page} (with your token, as {page}#token=TOKEN)'
@@ -96,23 +96,24 @@ def _present(status:dict)->dict:
     return {row['id']:text(kind, row) for kind,row in rows}
 
 # %% ../../nbs/api/cli/05_gui.ipynb #a2b5b484
-def _news_of(now:dict, last:dict)->list:
+def _changes(now:dict, last:dict)->list:
     "Return a line for each device that came, changed or went"
     gone = [f'{id} {text.rpartition(", ")[0]}, forgotten' for id,text in last.items() if id not in now]
     return gone+[f'{id} {text}' for id,text in now.items() if last.get(id)!=text]
 
 # %% ../../nbs/api/cli/05_gui.ipynb #3b09708c
-def _introduce(gui, url:str, teller:Teller):
-    "Print the address, as from `_told_url`, and the links"
-    teller.say(f'The panel: {url}')
-    for channel in gui.gimbal_client.mav_com.channels: teller.say(f'  {gui.us} on {channel.name}')
+def _introduce(gui, url:str, printer:StatusPrinter):
+    "Print the address, as from `_shown_url`, and the links"
+    printer.line(f'The panel: {url}')
+    for channel in gui.gimbal_client.mav_com.channels: printer.line(f'  {gui.us} on {channel.name}')
 
-def _follow(gui, teller:Teller, period:float=1.):
-    "Print news until the panel ends"
+def _follow(gui, printer:StatusPrinter, period:float=1.):
+    "Print the changes until the panel ends"
     last = {}
     while not gui.exit_event.wait(period):
-        last,before = _present(gui.status()),last
-        for line in _news_of(last, before): teller.say(line)
+        now = _present(gui.status())
+        for line in _changes(now, last): printer.line(line)
+        last = now
 
 # %% ../../nbs/api/cli/05_gui.ipynb #6e080ac0
 def fly(
@@ -133,18 +134,18 @@ def fly(
       uav-gui --sim --browser     # a simulated vehicle
       uav-gui                     # listen on UDP port 14550, where vehicles send to
       uav-gui --connection /dev/ttyUSB0,57600 --port 8440     # a radio; the page keeps its address"""
-    typed,teller = SimpleNamespace(**locals()),Teller()
-    log_to(teller)
+    typed,printer = SimpleNamespace(**locals()),StatusPrinter()
+    log_to(printer)
     if typed.sim: logging.getLogger().handlers[0].setLevel(logging.WARNING)     # keep the vehicle's log out of ours
     try:
         with ExitStack() as stack:
             with or_exit('uav-gui'): gui,server = _opened(typed, stack)
-            _introduce(gui, _told_url(server, teller, _own_token(token) is not None, stack), teller)
+            _introduce(gui, _shown_url(server, printer, _own_token(token) is not None, stack), printer)
             if browser and not webbrowser.open(server.url):
-                teller.say('There is no browser here: open the address yourself')
-            _follow(gui, teller)
+                printer.line('There is no browser here: open the address yourself')
+            _follow(gui, printer)
     except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
-    teller.say('stopped')
+    printer.line('stopped')
 
 # %% ../../nbs/api/cli/05_gui.ipynb #eab6d74a
 _groups = {'the vehicle':'connection sign sim path', 'the page':'browser port host token',

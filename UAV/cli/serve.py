@@ -30,7 +30,7 @@ from argparse import ArgumentTypeError
 from typing import Literal
 
 # %% auto #0
-__all__ = ['main', 'add_streams', 'serving', 'Aboard', 'Teller', 'log_to', 'serve_camera']
+__all__ = ['main', 'add_streams', 'serving', 'Aboard', 'StatusPrinter', 'log_to', 'serve_camera']
 
 # %% ../../nbs/api/cli/02_serve.ipynb #834fa745
 def _is_device(text:str)->bool: return text.partition('://')[0].lower() in device_schemes()
@@ -224,17 +224,18 @@ def _gimbal_of(com)->tuple:
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3a65f7fd
 def _status_of(camera, com)->tuple:
-    "Return the status as `(line, the part that is news)`"
+    "Return the status as `(line, the part that is worth a line in a log)`"
     ours = {(com.source_system, number) for number in com.component}
-    heard = [r.name for r in com.remotes.values() if r.type is not None and not r.lost and r.address not in ours]
+    others = [r.name for r in com.remotes.values() if r.type is not None and not r.lost and r.address not in ours]
     films = sum(len(storage.recordings) for storage in camera.storages)
     steady = [f'FAULT: {camera.fault}'] if camera.fault else []
     steady += [*map(_viewers, camera.streams), _count(len(camera.pictures), 'picture'), _count(films, 'recording')]
     moving = [f'REC {_clock(camera.recording_time)}'] if camera.recording else []
-    there,told = _gimbal_of(com)
-    if told: moving.append(f'gimbal {there}{told}')
-    hears,free = f'hears {", ".join(sorted(heard)) or "nothing"}',camera.storages.photo.information().available
-    return ' | '.join([*steady, *moving, f'{_size(free)} free', hears]),(*steady, camera.recording, told, hears)
+    direction,owner = _gimbal_of(com)
+    if owner: moving.append(f'gimbal {direction}{owner}')
+    free = f'{_size(camera.storages.photo.information().available)} free'
+    hears = f'hears {", ".join(sorted(others)) or "nothing"}'
+    return ' | '.join([*steady, *moving, free, hears]),(*steady, camera.recording, owner, hears)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #2605d907
 def _statuses(camera, com, period:float=1.):
@@ -250,35 +251,36 @@ def _statuses(camera, com, period:float=1.):
     finally: camera.unsubscribe(note)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #78680205
-class Teller:
-    "Printer of a status: on a terminal over the last one, elsewhere only news"
+class StatusPrinter:
+    "Printer of a status: on a terminal over the last one, elsewhere only when it has changed"
     over = '\r\x1b[K'       # go to the start of the line, and clear it
     def __init__(self, out=None): # Output stream; `None`: standard output
-        self.out,self._news = out or sys.stdout,None
+        self.out = out or sys.stdout
         self.live = self.out.isatty()
+        self._last = None       # the last status, without what changes all the time
 
-    def say(self, text:str):
+    def line(self, text:str):
         "Print a line; on a terminal over the last status"
         self._print(f'{self.over if self.live else ""}{text}\n')
 
     def _print(self, text:str): print(text, end='', file=self.out, flush=True)
 
-    def tell(self, line:str, # A status
-             news): # The part of it that is news
+    def status(self, line:str, # A status
+               steady): # The part of it that is worth a line in a log
         "Show a status"
-        last,self._news = self._news,news
         if self.live: self._print(self.over+self._lit(line[:shutil.get_terminal_size().columns-1]))
-        elif news!=last: self.say(line)
+        elif steady!=self._last: self.line(line)
+        self._last = steady
 
     def _lit(self, line:str)->str:
         "Return the line with a fault and a recording in colour"
         return re.sub(r'FAULT: [^|]*|REC [\d:]+', lambda m: painted(m[0], 'bad', self.out), line)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #ad7af348
-def log_to(teller:Teller):
+def log_to(printer:StatusPrinter):
     "Make all loggers print above the status"
-    form = f'{teller.over if teller.live else ""}%(levelname)s %(name)s: %(message)s'
-    logging.basicConfig(stream=teller.out, level=logging.INFO, format=form)
+    form = f'{printer.over if printer.live else ""}%(levelname)s %(name)s: %(message)s'
+    logging.basicConfig(stream=printer.out, level=logging.INFO, format=form)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #e2ed96e7
 def _places(typed)->list:
@@ -339,27 +341,28 @@ def _named(guard)->str:
 
 def _serve(typed):
     "Serve, and print the status until Ctrl-C"
-    log_to(teller := Teller())
+    log_to(printer := StatusPrinter())
     try:
         with ExitStack() as stack:
             with or_exit('uav-camera-server'): camera,com = _opened(typed, stack)
-            _introduce(camera, com, teller)
-            for status in _statuses(camera, com): teller.tell(*status)
+            _introduce(camera, com, printer)
+            for status in _statuses(camera, com): printer.status(*status)
     except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
-    teller.say(f'stopped; the pictures are in {" and ".join(_places(typed))}')
+    printer.line(f'stopped; the pictures are in {" and ".join(_places(typed))}')
 
-def _introduce(camera, com, teller:Teller):
+def _introduce(camera, com, printer:StatusPrinter):
     "Print what is served, and on which links"
     for number,component in com.component.items():
         device = getattr(component, 'camera', None) or getattr(component, 'gimbal', None)
         model = device and (getattr(component, 'name', None) or device.information.model)
         name = f'{device.information.vendor} {model}' if device else type(component).__name__
-        teller.say(f'{name} is {com.source_system}/{number}')
+        printer.line(f'{name} is {com.source_system}/{number}')
     server = next(c for c in com.component.values() if isinstance(c, CameraServer))
-    for channel in com.channels: teller.say(f'  on {channel.name}')
-    if server.guard: teller.say(f'  only these may format, reset and delete: {_named(server.guard)}')
-    for storage in repr(camera.storages).splitlines()*(len(camera.storages)>1): teller.say(f'  storage {storage}')
-    for stream in camera.streams: teller.say(f'  {stream.kind}: {stream.uri(server.video.host_for())}, {stream.format}')
+    for channel in com.channels: printer.line(f'  on {channel.name}')
+    if server.guard: printer.line(f'  only these may format, reset and delete: {_named(server.guard)}')
+    for storage in repr(camera.storages).splitlines()*(len(camera.storages)>1): printer.line(f'  storage {storage}')
+    for stream in camera.streams:
+        printer.line(f'  {stream.kind}: {stream.uri(server.video.host_for())}, {stream.format}')
 
 # %% ../../nbs/api/cli/02_serve.ipynb #4b62626b
 def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION

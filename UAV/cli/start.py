@@ -47,11 +47,11 @@ def at_once(server:bool=False): # SIGTERM and SIGHUP exit with 0, rather than 13
 def program(name:str, # Name of the command
             server:bool=False): # Treat output as a log, and a signal as the normal end
     "Return a context manager that runs a program, cleans up and ends the process; yields an `at_once`"
-    told,code = end_as_with_ctrl_c(),0
+    signals,code = end_as_with_ctrl_c(),0
     fill_standard_files()
     sys.stdout,sys.stderr = (lasting(stream, waits=not server) for stream in (sys.stdout, sys.stderr))
     try: yield at_once(server)
-    except KeyboardInterrupt: code = 0 if server and told else 128+signal.SIGINT
+    except KeyboardInterrupt: code = 0 if server and signals else 128+signal.SIGINT
     except SystemExit as e: code = e.code
     lost = None if server or code else output_error()
     if lost is None or isinstance(lost, BrokenPipeError): sys.exit(code)

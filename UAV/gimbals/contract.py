@@ -155,11 +155,11 @@ def _check_rates(gimbal, wait):
     "turns at a rate, which ends by itself"
     for axis,rate in ((axis, rate) for axis in _limits(gimbal) for rate in (10.,-10.)):
         _turns(gimbal, wait, axis, rate, lasts=2.)
-        start,said = _now(gimbal)[axis],gimbal.attitude().rates[axes.index(axis)]
+        start,reported = _now(gimbal)[axis],gimbal.attitude().rates[axes.index(axis)]
         wait(1.)
         turned = wrap(_now(gimbal)[axis]-start)
         assert abs(turned-rate) < 4, f'{axis} was to turn by {rate:g}° in a second, but turned by {turned:.0f}°'
-        assert not abs(said-turned) > 4, f'{axis} turned by {turned:.0f}°/s, but its attitude says {said:.2g}°/s'
+        assert not abs(reported-turned) > 4, f'{axis} turned by {turned:.0f}°/s, but its attitude says {reported:.2g}°/s'
         wait(1.)
         _stands(gimbal, wait, f'the {axis} rate was to end after 2 s')
 
@@ -176,8 +176,8 @@ def _check_stop(gimbal, wait):
 
 def _is_in(gimbal, mode:str, why:str):
     "Raise `AssertionError` unless its attitude says that it is in this mode"
-    said = gimbal.attitude().mode
-    assert said==mode, f'{why}, but the mode of its attitude is {said!r}'
+    now = gimbal.attitude().mode
+    assert now==mode, f'{why}, but the mode of its attitude is {now!r}'
 
 def _check_center(gimbal, wait):
     "looks straight ahead"
@@ -234,9 +234,9 @@ def _check_level(gimbal, wait):
     gimbal.follow()
     pitch = _places(gimbal, .5)['pitch']
     gimbal.set_angles(pitch=pitch)
-    said = _fly(gimbal, wait, 5., tilt=10.)
-    level = abs(said.pitch-pitch) <= _tolerance
-    assert level, f'the vehicle leans by 10°, and pitch must stay at {pitch:.0f}°, but it says {said}'
+    there = _fly(gimbal, wait, 5., tilt=10.)
+    level = abs(there.pitch-pitch) <= _tolerance
+    assert level, f'the vehicle leans by 10°, and pitch must stay at {pitch:.0f}°, but it says {there}'
 
 # %% ../../nbs/api/gimbals/02_contract.ipynb #6d9f50bb
 def _check_retract(gimbal, wait):

@@ -35,7 +35,7 @@ class Gimbal(KeepsNames, Closes):
     patience = 5.                   # s that `close` waits for a driver that hangs
     fault = None                    # The device's fault; `None` when it works
     camera = None                   # the `Camera` that it turns, when its driver has one
-    _parts = dict(clock=callable, setpoint=Setpoint, closed=bool, _told=tuple, _timers=Timers,
+    _parts = dict(clock=callable, setpoint=Setpoint, closed=bool, _vehicle_state=tuple, _timers=Timers,
         log=lambda value: hasattr(value, 'warning'), _lock=lambda value: isinstance(value, type(_clock.RLock())))
     def __init__(self,
                  clock=clock.now): # Gives seconds, and never goes back; with another one, call `tick` yourself
@@ -43,7 +43,7 @@ class Gimbal(KeepsNames, Closes):
         for name in _checks: _checks[name](name, getattr(self, name))
         self.clock,self.log = clock,get_logger(f'gimbal.{self.information.model}')
         self.setpoint,self.closed,self._lock = Setpoint(),False,_clock.RLock()
-        self._told = VehicleState(),-math.inf           # the vehicle's last state, and when it came
+        self._vehicle_state = VehicleState(),-math.inf           # the vehicle's last state, and when it came
         self._timers,self._alarm = Timers(f'timer of {self.information.model}'),None   # its own: it may hang
         _gimbals.add(self)
 
@@ -97,20 +97,20 @@ _checks = dict.fromkeys(('rate_lasts','vehicle_lasts','carries','patience'), _se
 def set_vehicle(self:Gimbal, state:VehicleState): # How the vehicle is held, and where it is, now
     "Set the vehicle's state; raises `ValueError` for an invalid attitude"
     for angle in filter(known, (state.roll, state.pitch, state.yaw)): inside("an angle of the vehicle", angle)
-    self._told = state,self.clock()         # without the lock, which a driver that hangs may hold
+    self._vehicle_state = state,self.clock()         # without the lock, which a driver that hangs may hold
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #9fac4763
 @patch
 def _vehicle_at(self:Gimbal, t:float)->VehicleState:
     "Extrapolate the last vehicle state to `t`, s on the gimbal's clock"
-    state,told = self._told
-    return state.after(min(max(t-told, 0.), self.carries))
+    state,since = self._vehicle_state
+    return state.after(min(max(t-since, 0.), self.carries))
 
 @patch(as_prop=True)
 def vehicle(self:Gimbal)->VehicleState|None:
     "The vehicle's state; `None` when unknown or out of date"
     now = self.clock()
-    return self._vehicle_at(now) if now-self._told[1]<=self.vehicle_lasts else None
+    return self._vehicle_at(now) if now-self._vehicle_state[1]<=self.vehicle_lasts else None
 
 @patch(as_prop=True)
 def heading(self:Gimbal)->float:

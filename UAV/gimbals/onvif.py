@@ -21,7 +21,7 @@ from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.devices import DeviceURL
 from ..utils.values import inside
-from ..utils.sockets import _ask_web, _Deadline, url_host, _web_path
+from ..utils.sockets import url_host, ask_web, Deadline, web_path
 from ..video.rtsp import _authorization
 from ..utils.pictures import decode_picture
 from .driver import GimbalDriver
@@ -149,11 +149,11 @@ class _OnvifClient:
         self.log,self.skew = get_logger('onvif'),None       # `skew`: s that its clock is ahead; `None`: not known
         self.received = self.changed = lambda: None         # called when `status` is new; when `error` comes or goes
         self.status = NAN,NAN,NAN,''                        # pan, tilt, zoom, space
-        self.error,self.heard = None,clock()                # why it doesn't answer; when it did last
+        self.error,self.answered = None,clock()             # why it doesn't answer; when it did last
         self._orders,self._wake,self._closing,self._thread = {},_clock.Condition(),False,None
         self._due = self._busy = -math.inf                  # when to poll next; until when it may move
         self.endless = False                                # does it refuse a time-out?
-        self._hurry,self._waits = False,None        # is a stop order posted? the `_Deadline` the thread waits for
+        self._hurry,self._waits = False,None        # is a stop order posted? the `Deadline` the thread waits for
 
     def __repr__(self): return f'ONVIF camera at {self.place}'
 
@@ -164,7 +164,7 @@ def _shown(url:str)->str: return re.sub(r'(://)(?:[^/]*@)?([^/]*)/.*', r'\1\2/â€
 def _proof(self:_OnvifClient, url:str, method:str, headers)->str:
     "Return the header Authorization for the headers of a 401; empty: there is none. Raises `GimbalError`"
     asked = ', '.join(headers.get_all('www-authenticate') or ())
-    proof = _authorization(asked, method, _web_path(url), self.user, self.password) if self.user else ''
+    proof = _authorization(asked, method, web_path(url), self.user, self.password) if self.user else ''
     if proof.startswith('Basic') and not (self.basic or url.startswith('https:')):
         raise GimbalError(f'{self!r} asks for the password in plain text, for all on its network to read: '
                           f'to allow that, write onvif://USER:PASSWORD@{self.place}?basic=yes')
@@ -175,7 +175,7 @@ def _proof(self:_OnvifClient, url:str, method:str, headers)->str:
 @contextmanager
 def _deadline(self:_OnvifClient, seconds:float):
     "A deadline; what the thread sends is given up earlier by a stop order, and `_GivenUp` is raised"
-    with _Deadline(seconds) as deadline:
+    with Deadline(seconds) as deadline:
         if clock.current_thread() is not self._thread: return (yield deadline)
         with self._wake: self._waits = None if self._hurry else deadline
         if self._hurry: raise _GivenUp('a stop order waits')
@@ -187,12 +187,12 @@ def _deadline(self:_OnvifClient, seconds:float):
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #7f0fd132
 @patch
-def _exchange(self:_OnvifClient, deadline:_Deadline, url:str, data:bytes|None)->tuple:
+def _exchange(self:_OnvifClient, deadline:Deadline, url:str, data:bytes|None)->tuple:
     "Return status, reason, headers and body of the answer, with our password if it asks for one"
     kind = {'Content-Type':'application/soap+xml; charset=utf-8'} if data else {}
-    answer = _ask_web(deadline, url, most=self.most, body=data, **kind)
+    answer = ask_web(deadline, url, most=self.most, body=data, **kind)
     proof = self._proof(url, 'POST' if data else 'GET', answer[2]) if answer[0]==401 else ''
-    return _ask_web(deadline, url, most=self.most, body=data, Authorization=proof, **kind) if proof else answer
+    return ask_web(deadline, url, most=self.most, body=data, Authorization=proof, **kind) if proof else answer
 
 @patch
 def load(self:_OnvifClient, url:str, data:bytes|None=None, # What to POST; `None`: GET a picture
@@ -401,7 +401,7 @@ def _try(self:_OnvifClient, request:str):
     except _GivenUp: raise
     except GimbalError as e: error = str(e)
     self.error = error
-    if not error: self.heard = self.clock()
+    if not error: self.answered = self.clock()
     if bool(was)!=bool(error):
         self.log.warning('%s', error or f'{self!r} answers again')
         self.changed()
@@ -590,7 +590,7 @@ def _choose_spaces(self:Onvif, pan:tuple|None, tilt:tuple|None):
 @patch(as_prop=True)
 def fault(self:Onvif)->str|None:
     "Return a sentence when the device doesn't answer; `None`: it works"
-    silent = self.line.clock()-self.line.heard
+    silent = self.line.clock()-self.line.answered
     return self.line.error or (f'{self.line!r}: no answer for {silent:.0f} s' if silent>3 else None)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #b8bf41dc
@@ -608,7 +608,7 @@ def attitude(self:Onvif)->GimbalAttitude:
     "Return where it points, by its last answer"
     with self._lock:
         goals = dict(pitch=self.setpoint.pitch.angle, yaw=self.setpoint.yaw.angle)
-        return self.held(0., self._angle('pitch'), self._angle('yaw'), goals=goals)
+        return self.attitude_of(0., self._angle('pitch'), self._angle('yaw'), goals=goals)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #fb9290e2
 @patch

@@ -17,8 +17,6 @@ from ..cameras.sim import ThermalRange
 from ..cameras.url_camera import URLCamera
 from ..cameras.values import *
 from .driver import direction_of
-from UAV.gimbals.siyi_link import (Cmd, read_config, read_range, read_stream, read_thermal, read_zoom, SiyiLink,
-    zoom_data)
 from .values import GimbalError
 from ..utils import clock
 from ..utils.lazy import cv2, np
@@ -27,6 +25,8 @@ from ..utils.values import inside
 from ..utils.pictures import decode_picture
 from ..utils.sockets import get_web, url_host
 from ..video.units import VideoFormat
+from UAV.gimbals.siyi_link import (Cmd, read_config, read_range, read_stream, read_thermal, read_zoom, SiyiLink,
+    zoom_data)
 
 # %% auto #0
 __all__ = ['SiyiCamera']

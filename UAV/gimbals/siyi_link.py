@@ -10,7 +10,7 @@ from enum import IntEnum
 from typing import NamedTuple
 import math, struct
 
-from fastcore.basics import patch, store_attr
+from fastcore.basics import patch
 from .values import *
 from ..logging import get_logger
 from ..utils import clock, clock as _clock
@@ -207,7 +207,7 @@ class SiyiLink(Closes):
         one_of('transport', transport, ('udp','tcp','serial'))
         self.clock,self.transport,self.log = clock,transport,get_logger('siyi')
         self.hardware,self.firmware,self.model = '',None,SiyiModel()     # until it answers
-        self.newest,self.heard = {},-math.inf           # `{cmd: (when, data)}`; when any frame came, s
+        self.newest,self.answered = {},-math.inf           # `{cmd: (when, data)}`; when any frame came, s
         self._began,self._asked,self._beaten = clock(),-math.inf,-math.inf
         self._reader,self._listeners,self._seq,self._closed = SiyiReader(),{},0,False
         self._came,self._sending = _clock.Condition(),_clock.RLock()
@@ -234,9 +234,9 @@ def fault(self:SiyiLink)->str|None:
     "Return a sentence when the link is down or silent; `None`: it works"
     if self._closed: return 'closed'
     if not self.line.up: return f'no connection: {self.line.error or "just lost"}'
-    silent = self.clock()-max(self.heard, self._began)>self.silence
+    silent = self.clock()-max(self.answered, self._began)>self.silence
     if silent: return f'{self.name} has been silent for {self.silence:g} s'
-    if self.heard<self._began: return f'{self.name} has not answered yet'
+    if self.answered<self._began: return f'{self.name} has not answered yet'
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #ca23567e
 @patch
@@ -264,8 +264,8 @@ def _receive(self:SiyiLink, data:bytes):
     "Decode bytes that came, and wake all who wait for an answer"
     for frame in self._reader.feed(data):
         with self._came:
-            self.heard = self.clock()
-            self.newest[frame.cmd] = self.heard,frame.data
+            self.answered = self.clock()
+            self.newest[frame.cmd] = self.answered,frame.data
             self._learn(frame.cmd, frame.data)
             self._came.notify_all()
         for listener in self._listeners.get(frame.cmd, ()):
@@ -294,7 +294,7 @@ def tick(self:SiyiLink):
     if not self.line.up: return
     if self.transport=='tcp' and now-self._beaten>.9 and self.send(Cmd.heartbeat, b'\0'): self._beaten = now
     unknown = not self.hardware or not self.firmware
-    if now-self._asked<(.49 if unknown else .99) and now-self.heard<self.pace: return
+    if now-self._asked<(.49 if unknown else .99) and now-self.answered<self.pace: return
     self._asked = now
     if not self.hardware: self.send(Cmd.hardware)
     if not self.firmware: self.send(Cmd.firmware)

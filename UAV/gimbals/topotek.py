@@ -88,7 +88,7 @@ class Topotek(GimbalDriver):
         serial = host.startswith('/')
         place = SerialPort(host, baudrate) if serial else UDPPort(host, port, local, any_port=True)
         self.sender = one_of('sender', sender or 'PU'[serial], ('P','U'))
-        self._angles,self._heard,self._reader = (NAN,NAN,NAN),-math.inf,TopotekReader()     # yaw, pitch, roll; when
+        self._angles,self._reported,self._reader = (NAN,NAN,NAN),-math.inf,TopotekReader()     # yaw, pitch, roll; when
         self._below = VehicleState()                # the vehicle, when they came
         self._began,self._starts = -math.inf,{}     # of the setpoint: since when, from where
         self._repeated = {}                         # `{subject: (frame, since when)}`
@@ -120,7 +120,7 @@ def _repeat(self:Topotek, subject:str, *frame):
 def fault(self:Topotek)->str|None:
     "Return a sentence when the device is silent; `None`: it works"
     if self.line.error: return f'no connection: {self.line.error}'
-    if self.clock()-self._heard>self.silence:
+    if self.clock()-self._reported>self.silence:
         return f'no attitude from {self.line} for {self.silence:g} s (asked as sender {self.sender!r})'
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #4ed7d48b
@@ -136,7 +136,7 @@ def attitude(self:Topotek)->GimbalAttitude:
     "Return where it points, by its last report, and the vehicle's yaw then"
     yaw,pitch,roll = self._angles
     goals = {axis: self._wanted(axis, self.setpoint) for axis in ('pitch','yaw')}
-    return self.held(roll, pitch, yaw, vehicle=self._below, goals=goals)
+    return self.attitude_of(roll, pitch, yaw, vehicle=self._below, goals=goals)
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #79da9fb3
 @patch
@@ -218,9 +218,9 @@ def _receive(self:Topotek, data:bytes):
         now,frames = self.clock(),self._reader.feed(data)
         for frame in frames: self._learn(*frame)
         for angles in filter(None, (_attitude_in(*frame) for frame in frames)):
-            if now-self._heard>self.silence:
+            if now-self._reported>self.silence:
                 self._repeated = {subject: (frame,now) for subject,(frame,_) in self._repeated.items()}
-            self._angles,self._heard,self._below = angles,now,self.vehicle or VehicleState()
+            self._angles,self._reported,self._below = angles,now,self.vehicle or VehicleState()
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #3cf31913
 @patch

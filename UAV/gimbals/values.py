@@ -144,6 +144,6 @@ def _degrees(angle:float)->str: return f'{round(angle, 1)+0.:.1f}°'       # wit
 def __repr__(self:GimbalAttitude):
     north = f', {_degrees(round(self.earth_yaw, 1)%360)} from north' if known(self.vehicle_yaw) else ''
     where = f'pitch {_degrees(self.pitch)}, yaw {_degrees(self.yaw)}{north}'
-    said = [where if known(self.pitch) else 'angles unknown', self.mode]
-    said = [*said, 'locked' if self.lock else 'follows', *self.failures]
-    return f'{type(self).__name__}: {", ".join(word for word in said if word!="point")}'
+    words = [where if known(self.pitch) else 'angles unknown', self.mode]
+    words = [*words, 'locked' if self.lock else 'follows', *self.failures]
+    return f'{type(self).__name__}: {", ".join(word for word in words if word!="point")}'

@@ -246,7 +246,7 @@ class Viewsheen(GimbalDriver):
         self._next = -math.inf                          # when a frame may be sent again
         self._waits,self._sent = False,True             # is the setpoint too early for that? was it sent?
         self.reports,self._reader = {},ViewsheenReader()        # `{kind: the newest one}`
-        self._heard = self.clock()                      # when a report came, s
+        self._reported = self.clock()                      # when a report came, s
         self.series = PhotoSeries(lambda: self._order(action_frame('snapshot', 'single')), self.log)
         self.hold_still()                               # what was sent before, we do not know
         self.line = line or DeviceLine(TCPPort(host, port))
@@ -261,7 +261,7 @@ def fault(self:Viewsheen)->str|None:
     if self._is_silent(): return f'no report for {self.silence:g} s'
 
 @patch
-def _is_silent(self:Viewsheen)->bool: return self.setup.feedback and self.clock()-self._heard>self.silence
+def _is_silent(self:Viewsheen)->bool: return self.setup.feedback and self.clock()-self._reported>self.silence
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #e1575b96
 @patch
@@ -270,7 +270,7 @@ def attitude(self:Viewsheen)->GimbalAttitude:
     with self._lock:
         pitch,yaw = (self.axes[axis].at(self.clock()) for axis in ('pitch','yaw'))
         if self.setup.yaw_reference=='earth': yaw = wrap(yaw-self.heading)
-        return self.held(0., pitch, yaw, goals=dict(pitch=self.setpoint.pitch.angle))
+        return self.attitude_of(0., pitch, yaw, goals=dict(pitch=self.setpoint.pitch.angle))
 
 # %% ../../nbs/api/gimbals/06_viewsheen.ipynb #918a0284
 @patch
@@ -386,7 +386,7 @@ def _on_line(self:Viewsheen):
         now,up,turns = self.clock(),self.line.up,self.setpoint.turning
         fresh = now-self._began<=self.fresh
         if up:
-            self._reader,self._heard = ViewsheenReader(),now
+            self._reader,self._reported = ViewsheenReader(),now
             self._halt()
         if turns or up and not (fresh or self._sent): self.hold_still()
         elif up and fresh:              # what was sent last may be lost with the line
@@ -401,7 +401,7 @@ def _receive(self:Viewsheen, data:bytes):
     with self._lock:
         now,heading = self.clock(),self.heading
         for report in filter(None, map(parse_report, self._reader.feed(data))):
-            self.reports[type(report)],self._heard = report,now
+            self.reports[type(report)],self._reported = report,now
             if not isinstance(report, AttitudeReport): continue
             from_north = report.yaw+heading if known(heading) else report.magnetic_yaw
             self.axes['pitch'].correct(report.pitch, now)

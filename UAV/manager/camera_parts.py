@@ -431,10 +431,15 @@ class _Aim(RowPart):
     "Click to point: aims the gimbal of a camera"
     receives,requests = (CAMERA_FOV_STATUS,),{CAMERA_FOV_STATUS:10.}
     delay = .05         # s from exposure to arrival, about
+    @property
+    def named(self)->int:
+        "Gimbal in CAMERA_INFORMATION; 0: none"
+        info = self.row.received.newest.get(CAMERA_INFORMATION)
+        return info.gimbal_device_id if info else 0
+
     def names(self, gimbal)->bool:
         "True if CAMERA_INFORMATION names the gimbal of this row"
-        info,(system,component,number) = self.row.received.newest.get(CAMERA_INFORMATION),gimbal.gimbal
-        named = getattr(info, 'gimbal_device_id', 0)
+        named,(system,component,number) = self.named,gimbal.gimbal
         if named==0 or system!=self.row.camera.system: return False
         return named==number or named>6 and named in (component, gimbal.client.device[1])
 
@@ -449,16 +454,6 @@ class _Aim(RowPart):
         found = self.gimbals
         return found[0] if len(found)==1 else None
 
-    def field_of_view(self, msg=None)->tuple|None:
-        "Return the horizontal and vertical field of view of `msg` or the last CAMERA_FOV_STATUS, degrees, or `None`"
-        msg,stream = msg or self.row.received.newest.get(CAMERA_FOV_STATUS),self.row.preview.stream
-        fields = [(msg.hfov, msg.vfov)] if msg else []
-        if stream: fields.append((stream.hfov, NAN))
-        wide,high = next(((w, h) for w,h in fields if 0<w<180), (NAN,NAN))
-        size = self.row.preview.newest.size or (stream and (stream.width,stream.height))
-        if not 0<high<180: high = _vertical_fov(wide, size) if size and all(size) else NAN
-        return (wide,high) if 0<wide<180 and 0<high<180 else None
-
     def status(self)->dict:
         "Return its gimbal, and whether a click can point it"
         gimbal,why_not = self.gimbal,self.why_not
@@ -471,11 +466,23 @@ class _Aim(RowPart):
         able = gimbal is not None and not gimbal.lost and 'CAN_POINT_LOCATION_GLOBAL' in gimbal.client.can
         return able and self.row.ground.vehicle is not None
 
+# %% ../../nbs/api/manager/06_camera_parts.ipynb #7e1d1204
+@patch
+def field_of_view(self:_Aim, msg=None)->tuple|None:
+    "Return the horizontal and vertical field of view of `msg` or the last CAMERA_FOV_STATUS, degrees, or `None`"
+    msg,stream = msg or self.row.received.newest.get(CAMERA_FOV_STATUS),self.row.preview.stream
+    fields = [(msg.hfov, msg.vfov)] if msg else []
+    if stream: fields.append((stream.hfov, NAN))
+    wide,high = next(((w, h) for w,h in fields if 0<w<180), (NAN,NAN))
+    size = self.row.preview.newest.size or (stream and (stream.width,stream.height))
+    if not 0<high<180: high = _vertical_fov(wide, size) if size and all(size) else NAN
+    return (wide,high) if 0<wide<180 and 0<high<180 else None
+
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #8995c29c
 @patch(as_prop=True)
 def why_not(self:_Aim)->str:
     "Reason why a click can't point it, or ''"
-    named,gimbals = getattr(self.row.received.newest.get(CAMERA_INFORMATION), 'gimbal_device_id', 0),self.gimbals
+    named,gimbals = self.named,self.gimbals
     if not named: return 'The camera does not say which gimbal it is on'
     if len(gimbals)>1: return f'The camera is on gimbal {named}, and {len(gimbals)} gimbals have that number'
     if not gimbals: return f'The gimbal of the camera (number {named}) was not found'

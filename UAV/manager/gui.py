@@ -144,7 +144,7 @@ async def _forget_lost(self:Gui):
     since = {}
     while True:
         now = clock.monotonic()
-        since = {id:since.get(id, now) for id,row in self.rows.items() if getattr(row, 'lost', '')}
+        since = {id:since.get(id, now) for id,row in self.rows.items() if row.lost}
         for id,when in since.items():
             if now-when>=self.forget_after: await self.remove_row(id)
         await asyncio.sleep(min(1., self.forget_after/4))
@@ -167,7 +167,8 @@ async def find_cameras(self:Gui, count:int|None=None, # Return as soon as this m
                        timeout:float=1.5, # Seconds to listen
                       )->list:
     "Find cameras and return their rows, from any event loop; raises `LinkError`"
-    return await self.loop.ask(self._find(getattr(self.camera_client, 'find_cameras', None), CameraRow, count, timeout))
+    find = self.camera_client and self.camera_client.find_cameras
+    return await self.loop.ask(self._find(find, CameraRow, count, timeout))
 
 # %% ../../nbs/api/manager/11_gui.ipynb #1e146e6f
 @patch
@@ -175,7 +176,8 @@ async def find_gimbals(self:Gui, count:int|None=None, # Return as soon as this m
                        timeout:float=1.5, # Seconds to listen
                       )->list:
     "Find gimbals and return their rows, from any event loop; raises `LinkError`"
-    return await self.loop.ask(self._find(getattr(self.gimbal_client, 'find_gimbals', None), GimbalRow, count, timeout))
+    find = self.gimbal_client and self.gimbal_client.find_gimbals
+    return await self.loop.ask(self._find(find, GimbalRow, count, timeout))
 
 # %% ../../nbs/api/manager/11_gui.ipynb #7fb42cd5
 @patch

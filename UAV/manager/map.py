@@ -208,7 +208,7 @@ def _corners(q:tuple, fov:tuple, height:float)->list:
 # %% ../../nbs/api/manager/05_map.ipynb #5403b558
 class _CameraGround(RowPart):
     "Footprint and pictures of a camera on a map"
-    most,open_for,lasts = 500,3.,2.     # pictures; s after a request in which a map is open; s that CAMERA_FOV_STATUS is valid
+    most,open_for,lasts = 500,3.,2.     # pictures; s that a map counts as open; s that CAMERA_FOV_STATUS counts
     def __init__(self, row):
         super().__init__(row)
         self.pictures,self.drawn = deque(maxlen=self.most),-math.inf   # features; time of the last request
@@ -230,23 +230,26 @@ class _CameraGround(RowPart):
         if not known(now.vehicle_yaw): now = replace(now, vehicle_yaw=vehicle.heading)
         return (*vehicle.place, vehicle.above, now.earth_q) if all(map(known, now.earth_q)) else None
 
-    def by_camera(self)->tuple|None:
-        "Return the same from CAMERA_FOV_STATUS"
-        received,vehicle = self.row.received,self.vehicle
-        msg = received.newest.get(CAMERA_FOV_STATUS)
-        if msg is None or clock.monotonic()-received.came[CAMERA_FOV_STATUS]>self.lasts: return None
-        lat,lon = (from_int32(n, 1e7) for n in (msg.lat_camera, msg.lon_camera))
-        alt,ground = (from_int32(n, 1e3) for n in (msg.alt_camera, msg.alt_image))
-        measured = known(alt) and known(ground) and ground<alt<math.inf
-        height = alt-ground if measured else vehicle.above if vehicle else NAN
-        with suppress(ValueError):
-            if all(map(known, (lat, lon, height, *msg.q))): return lat,lon,height,unit(msg.q)
+# %% ../../nbs/api/manager/05_map.ipynb #7e1d1404
+@patch
+def by_camera(self:_CameraGround)->tuple|None:
+    "Return the same from CAMERA_FOV_STATUS"
+    received,vehicle = self.row.received,self.vehicle
+    msg = received.newest.get(CAMERA_FOV_STATUS)
+    if msg is None or clock.monotonic()-received.came[CAMERA_FOV_STATUS]>self.lasts: return None
+    lat,lon = (from_int32(n, 1e7) for n in (msg.lat_camera, msg.lon_camera))
+    alt,ground = (from_int32(n, 1e3) for n in (msg.alt_camera, msg.alt_image))
+    measured = known(alt) and known(ground) and ground<alt<math.inf
+    height = alt-ground if measured else vehicle.above if vehicle else NAN
+    with suppress(ValueError):
+        if all(map(known, (lat, lon, height, *msg.q))): return lat,lon,height,unit(msg.q)
 
-    async def watch(self):
-        "Request CAMERA_FOV_STATUS while a map is open, if the camera has sent its position before"
-        msg = self.row.received.newest.get(CAMERA_FOV_STATUS)
-        has_place,is_open = msg and known(from_int32(msg.lat_camera, 1e7)),clock.monotonic()-self.drawn<self.open_for
-        if has_place and is_open and not self.by_gimbal(): self.row.soon(CAMERA_FOV_STATUS, now=False)
+@patch
+async def watch(self:_CameraGround):
+    "Request CAMERA_FOV_STATUS while a map is open, if the camera has sent its position before"
+    msg = self.row.received.newest.get(CAMERA_FOV_STATUS)
+    has_place,is_open = msg and known(from_int32(msg.lat_camera, 1e7)),clock.monotonic()-self.drawn<self.open_for
+    if has_place and is_open and not self.by_gimbal(): self.row.soon(CAMERA_FOV_STATUS, now=False)
 
 # %% ../../nbs/api/manager/05_map.ipynb #d11a153f
 @patch

@@ -201,6 +201,8 @@ def _on_or_off(on)->bool:
 class Row:
     "State and buttons of one camera or gimbal; a base class"
     kind = ''               # 'camera' or 'gimbal'
+    lost = ''               # the reason why its device is lost
+    preview = None          # its live picture, a `Preview`
     def __init__(self,
         gui, # The `Panel`
         id:str, # Such as '1/100'
@@ -225,6 +227,7 @@ class Row:
     async def run(self): "Keep the row up to date, until cancelled"
     async def close(self): "Leave the device in order"
     async def picture(self, after:int)->tuple|None: "Return `(number, JPEG)` of a picture later than `after`, if any"
+    def thumbnail(self, key:int)->bytes|None: "Return the JPEG of a captured picture, or `None`"
 
     def buttons(self)->dict:
         "Return `{name: state}` of its buttons"

@@ -277,8 +277,7 @@ class _Messages:
 # %% ../../nbs/api/manager/09_server.ipynb #400e3d77
 def _age_of(row, number:int)->float|None:
     "Return the seconds since that picture came to the panel; `None` if unknown"
-    newest = getattr(getattr(row, 'preview', None), 'newest', None)
-    when = newest and newest.when(number)
+    when = row.preview.newest.when(number) if row and row.preview else None
     return when and round(clock.monotonic()-when, 3)
 
 # %% ../../nbs/api/manager/09_server.ipynb #c398a948
@@ -286,7 +285,7 @@ def _age_of(row, number:int)->float|None:
 def _camera_of(self:_Messages, of:str, path:str):
     "Return the row of a camera; raises `ValueError`"
     row = self.gui.rows.get(of)
-    if getattr(row, 'kind', '')!='camera': raise ValueError('there is no such camera')
+    if row is None or row.kind!='camera': raise ValueError('there is no such camera')
     if not isinstance(path, str) or len(path)>250: raise ValueError('path is the path of a file')
     return row
 
@@ -305,7 +304,8 @@ async def photo(self:_Messages, of:str, path:str):
 @patch
 async def thumbnail(self:_Messages, of:str, key:int):
     "Return the thumbnail of a captured picture; raises `ValueError` if it's gone"
-    found = getattr(self.gui.rows.get(of), 'thumbnail', lambda key: None)(key)
+    row = self.gui.rows.get(of)
+    found = row and row.thumbnail(key)
     if not found: raise ValueError(f'there is no picture {key!r:.40} of {of!r:.40}')
     return {},[found]
 

@@ -106,17 +106,20 @@ class _Held:
     def __init__(self, sender:Sender, key): self.sender,self.key,self.depth,self.messages = sender,key,0,[]
     def __enter__(self): return self
 
-    def __exit__(self, *args):
-        "End a command: send the held messages, unless another command still holds them"
-        sender,done = self.sender,1
-        while True:
-            with sender._lock:
-                self.depth,done = self.depth-done,0
-                if self.depth: return
-                messages = sender._take(self)
-                if not messages and sender._held.get(self.key) is self: del sender._held[self.key]
-            if not messages: return
-            sender._send_all(messages)
+    def __exit__(self, *args): self.sender.release(self)
+
+@patch
+def release(self:Sender, held:_Held):
+    "End a command: send the held messages, unless another command still holds them"
+    done = 1
+    while True:
+        with self._lock:
+            held.depth,done = held.depth-done,0
+            if held.depth: return
+            messages = self._take(held)
+            if not messages and self._held.get(held.key) is held: del self._held[held.key]
+        if not messages: return         # else others may have come while these were sent
+        self._send_all(messages)
 
 @patch
 def _take(self:Sender, held:_Held)->list:
@@ -198,8 +201,10 @@ def _each_part(self:BaseComponent, verb:str):
 def add_part(self:BaseComponent, part:Part)->Part:
     "Add `part` and its marked methods"
     names = {h.name for kind in ('command','message','receives') for h in marked(part, kind).values()}
-    own = ', '.join(sorted(n for n in names if hasattr(type(self), n) and not hasattr(getattr(type(self), n), 'marks')))
-    if own: self.log.warning('%s is not called: %s has a method of that name, and a mark', own, type(part).__name__)
+    ours = {name:getattr(type(self), name) for name in names if hasattr(type(self), name)}
+    unmarked = ', '.join(sorted(name for name,f in ours.items() if not hasattr(f, 'marks')))
+    kind = type(part).__name__
+    if unmarked: self.log.warning('%s is not called: %s has a method of that name, and a mark', unmarked, kind)
     self.parts += (part,)
     self.tables.renew()
     if self.mav_com is not None:

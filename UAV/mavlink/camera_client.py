@@ -91,7 +91,7 @@ class CameraClient(Component):
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #600a3756
 class CommandNumbers:
-    "Marks that tell a new command of ours from a copy of the last one"
+    "Numbers that distinguish a new command of ours from a copy of the last one"
     last_shot = 2**24-1     # highest number of a shot: exact in a float32
 
     def __init__(self): self._shot,self._step = secrets.randbelow(self.last_shot),0
@@ -164,7 +164,8 @@ async def _listen(self:CameraClient, start:float, end:float, there):
         while not there():
             for doubtful in cameras_heard(self, start-1.5, sure=False):
                 if doubtful in tasks: continue
-                tasks[doubtful],last = asyncio.ensure_future(self._known(doubtful)),clock.monotonic()+self._doubt
+                tasks[doubtful] = asyncio.ensure_future(self._known(doubtful))
+                last = clock.monotonic()+self._doubt
             asked = [task for task in tasks.values() if not task.done()]
             left = (max(end, last) if asked else end)-clock.monotonic()
             if left<=0: return

@@ -175,7 +175,8 @@ async def _has_none(self:RemoteFiles)->bool:
 @patch
 async def _ask(self:RemoteFiles, op:int, *paths, patience:float|None=None, **fields)->FtpFrame:
     "Send a request and return its answer; raises `FtpError` (refused), `Lost` (none in `patience` s)"
-    data,there = fields.pop('data', path_data(*paths) if paths else b''),self.remote.address
+    there = self.remote.address
+    data = fields.pop('data', path_data(*paths) if paths else b'')
     request = FtpFrame(self.client.ftp_numbers.request(), op, **{**dict(size=len(data), data=data), **fields})
     copies,end = 0,clock.monotonic()+(patience or self.patience)
     def fits(m): return comes_from(m, *there) and read_ftp(m.payload).answers(request)
@@ -185,8 +186,9 @@ async def _ask(self:RemoteFiles, op:int, *paths, patience:float|None=None, **fie
             copies += 1
             msg = await wanted.wait(min(self.trip.wait(copies), end-now))
             if msg and copies==1 and op!=FtpOp.CALC_FILE_CRC32: self.trip.sample(clock.monotonic()-now)
-            if msg is None and copies%self.unanswered==0 and await self._has_none() and not wanted.there: break
-            if msg is None: continue
+            if msg is None:
+                if copies%self.unanswered==0 and await self._has_none() and not wanted.there: break
+                continue
             answer,self.answers = read_ftp(msg.payload),True
             if e := answer.error: raise FtpError(e.code, e.errno, ' '.join(paths))
             return answer
@@ -247,16 +249,18 @@ def _due(self:FtpFile, began:float, trip:RoundTrip)->float:
     "Return the time limit for the next frame"
     if self.came is None: return began+trip.wait(1+self.silent)
     first,last,count = self.came
-    return last+(max(4*(last-first)/(count-1), 4*(trip.rttvar or 0), .1) if count>1 else trip.rto)
+    if count==1: return last+trip.rto
+    pause = (last-first)/(count-1)
+    return last+max(4*pause, 4*(trip.rttvar or 0), .1)
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #f681cb4f
 @patch
 async def burst(self:FtpFile):
     "Request a burst from the end of the received parts, and take it; raises `FtpError`"
-    files,parts,self.refused = self.files,self.parts,None
-    number = files.client.ftp_numbers.request(1000)
+    files,parts,trip = self.files,self.parts,self.files.trip
+    number,before = files.client.ftp_numbers.request(1000),parts.count
     request = FtpFrame(number, FtpOp.BURST_READ_FILE, self.session, most_data, offset=parts.end)
-    trip,self.came,before = files.trip,None,parts.count
+    self.refused = self.came = None
     with files.client.expecting(FILE_TRANSFER_PROTOCOL, self._take) as ended:
         began = clock.monotonic()
         files._send(request)

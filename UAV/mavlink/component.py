@@ -568,7 +568,7 @@ class DeviceServer(Component):
         "Schedule our heartbeat, which waits while the device hangs"
         if self._pulse is None or self._closed: return
         due = self._pulse.due if self._pulse.due<clock.monotonic() else None
-        hangs = self._watch.look(due, self.timers._thread, self.hangs_after)
+        hangs = self._watch.poll(due, self.timers._thread, self.hangs_after)
         if hangs and not self._hangs: self.log.error('the device does not return: no heartbeats until it does')
         self._hangs = hangs
         self.timers.move(self._pulse, clock.monotonic())

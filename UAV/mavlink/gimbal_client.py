@@ -54,7 +54,8 @@ class GimbalClient(Component):
     def _farewell(self):
         "Stop turning gimbals; the `MAVCom` calls this while it still has a link"
         super()._farewell()
-        for gimbal in list(self._gimbals.values()): gimbal.close()
+        for gimbal in list(self._gimbals.values()):
+            if gimbal.at_close: gimbal.at_close()
 
     def close(self):
         "Stop turning gimbals, end all waits, and leave the link"

@@ -36,6 +36,58 @@ __all__ = ['GimbalServer', 'GIMBAL_MANAGER_INFORMATION', 'GIMBAL_MANAGER_STATUS'
 _all_ = ['GIMBAL_MANAGER_INFORMATION', 'GIMBAL_MANAGER_STATUS', 'GIMBAL_DEVICE_INFORMATION',
          'GIMBAL_DEVICE_ATTITUDE_STATUS']
 
+# %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #0d4ab0e1
+class GimbalServer(DeviceServer):
+    "A MAVLink gimbal that serves a gimbal object"
+    _results = {**Component._results, **_results}
+    tick_period = .1        # s between two checks
+
+    @takes_options(GimbalOptions)
+    def __init__(self, source_component:int=mavlink.MAV_COMP_ID_GIMBAL, # Component id: 154 or 171 to 175
+                 mav_type:int=mavlink.MAV_TYPE_GIMBAL,
+                 gimbal=None, # `Gimbal`, or any object with `information` and some of its verbs
+                 loglevel:int=LogLevels.INFO,
+                 gimbal_device_id:int|None=None, # Number of the device; `None`: 1, or a component that fits the role
+                 role:str='both', # 'both', 'manager' or 'device'
+                 **kwargs): # Options of `GimbalOptions`
+        super().__init__(_checked_component(source_component), mav_type, loglevel)
+        if gimbal is None: self.log.warning('no gimbal given: serving one that only describes itself')
+        self.gimbal,self.options = _checked_gimbal(gimbal),GimbalOptions(**kwargs)
+        self.role = one_of('role', role, ('both','manager','device'))
+        self.gimbal_device_id = _checked_device_id(gimbal_device_id, source_component, role)
+        self.health,self.region = Health(self, self.gimbal),RegionOfInterest(self.gimbal)
+        self.control = Control(self.options.strict, self.options.px4_release)
+        self.clock = getattr(gimbal, 'clock', clock.now)
+        self._ticks,self._stream,self._said = None,_Stream(),Seen(60.)     # the last one: warnings already logged
+        self._mover = None              # `(system, component)` that moved it last, while it is present
+        self._owner_seen = None,0,0.    # the owner, its number of frames, and since when
+        self._lateness,self._was_late = Lateness(self.tick_period),0.       # of our checks; by then
+        self._paced_by = {}             # `{message id: (system, component)}`: client that changed a rate for all
+        self._add_parts()
+
+    def on_mav_connection(self):
+        self._ticks = self.timers.every(self.tick_period, self.tick, delay=self.tick_period)
+        for msg_id,period in self._default_streams.items(): self._start_stream(msg_id, period)
+
+    def close(self):
+        "Stop turning and leave the link; the gimbal stays open"
+        again,self._closed = self._closed,True
+        if self._ticks: self.timers.cancel(self._ticks, timeout=5)
+        if not again: self.worker.do(self._stop_turning)         # waited for with a time limit
+        super().close()
+
+# %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #32e31e07
+@patch
+def _add_parts(self:GimbalServer):
+    "Add the services of our role"
+    manages = self.role!='device'
+    self.vehicle = self.add_part(Vehicle(self, self.options.ask_autopilot, self.clock))
+    self._manager,self._device = _Manager(self) if manages else None,_Device(self) if self.role!='manager' else None
+    mount = _Mount(self) if manages and self.options.mount_control else None
+    role = _Roi(self) if manages else _Directed(self)
+    self._services = *filter(None, (_Watch(self), self._manager, self._device, role, mount)),
+    for part in self._services: self.add_part(part)
+
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #9f7d6f66
 class _FakeGimbal:
     "A gimbal with information and no verbs"
@@ -43,6 +95,14 @@ class _FakeGimbal:
     def attitude(self): return GimbalAttitude()         # nothing is known
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #86deb0e6
+def _checked_component(source_component:int)->int:
+    "Return it; raises `TypeError` for a gimbal in its place, and `ValueError` for an id that means a gimbal's number"
+    if hasattr(source_component, 'information'):
+        raise TypeError('the first argument is a component id: write GimbalServer(gimbal=…)')
+    if 2<=check_id('source_component', source_component)<=6:
+        raise ValueError(f'a gimbal cannot be component {source_component}')
+    return source_component
+
 def _checked_gimbal(gimbal):
     "Return `gimbal`, or one that only describes itself; raises `TypeError`"
     if gimbal is None: return _FakeGimbal()
@@ -89,62 +149,6 @@ class _Directed(_Service):
 class _Watch(_Service): "Watch over the clients that move the gimbal"
 class _Roi(_Service): "The region of interest: a place, or another vehicle"
 
-# %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #0d4ab0e1
-class GimbalServer(DeviceServer):
-    "A MAVLink gimbal that serves a gimbal object"
-    _results = {**Component._results, **_results}
-    tick_period = .1        # s between two checks
-
-    @takes_options(GimbalOptions)
-    def __init__(self, source_component:int=mavlink.MAV_COMP_ID_GIMBAL, # Component id: 154 or 171 to 175
-                 mav_type:int=mavlink.MAV_TYPE_GIMBAL,
-                 gimbal=None, # `Gimbal`, or any object with `information` and some of its verbs
-                 loglevel:int=LogLevels.INFO,
-                 gimbal_device_id:int|None=None, # Number of the device; `None`: 1, or a component that fits the role
-                 role:str='both', # 'both', 'manager' or 'device'
-                 **kwargs): # Options of `GimbalOptions`
-        if hasattr(source_component, 'information'):
-            raise TypeError('the first argument is a component id: write GimbalServer(gimbal=…)')
-        if 2<=check_id('source_component', source_component)<=6:
-            raise ValueError(f'a gimbal cannot be component {source_component}')
-        super().__init__(source_component, mav_type, loglevel)
-        if gimbal is None: self.log.warning('no gimbal given: serving one that only describes itself')
-        self.gimbal,self.options = _checked_gimbal(gimbal),GimbalOptions(**kwargs)
-        self.role = one_of('role', role, ('both','manager','device'))
-        self.gimbal_device_id = _checked_device_id(gimbal_device_id, source_component, role)
-        self.health,self.region = Health(self, self.gimbal),RegionOfInterest(self.gimbal)
-        self.control = Control(self.options.strict, self.options.px4_release)
-        self.clock = getattr(gimbal, 'clock', clock.now)
-        self._ticks,self._stream,self._said = None,_Stream(),Seen(60.)     # the last one: warnings already logged
-        self._mover = None              # `(system, component)` that moved it last, while it is present
-        self._owner_seen = None,0,0.    # the owner, its number of frames, and since when
-        self._lateness,self._was_late = Lateness(self.tick_period),0.       # of our checks; by then
-        self._paced_by = {}             # `{message id: (system, component)}`: client that changed a rate for all
-        self._add_parts()
-
-    def on_mav_connection(self):
-        self._ticks = self.timers.every(self.tick_period, self.tick, delay=self.tick_period)
-        for msg_id,period in self._default_streams.items(): self._start_stream(msg_id, period)
-
-    def close(self):
-        "Stop turning and leave the link; the gimbal stays open"
-        again,self._closed = self._closed,True
-        if self._ticks: self.timers.cancel(self._ticks, timeout=5)
-        if not again: self.worker.do(self._stop_turning)         # waited for with a time limit
-        super().close()
-
-# %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #32e31e07
-@patch
-def _add_parts(self:GimbalServer):
-    "Add the services of our role"
-    manages = self.role!='device'
-    self.vehicle = self.add_part(Vehicle(self, self.options.ask_autopilot, self.clock))
-    self._manager,self._device = _Manager(self) if manages else None,_Device(self) if self.role!='manager' else None
-    mount = _Mount(self) if manages and self.options.mount_control else None
-    role = _Roi(self) if manages else _Directed(self)
-    self._services = *filter(None, (_Watch(self), self._manager, self._device, role, mount)),
-    for part in self._services: self.add_part(part)
-
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #656b6692
 @patch
 def _is_ours(self:GimbalServer, device_id:float)->bool:
@@ -163,8 +167,8 @@ _about_messages = (mavlink.MAV_CMD_REQUEST_MESSAGE,mavlink.MAV_CMD_SET_MESSAGE_I
 @patch
 def _on_command(self:GimbalServer, msg):
     "Run a command, but ignore broadcasts for other gimbals or about messages we don't have"
-    handler = self.commands.get(msg.command)
-    if handler is not None and not msg.target_component:
+    handler = None if msg.target_component else self.commands.get(msg.command)
+    if handler is not None:
         place,values = handler.options.get('device'),parameters(msg)
         if msg.command in _about_messages and values[0] not in self.messages: return
         if place is not None and not self._is_ours(values[place]): return
@@ -346,7 +350,7 @@ def _let_go(self:GimbalServer, source:tuple, why:str):
 def _check_owner(self:GimbalServer, now:float|None=None): # Monotonic time, s; `None`: now
     "Take control from an owner that was silent for five seconds"
     seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),now or clock.monotonic()
-    late = self._lateness.look(now)         # meanwhile its frames may wait for us
+    late = self._lateness.poll(now)         # meanwhile its frames may wait for us
     if seen!=self._owner_seen[:2]: self._owner_seen,self._was_late = (*seen,now),late
     elif seen[1] and now-self._owner_seen[2]-(late-self._was_late)>=self.mav_com.lost_after:
         self._let_go(seen[0], 'the owner is silent')

@@ -236,7 +236,7 @@ class Channel:
 
     def hangs(self)->bool:
         "True if a handler of what came does not return; called at each heartbeat of ours"
-        return self.watch.look(self.busy_since, self.thread, self.com.stuck_after)
+        return self.watch.poll(self.busy_since, self.thread, self.com.stuck_after)
 
     def _read(self):
         "Read the link until `close`, on the thread"
@@ -334,11 +334,11 @@ class Heart:
 
     def tick(self):
         "Send heartbeats and check for silent components, on the timer"
-        self.lateness.look(clock.monotonic())
+        self.lateness.poll(clock.monotonic())
         if not self.check_stuck(): self.beat()
         self.watch()
         self.check_alone()
-        line_limit.tell(clock.time())
+        line_limit.report(clock.time())
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #69e8a0bc
 @patch

@@ -74,13 +74,14 @@ async def _ask(self:RemoteSettings, name:str, most:int=7):
         for wait in self._tries(most):
             self.client.send_message(question)
             if await wanted.wait(wait): return
-    raise NoAnswer(f'{self.camera._label} does not tell {name}')
+    raise NoAnswer(f'{self.camera._label} does not send {name}')
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #08bdde01
 @patch
 async def _list(self:RemoteSettings, most:int=7):
     "Request all values, at most `most` times without a new one; raises `NoAnswer`"
-    listing,came,send,mav = Listing(),0,self.client.send_message,self.client.mav
+    listing,came = Listing(),0
+    send,mav = self.client.send_message,self.client.mav
     def complete(msg):
         if not comes_from(msg, *self.target): return False
         self.note(msg)                              # here, because what waits for it is next
@@ -91,22 +92,24 @@ async def _list(self:RemoteSettings, most:int=7):
         while wait := next(tries, None):
             if not listing.names: send(mav.param_ext_request_list_encode(*self.target))
             for i in listing.missing(): send(mav.param_ext_request_read_encode(*self.target, b'', i))
-            heard = -1
-            while heard<len(listing.names) and not all_there.there:     # as long as values come
-                heard = len(listing.names)
+            before = -1
+            while before<len(listing.names) and not all_there.there:     # as long as values come
+                before = len(listing.names)
                 await all_there.wait(wait)
             if await all_there.wait(0) is not None: return self.keep(listing.names)
-            if len(listing.names)>came: came,tries = len(listing.names),self._tries(most)   # each restarts the retries
+            if len(listing.names)>came:                 # each new one restarts the retries
+                came,tries = len(listing.names),self._tries(most)
     who = self.camera._label
-    raise NoAnswer(f'{came} of {listing.count} settings of {who} came' if came else f'{who} tells no settings')
+    raise NoAnswer(f'{came} of {listing.count} settings of {who} came' if came else f'{who} sends no settings')
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #405d9d91
 @patch
 def _check_name(self:RemoteSettings, name:str)->bool:
     "True if the name is known; raises `UnknownParameter` if all names are and this is not one"
-    names,complete = {**self.declared, **self},0<self.count<=len(self)
+    names = {**self.declared, **self}
+    is_complete = 0<self.count<=len(self)
     can_be = isinstance(name, str) and 0<len(name.encode())<=16
-    if not can_be or complete and name not in names: raise UnknownParameter.among(names, name)
+    if not can_be or is_complete and name not in names: raise UnknownParameter.among(names, name)
     return name in names
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #29ce5468
@@ -135,7 +138,7 @@ async def ask(self:RemoteSettings, name:str): # Name of the parameter
         except NoAnswer: raise e from None
         self._check_name(name)
     if name in self: return self[name]
-    raise NoAnswer(f'{self.camera._label} tells {name} in a type that is none')
+    raise NoAnswer(f'{self.camera._label} sends {name} with an unknown type')
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #de5c3837
 def _get_into(answer:Answer, url:str, hosts, timeout:float):
@@ -238,8 +241,10 @@ async def _send_set(self:RemoteSettings, request:SetRequest):
             request.late += 1               # each copy is answered
             ack = await self._final_ack(request, wait)
             self._late[request.name] = clock.monotonic(),request.late
-            if ack and (request.is_ours(ack) or ack.param_result!=mavlink.PARAM_ACK_ACCEPTED or rounded): return ack
-            rounded = ack
+            if ack:
+                is_other_value = ack.param_result==mavlink.PARAM_ACK_ACCEPTED and not request.is_ours(ack)
+                if not is_other_value or rounded: return ack
+            rounded = ack           # an accepted one with another value, if any: the camera may round
             if lost.there: await lost.wait(0)       # raises
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #bd7a2bdc
@@ -248,7 +253,7 @@ async def _set(self:RemoteSettings, name:str, value)->ParameterAck:
     if self.kind(name) is None: await self.ask(name)
     kind = self.kind(name)
     if isinstance(value, str) and kind!='custom':
-        if name not in self.declared: await self.declare()          # it knows the words
+        if name not in self.declared: await self.declare()          # which has the words
         if name in self.declared: value = self.declared[name].check(value)
     request = SetRequest(name, kind, pack_value(kind, typed(kind, value, name)))
     try: ack = await self._send_set(request)
@@ -257,8 +262,9 @@ async def _set(self:RemoteSettings, name:str, value)->ParameterAck:
     self.note(ack)
     if ack.param_result==mavlink.PARAM_ACK_ACCEPTED: await self._ask_moved(name)
     elif ack.param_result==mavlink.PARAM_ACK_VALUE_UNSUPPORTED and name not in self.declared:
-        with suppress(MAVError, ValueError, OSError): await self.declare()          # it knows what there is
-    p,now,why = self.declared.get(name),param_value(ack),'' if ack.param_result==0 else self._refusal(name, value)
+        with suppress(MAVError, ValueError, OSError): await self.declare()          # which has all that there are
+    p,now = self.declared.get(name),param_value(ack)
+    why = '' if ack.param_result==mavlink.PARAM_ACK_ACCEPTED else self._refusal(name, value)
     return ParameterAck(ack.param_result, name, p.text(now) if p else str(now), self.target, why=why)
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #3556f6ad

@@ -20,7 +20,7 @@ from ..wire.links import Link, open_link
 
 # %% auto #0
 __all__ = ['patience', 'longest_rto', 'remembered', 'shot_tries', 'contraries', 'Handler', 'arguments', 'command', 'message',
-           'receives', 'announced', 'marked', 'accepts', 'comes_from', 'Outcome', 'Served', 'identity', 'Presses',
+           'receives', 'announced', 'marked', 'Outcome', 'Served', 'identity', 'Presses', 'accepts', 'comes_from',
            'Answer', 'Command', 'Expected', 'Expectations', 'opened', 'check_id', 'check_seconds', 'check_count',
            'check_which', 'Found']
 
@@ -143,21 +143,6 @@ class _Tables:
         if self.wanted is not None: self.wanted.remove(*self._ids)
         self._ids = set()
 
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #0020fd1f
-def accepts(msg, # Any MAVLink message
-            source_system:int, # Our own system id
-            source_component:int, # Our own component id
-           )->bool:
-    "True if `msg` is addressed to this component, or to all"
-    system,component = getattr(msg,'target_system',0),getattr(msg,'target_component',0)
-    return system in (0,source_system) and component in (0,source_component)
-
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #631a94c4
-def comes_from(msg, system:int|None, component:int|None)->bool:
-    "True if `msg` was sent by this system and component; `None` and 0 match any"
-    sent_by = address(msg)
-    return (not system or sent_by[0]==system) and (not component or sent_by[1]==component)
-
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #6d67ea39
 patience = 10.    # s after the first copy in which a command is retransmitted, unless its client sets another time
 longest_rto = 5.  # s that a sender waits at most after a copy
@@ -222,19 +207,24 @@ contraries = {command: set().union(*(row for row in _rows if command in row)) fo
 @patch
 def note(self:Served, msg, outcome:Outcome):
     "Store the answer to the executed command `msg`; only the latest few of its kind are kept"
-    self._store(msg, outcome, self.executed(msg))
+    kind,values = identity(msg)
+    self._store(kind, values, msg, outcome, self._execute(kind, msg))
 
 @patch
-def executed(self:Served, msg)->int:
-    "Store that the command `msg` was executed, which outdates the answers to its contraries; returns its turn"
-    kind,values = identity(msg)
+def executed(self:Served, msg):
+    "Store that the command `msg` was executed, which outdates the answers to its contraries"
+    self._execute(identity(msg)[0], msg)
+
+@patch
+def _execute(self:Served, kind:tuple, msg)->int:
+    "Store an execution; returns its turn"
     turn = next(self._turns)
     self._latest.note(kind, (turn,msg.get_seq(),self.clock()))
     return turn
 
 @patch
-def _store(self:Served, msg, outcome:Outcome, turn:int):
-    kind,values = identity(msg)
+def _store(self:Served, kind:tuple, values:tuple, msg, outcome:Outcome, turn:int):
+    "Store the copy `msg` of a command, with its answer"
     alike = self._copies.find(kind)
     if alike is None: alike = Seen(remembered, self.most_alike, self.clock)
     confirmation = getattr(msg,'confirmation',0)        # a COMMAND_INT has none
@@ -269,7 +259,7 @@ def find(self:Served, msg)->Outcome|None:
         return copy.outcome if overtaken else None
     if age>=higher*longest_rto: return          # no sender waits that long for the copies between
     if self._is_outdated(msg, copy.seq, copy.turn): return
-    if is_later: self._store(msg, copy.outcome, copy.turn)
+    if is_later: self._store(kind, values, msg, copy.outcome, copy.turn)
     return copy.outcome
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #5eed0002
@@ -359,7 +349,7 @@ class Presses:
         if outcome: self.note(msg, number, outcome, ways)
         return outcome
 
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #4b545711
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #0020fd1f
 def accepts(msg, # Any MAVLink message
             source_system:int, # Our own system id
             source_component:int, # Our own component id
@@ -368,7 +358,7 @@ def accepts(msg, # Any MAVLink message
     system,component = getattr(msg,'target_system',0),getattr(msg,'target_component',0)
     return system in (0,source_system) and component in (0,source_component)
 
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #9d42d934
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #631a94c4
 def comes_from(msg, system:int|None, component:int|None)->bool:
     "True if `msg` was sent by this system and component; `None` and 0 match any"
     sent_by = address(msg)

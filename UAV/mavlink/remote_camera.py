@@ -121,11 +121,14 @@ _older = {CAMERA_INFORMATION:(mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION,None), 
 @patch
 async def _ask_for(self:RemoteCamera, msg_id:int, number:int=0)->tuple:
     "Request a message, by REQUEST_MESSAGE or the older command: `(message or None, the last ack)`"
-    after,request,(older,field) = max(.5, self._follow_wait()),self.client._request,_older.get(msg_id, (None,None))
-    def fits(msg): return field is None or getattr(msg, field)==number or number==0 and field!='image_index'
+    after,request = max(.5, self._follow_wait()),self.client._request
+    older,field = _older.get(msg_id, (None,None))
+    def fits(msg):
+        is_any = field is None or number==0 and field!='image_index'        # pictures count from 0
+        return is_any or getattr(msg, field)==number
     msg,ack = await request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, number], msg_id, self.address, after, fits=fits)
     if msg is None and older and not ack.lost:
-        params = [1] if field is None else [number, 1] if field=='storage_id' else [number]
+        params = {None:[1], 'storage_id':[number, 1]}.get(field, [number])
         msg,ack = await request(older, params, msg_id, self.address, after, fits=fits)
     if msg is None: self.client._warn_unheard(msg_id, ack)
     return msg,ack
@@ -332,7 +335,7 @@ def _check_series(count:int, interval:float, timeout:float):
 async def capture(self:RemoteCamera,
     count:int=1, # Number of pictures; 0: until you leave the loop
     interval:float=0, # Seconds between two pictures; 0: as fast as the camera can
-    timeout:float=5., # Seconds without news before giving up; more on a slow link, or if the picture exists
+    timeout:float=5., # Seconds without progress before giving up; more on a slow link, or if the picture exists
 ):
     """Take pictures and yield the CAMERA_IMAGE_CAPTURED of each; raises `CommandError`, `Lost`, `NoAnswer`
 
@@ -423,7 +426,7 @@ async def _shot(self:RemoteCamera, timeout:float, ready=None):
     shots = Capture(self._pictures, 0, 1, timeout)
     shots.ready = ready
     with self._pictures.capturing(shots): notice = await shots.next()
-    if notice is None: raise Failed(f'{self._label} was told to stop')
+    if notice is None: raise Failed(f'{self._label} was stopped')
     if notice.capture_result!=1: raise shots.failed()
     return notice
 
@@ -568,8 +571,10 @@ async def trigger(self:RemoteCamera, enable:int=-1, # 1: resume, 0: stop, -1: un
 async def gimbal(self:RemoteCamera, timeout:float=5., # Seconds to listen
                 )->RemoteGimbal:
     "Return the gimbal that carries it; raises `NoAnswer`"
-    number,com = getattr(self.information, 'gimbal_device_id', 0),self.client.mav_com
-    if number in (0, *range(7, 256)): return await com.find_gimbal(None, self.system, number or None, timeout)
+    number = self.information.gimbal_device_id if self.information else 0
+    com = self.client.mav_com
+    is_component = not 1<=number<=6         # 1 to 6: a gimbal without MAVLink, by its number at the manager
+    if is_component: return await com.find_gimbal(None, self.system, number or None, timeout)
     found = [g for g in await com.find_gimbals() if g.system==self.system and g.gimbal[2]==number]
     if not found: raise NoAnswer(f'{self._label} is on gimbal {number}, of which nothing was heard')
     return found[0]

@@ -40,7 +40,7 @@ class RemoteGimbal:
         self._goal = None               # pitch, yaw and frame that `reached` waits for
         self._lock = False,-math.inf    # the lock requested last, and when, monotonic s
         self._holds = 0                 # `control` blocks under way
-        self._at_close = None           # function that stops it; `None`: it isn't turning
+        self.at_close = None            # function that stops it; `None`: it isn't turning
         self._warned_of = None          # the primary control that `send_rates` warned of
         self._refresh = .5
 
@@ -396,17 +396,19 @@ async def control(self:RemoteGimbal, take_over:bool=False, # True: take it from 
         if not held._holds and not keep: await self._let_go()
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #9c0f3d04
-def _pitchyaw_numbers(angles:tuple, rates:tuple)->list:
+def _numbers(*given)->list:
     "Check angles and rates of pitch and yaw, NaN for none; raises `ValueError`"
     names = 'pitch','yaw','rate of pitch','rate of yaw'
-    return [v if v!=v else inside(name, v) for name,v in zip(names, (*angles,*rates))]
+    return [v if v!=v else inside(name, v) for name,v in zip(names, given)]
 
 @patch
-def _send_setpoint(self:RemoteGimbal, pitch:float, yaw:float, pitch_rate:float, yaw_rate:float, flags:int):
+def _send_setpoint(self:RemoteGimbal, flags:int, pitch:float=NAN, yaw:float=NAN, pitch_rate:float=NAN,
+                   yaw_rate:float=NAN):
     "Send GIMBAL_MANAGER_SET_ATTITUDE, which has no ack: both angles or none, GIMBAL_MANAGER_FLAGS"
+    pitch,yaw,*rates = _numbers(pitch, yaw, pitch_rate, yaw_rate)
     has_angles = known(pitch) and known(yaw)
     q = quaternion(0., pitch, yaw) if has_angles else [NAN]*4
-    rates = NAN if has_angles else 0.,math.radians(pitch_rate),math.radians(yaw_rate)
+    rates = NAN if has_angles else 0.,*map(math.radians, rates)
     msg = self.client.mav.gimbal_manager_set_attitude_encode(*self.manager, flags, self.gimbal[2], q, *rates)
     self.client.send_message(msg)
 
@@ -443,14 +445,16 @@ def _forget_orders(self:RemoteGimbal):
     self._lock = False,-math.inf
 
 @patch
-async def _pitchyaw(self:RemoteGimbal, angles:tuple, rates:tuple, flags:int)->Ack:
+async def _pitchyaw(self:RemoteGimbal, flags:int, pitch:float=NAN, yaw:float=NAN, pitch_rate:float=NAN,
+                    yaw_rate:float=NAN)->Ack:
     "Send the command, or the message without an ack if the manager reads no rates in it; raises `ValueError`"
-    numbers = _pitchyaw_numbers(angles, rates)
+    numbers = _numbers(pitch, yaw, pitch_rate, yaw_rate)
     self._forget_orders()
-    if not any(map(known, rates)) or (await self._sure_ways()).rates_by_command:
+    turns = known(pitch_rate) or known(yaw_rate)
+    if not turns or (await self._sure_ways()).rates_by_command:
         ack = await self._command(_PITCHYAW, [*numbers, flags, NAN, self.gimbal[2]])
     else:
-        self._send_setpoint(*numbers, flags)
+        self._send_setpoint(flags, *numbers)
         ack = await self._sent()
     if ack: self._lock = bool(flags&YAW_LOCK),clock.monotonic()
     return ack
@@ -493,7 +497,7 @@ async def set_angles(self:RemoteGimbal,
 )->Ack:
     "Point there; raises `HeadingUnknown` or `NoAnswer` if an autopilot as manager needs the attitude"
     flags = _pointing_flags(one_of('frame', frame, ('vehicle','earth'))=='earth', lock)
-    ack = await self._pitchyaw(await self._for_manager(pitch, yaw, flags), (pitch_rate, yaw_rate), flags)
+    ack = await self._pitchyaw(flags, *await self._for_manager(pitch, yaw, flags), pitch_rate, yaw_rate)
     if ack: self._first._goal = self._goal_of(pitch, yaw, flags)
     return ack
 
@@ -527,7 +531,7 @@ async def reached(self:RemoteGimbal, timeout:float=10., # Seconds
 @sends(_PITCHYAW)
 async def center(self:RemoteGimbal)->Ack:
     "Look straight ahead"
-    ack = await self._pitchyaw((NAN,NAN), (NAN,NAN), LEVEL|NEUTRAL|VEHICLE_FRAME)
+    ack = await self._pitchyaw(LEVEL|NEUTRAL|VEHICLE_FRAME)
     if ack: self._first._goal = 0.,0.,'vehicle'
     return ack
 
@@ -536,7 +540,7 @@ async def center(self:RemoteGimbal)->Ack:
 @sends(_PITCHYAW)
 async def retract(self:RemoteGimbal)->Ack:
     "Retract the gimbal; its motors may be off then"
-    if (await self._sure_ways()).retracts: return await self._pitchyaw((NAN,NAN), (NAN,NAN), RETRACT)
+    if (await self._sure_ways()).retracts: return await self._pitchyaw(RETRACT)
     why = 'the autopilot {}/{} would accept it, and do nothing'.format(*self.manager)
     return GimbalAck(Ack(mavlink.MAV_RESULT_UNSUPPORTED, None, _PITCHYAW), why=why)
 
@@ -544,7 +548,7 @@ async def retract(self:RemoteGimbal)->Ack:
 @patch
 async def _keep(self:RemoteGimbal, flags:int)->Ack:
     "Keep the current direction, with these flags"
-    return await self._pitchyaw(await self._for_manager(NAN, NAN, flags), (NAN,NAN), flags)
+    return await self._pitchyaw(flags, *await self._for_manager(NAN, NAN, flags))
 
 @patch
 @sends(_PITCHYAW)
@@ -577,14 +581,13 @@ async def set_rates(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees p
                    )->Ack:
     "Turn; most gimbals stop after two or three seconds without another call. PX4's `Ack` is a `Sent`"
     lock = self.locked if lock is None else lock
-    return await self._pitchyaw((NAN,NAN), (pitch,yaw), _pointing_flags(lock=lock))
+    return await self._pitchyaw(_pointing_flags(lock=lock), pitch_rate=pitch, yaw_rate=yaw)
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #fa3816db
 @patch
 def _send_rates(self:RemoteGimbal, pitch:float, yaw:float, lock:bool):
     "Send GIMBAL_MANAGER_SET_ATTITUDE with rates"
-    _pitchyaw_numbers((NAN,NAN), (pitch,yaw))
-    self._send_setpoint(NAN, NAN, pitch, yaw, _pointing_flags(lock=lock))
+    self._send_setpoint(_pointing_flags(lock=lock), pitch_rate=pitch, yaw_rate=yaw)
 
 @patch
 def _warn_of_control(self:RemoteGimbal):
@@ -631,14 +634,15 @@ async def _stop(self:RemoteGimbal, lock:bool):
 def stopped_at_close(self:RemoteGimbal, stop):
     "Have `stop()` called if the handle or its client is closed within the `with`"
     turning = self._first
-    turning._at_close = stop
+    turning.at_close = stop
     try: yield
-    finally: turning._at_close = None
+    finally: turning.at_close = None
 
 @patch
 def close(self:RemoteGimbal):
     "Stop turning this gimbal; the client stays on its link"
-    if stop := self._first._at_close: stop()
+    for handle in {self, self._first}:          # it may have begun to turn before its id was known
+        if handle.at_close: handle.at_close()
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #44ac505c
 @patch

@@ -26,8 +26,86 @@ from .camera_tracking import CAMERA_TRACKING_GEO_STATUS, CAMERA_TRACKING_IMAGE_S
 from .camera_server import VIDEO_STREAM_INFORMATION
 
 # %% auto #0
-__all__ = ['RemoteStream', 'enum_word', 'stream_of', 'player_url', 'same_host', 'Hosts', 'hosts_of', 'RemoteVideo',
-           'RemoteFrames', 'RemoteTracking', 'tracking_of', 'place_of']
+__all__ = ['RemoteVideo', 'RemoteFrames', 'RemoteStream', 'enum_word', 'stream_of', 'player_url', 'same_host', 'Hosts',
+           'hosts_of', 'RemoteTracking', 'tracking_of', 'place_of']
+
+# %% ../../nbs/api/mavlink/12_remote_video.ipynb #a09603a7
+class RemoteVideo:
+    "The video of one camera: `async for frame in camera.video()`"
+    def __init__(self, camera): # The `RemoteCamera`
+        store_attr()
+
+    async def streams(self)->list[RemoteStream]:
+        "Return its streams by number, an empty list if it has none; raises `NoAnswer`"
+        return [stream_of(m) for m in await self.camera._ask_each(VIDEO_STREAM_INFORMATION, 'count')]
+
+    async def start(self, stream_id:int=0, # 0: all
+                   )->Ack:
+        "Start streaming"
+        return await self.camera._send(mavlink.MAV_CMD_VIDEO_START_STREAMING, stream_id)
+
+    async def stop(self, stream_id:int=0, # 0: all
+                  )->Ack:
+        "Stop streaming"
+        return await self.camera._send(mavlink.MAV_CMD_VIDEO_STOP_STREAMING, stream_id)
+
+# %% ../../nbs/api/mavlink/12_remote_video.ipynb #78132c8b
+@patch
+async def watch(self:RemoteVideo,
+    stream:RemoteStream, # From `streams`
+    any_host:bool|None=None, # True: allow other addresses than that of the camera's MAVLink; `None`: the client's
+    **options, # Options of `Player`
+)->Player:
+    "Return a `Player` of a stream, started if necessary; raises `ValueError`, `OSError`, `MAVError`"
+    from UAV.video.player import Player
+    url,hosts = player_url(stream),hosts_of(self.camera)
+    is_pushed = url.startswith(('rtp://','udp://'))
+    if any_host is None: any_host = self.camera.client.any_host
+    if not is_pushed:
+        if not any_host: hosts.check(url, f'the video of {self.camera.system}/{self.camera.component}')
+        if not stream.running: (await self.start(stream.id)).check()
+    player = Player(hosts.reachable(url), **options)
+    try:
+        if is_pushed: (await self.start(stream.id)).check()
+    except BaseException:
+        player.close()
+        raise
+    return player
+
+# %% ../../nbs/api/mavlink/12_remote_video.ipynb #0614da5a
+@patch
+async def open(self:RemoteVideo, stream_id:int|None=None, # Stream number; `None`: the first, or by `name`
+               name:str|None=None, # Name of the stream
+               **options # `any_host`, as for `watch`, and options of `Player`
+              )->Player:
+    "Return a `Player` of a stream; raises `ValueError` (no such stream), `PermissionError` (host), `MAVError`"
+    there = await self.streams()
+    found = [s for s in there if stream_id in (None,s.id) and name in (None,s.name)]
+    if not found: raise ValueError(f'no such stream; there are {there or "none"}')
+    return await self.watch(found[0], **options)
+
+# %% ../../nbs/api/mavlink/12_remote_video.ipynb #2fbfcac2
+class RemoteFrames:
+    "Decoded frames of a stream for `async for`, or its `Player` by `async with`"
+    def __init__(self, video:RemoteVideo, options:dict):
+        store_attr()
+        self.player = None
+
+    async def __aenter__(self):
+        self.player = await self.video.open(**self.options)
+        return self.player
+
+    async def __aexit__(self, *error): self.player.close()
+
+    async def __aiter__(self):
+        async with self as frames:
+            async for frame in frames: yield frame
+
+@patch
+def __call__(self:RemoteVideo, stream_id:int|None=None, # As for `open`
+             name:str|None=None, **options)->RemoteFrames:
+    "Return the frames of a stream, opened by the first read"
+    return RemoteFrames(self, dict(stream_id=stream_id, name=name, **options))
 
 # %% ../../nbs/api/mavlink/12_remote_video.ipynb #4f605d32
 @dataclass(frozen=True, repr=False)
@@ -140,84 +218,6 @@ def hosts_of(camera)->Hosts: # A `RemoteCamera`
     com = camera.client.mav_com
     if camera.address in com.here: return Hosts({'127.0.0.1'})
     return Hosts({ends(*way)[1] for way in com.where(*camera.address)}-{None})
-
-# %% ../../nbs/api/mavlink/12_remote_video.ipynb #a09603a7
-class RemoteVideo:
-    "The video of one camera: `async for frame in camera.video()`"
-    def __init__(self, camera): # The `RemoteCamera`
-        store_attr()
-
-    async def streams(self)->list[RemoteStream]:
-        "Return its streams by number, an empty list if it has none; raises `NoAnswer`"
-        return [stream_of(m) for m in await self.camera._ask_each(VIDEO_STREAM_INFORMATION, 'count')]
-
-    async def start(self, stream_id:int=0, # 0: all
-                   )->Ack:
-        "Start streaming"
-        return await self.camera._send(mavlink.MAV_CMD_VIDEO_START_STREAMING, stream_id)
-
-    async def stop(self, stream_id:int=0, # 0: all
-                  )->Ack:
-        "Stop streaming"
-        return await self.camera._send(mavlink.MAV_CMD_VIDEO_STOP_STREAMING, stream_id)
-
-# %% ../../nbs/api/mavlink/12_remote_video.ipynb #78132c8b
-@patch
-async def watch(self:RemoteVideo,
-    stream:RemoteStream, # From `streams`
-    any_host:bool|None=None, # True: allow other addresses than that of the camera's MAVLink; `None`: the client's
-    **options, # Options of `Player`
-)->Player:
-    "Return a `Player` of a stream, started if necessary; raises `ValueError`, `OSError`, `MAVError`"
-    from UAV.video.player import Player
-    url,hosts = player_url(stream),hosts_of(self.camera)
-    is_pushed = url.startswith(('rtp://','udp://'))
-    if any_host is None: any_host = self.camera.client.any_host
-    if not is_pushed:
-        if not any_host: hosts.check(url, f'the video of {self.camera.system}/{self.camera.component}')
-        if not stream.running: (await self.start(stream.id)).check()
-    player = Player(hosts.reachable(url), **options)
-    try:
-        if is_pushed: (await self.start(stream.id)).check()
-    except BaseException:
-        player.close()
-        raise
-    return player
-
-# %% ../../nbs/api/mavlink/12_remote_video.ipynb #0614da5a
-@patch
-async def open(self:RemoteVideo, stream_id:int|None=None, # Stream number; `None`: the first, or by `name`
-               name:str|None=None, # Name of the stream
-               **options # `any_host`, as for `watch`, and options of `Player`
-              )->Player:
-    "Return a `Player` of a stream; raises `ValueError` (no such stream), `PermissionError` (host), `MAVError`"
-    there = await self.streams()
-    found = [s for s in there if stream_id in (None,s.id) and name in (None,s.name)]
-    if not found: raise ValueError(f'no such stream; there are {there or "none"}')
-    return await self.watch(found[0], **options)
-
-# %% ../../nbs/api/mavlink/12_remote_video.ipynb #2fbfcac2
-class RemoteFrames:
-    "Decoded frames of a stream for `async for`, or its `Player` by `async with`"
-    def __init__(self, video:RemoteVideo, options:dict):
-        store_attr()
-        self.player = None
-
-    async def __aenter__(self):
-        self.player = await self.video.open(**self.options)
-        return self.player
-
-    async def __aexit__(self, *error): self.player.close()
-
-    async def __aiter__(self):
-        async with self as frames:
-            async for frame in frames: yield frame
-
-@patch
-def __call__(self:RemoteVideo, stream_id:int|None=None, # As for `open`
-             name:str|None=None, **options)->RemoteFrames:
-    "Return the frames of a stream, opened by the first read"
-    return RemoteFrames(self, dict(stream_id=stream_id, name=name, **options))
 
 # %% ../../nbs/api/mavlink/12_remote_video.ipynb #4b72b72d
 class RemoteTracking:

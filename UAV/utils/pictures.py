@@ -377,8 +377,8 @@ def _turns(matrix)->tuple|None:
 
 def _frame_turns(frame)->tuple|None:
     "As `_turns`, for an `av.VideoFrame`"
-    said = frame.side_data.get('DISPLAYMATRIX')
-    return _turns(np.frombuffer(said, np.int32)) if said else None
+    matrix = frame.side_data.get('DISPLAYMATRIX')
+    return _turns(np.frombuffer(matrix, np.int32)) if matrix else None
 
 def _turned(image, turns:tuple|None):
     "The picture, upright"

@@ -15,8 +15,8 @@ from .threads import _begin_thread, Closes, timers
 from .values import inside
 
 # %% auto #0
-__all__ = ['log', 'Loop', 'listen_tcp', 'url_host', 'host_in', 'plain_host', 'is_loopback', 'get_web', 'LoopThread', 'LoopClosed',
-           'set_within']
+__all__ = ['log', 'Loop', 'listen_tcp', 'url_host', 'host_in', 'plain_host', 'is_loopback', 'get_web', 'Deadline', 'web_path',
+           'ask_web', 'LoopThread', 'LoopClosed', 'set_within']
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #0dce5f49
 log = get_logger('sockets')
@@ -165,6 +165,24 @@ class _Guesses:
         last = sorted(self._until, key=self._until.get)[-self.most//2:]
         self._until = {place: self._until[place] for place in last if self._until[place]>now}
 
+# %% ../../nbs/api/utils/01_sockets.ipynb #fcdf5a79
+def get_web(url:str, # http:// or https://
+            hosts=None, # Addresses that we may connect to; `None`: any, and names too
+            most:int=1<<20, # Bytes
+            seconds:float=30., # For all of it; with `take` for each piece
+            take=None, # Called with each piece and the size (0: unknown), in place of the returned bytes
+           )->bytes:
+    "Return the first `most` bytes of a page; raises `ValueError`, `OSError`, `PermissionError` among them"
+    with Deadline(seconds) as deadline:
+        def piece(*args):
+            deadline.extend()
+            take(*args)
+        try: data = _get(deadline, url, hosts, most, take and piece)
+        except OSError:
+            if not deadline.late.is_set(): raise
+    if deadline.late.is_set(): raise TimeoutError(f'{url} did not come in {seconds:g} s')
+    return data
+
 # %% ../../nbs/api/utils/01_sockets.ipynb #be2713f8
 def _shut(sock):
     "Wake the one who reads"
@@ -184,7 +202,7 @@ def _body(answer, most:int, take)->bytes:
     return data
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #4425884b
-class _Deadline:
+class Deadline:
     "A moment at which the sockets of a request are shut, so nobody reads on; `with` closes them"
     def __init__(self, seconds:float): # From now
         self.seconds,self.end,self.late,self._opened = seconds,clock.monotonic()+seconds,clock.Event(),[]
@@ -215,7 +233,7 @@ class _Deadline:
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #fa9f9a2b
 @patch
-def connect(self:_Deadline, address:tuple, *args)->socket.socket: # As `socket.create_connection`, for http.client
+def connect(self:Deadline, address:tuple, *args)->socket.socket: # As `socket.create_connection`, for http.client
     "Connect to one of its addresses; raises `OSError`"
     why = OSError(f'{address[0]} has no address')
     for family,kind,protocol,_,place in socket.getaddrinfo(*address, type=socket.SOCK_STREAM):
@@ -231,13 +249,17 @@ def connect(self:_Deadline, address:tuple, *args)->socket.socket: # As `socket.c
     raise why
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #c0683c48
-def _web_path(url:str)->str:
+def web_path(url:str)->str:
     "Return path and query of a URL, as a request needs them"
     parts = urlsplit(url)
     return quote(parts.path or '/', safe="/%:@!$&'()*+,;=~")+(f'?{parts.query}' if parts.query else '')
 
-def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes|None=None, take=None,
-             **headers)->tuple:
+def ask_web(deadline:Deadline, url:str,
+            hosts=None, # Addresses that we may connect to; `None`: any, and names too
+            most:int=1<<20, # Bytes
+            body:bytes|None=None, # What to POST; `None`: GET
+            take=None, # Called with each piece and the size, in place of the returned bytes
+            **headers)->tuple:
     "POST `body`, or GET; return status, reason, headers and body. Raises `ValueError` and `OSError`"
     from http.client import HTTPConnection, HTTPException, HTTPSConnection
     parts = urlsplit(url)
@@ -250,40 +272,23 @@ def _ask_web(deadline:_Deadline, url:str, hosts=None, most:int=1<<20, body:bytes
     connection = dict(http=HTTPConnection, https=HTTPSConnection)[parts.scheme](host, parts.port, timeout=deadline.left)
     connection._create_connection = deadline.connect
     try:
-        connection.request('GET' if body is None else 'POST', _web_path(url), body, {'Connection':'close', **headers})
+        connection.request('GET' if body is None else 'POST', web_path(url), body, {'Connection':'close', **headers})
         answer = connection.getresponse()
         data = _body(answer, most, take) if answer.status==200 else answer.read(most)
         return answer.status,answer.reason,answer.headers,data
     except HTTPException as e: raise OSError(f'{url}: {e!r:.99}') from None
     finally: connection.close()
 
-def _get(deadline:_Deadline, url:str, hosts, most:int, take)->bytes:
+# %% ../../nbs/api/utils/01_sockets.ipynb #15a5b57c
+def _get(deadline:Deadline, url:str, hosts, most:int, take)->bytes:
     "GET, and follow five redirects at most"
     for _ in range(6):
-        status,reason,headers,data = _ask_web(deadline, url, hosts, most, take=take)
+        status,reason,headers,data = ask_web(deadline, url, hosts, most, take=take)
         if status==200: return data
         to = headers.get('location')
         if not 300<=status<400 or not to: raise OSError(f'{status} {reason}')
         url = urljoin(url, to)
     raise OSError('too many redirects')
-
-# %% ../../nbs/api/utils/01_sockets.ipynb #fcdf5a79
-def get_web(url:str, # http:// or https://
-            hosts=None, # Addresses that we may connect to; `None`: any, and names too
-            most:int=1<<20, # Bytes
-            seconds:float=30., # For all of it; with `take` for each piece
-            take=None, # Called with each piece and the size (0: unknown), in place of the returned bytes
-           )->bytes:
-    "Return the first `most` bytes of a page; raises `ValueError`, `OSError`, `PermissionError` among them"
-    with _Deadline(seconds) as deadline:
-        def piece(*args):
-            deadline.extend()
-            take(*args)
-        try: data = _get(deadline, url, hosts, most, take and piece)
-        except OSError:
-            if not deadline.late.is_set(): raise
-    if deadline.late.is_set(): raise TimeoutError(f'{url} did not come in {seconds:g} s')
-    return data
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #b66fbad3
 class LoopThread(Closes):

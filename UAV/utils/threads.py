@@ -231,12 +231,12 @@ class Worker:
 
 # %% ../../nbs/api/utils/00_threads.ipynb #6822a588
 class Lateness:
-    "By how much a repeated look was late, in all: time in which those it looks at had no turn either"
-    def __init__(self, period:float): # s between two looks
+    "By how much repeated polls were late, in all: time in which what they poll had no turn either"
+    def __init__(self, period:float): # s between two polls
         self.period,self.total,self._last = period,0.,math.inf
 
-    def look(self, now:float)->float: # Monotonic time, s
-        "Call this at each look; returns the seconds by which all looks so far were late"
+    def poll(self, now:float)->float: # Monotonic time, s
+        "Add up by how much each poll was late; returns the seconds in all"
         late = now-self._last-self.period
         if late>self.period/4: self.total += late       # less is a timer's usual jitter
         self._last = now
@@ -244,21 +244,24 @@ class Lateness:
 
 # %% ../../nbs/api/utils/00_threads.ipynb #5a9e2153
 class HangWatch:
-    "Says whether a call hangs; not if its thread works, or waits for a processor"
+    "Find out whether a call hangs; not if its thread works, or waits for a processor"
     idle = .01          # of its time: a thread that works or waits less than that does nothing
-    def __init__(self, period:float, # s between two looks
+    def __init__(self, period:float, # s between two polls
                  clock=clock.now, # Gives seconds
                  work=None): # As `clock.work`
-        self.clock,self.work,self.lateness = clock,work or (lambda thread: _clock.work(thread)),Lateness(period)
-        self._since,self._ran,self._mark = None,0.,None      # the call; processor by its first look; the last progress
+        self.clock,self.lateness = clock,Lateness(period)
+        self.work = work or (lambda thread: _clock.work(thread))
+        self._since = None      # when the call began
+        self._ran = 0.          # s of a processor by its first poll
+        self._mark = None       # the last progress: `(time, s of work, lateness)`
 
-    def look(self, since:float|None, # When the call began, monotonic s; `None`: there is none
+    def poll(self, since:float|None, # When the call began, monotonic s; `None`: there is none
              thread, # That makes it
              patience:float, # s
             )->bool:
-        "Call this at each look; true if the call hangs"
+        "True if the call hangs; to be called once each `period`"
         now,before,was_late = self.clock(),self._since,self.lateness.total
-        late,self._since = self.lateness.look(now),since
+        late,self._since = self.lateness.poll(now),since
         if since is None: return False
         work = self.work(thread)
         ran,busy = (work[0],sum(work)) if work else (0.,0.)

@@ -30,8 +30,8 @@ def known(value)->bool:
 class Value:
     "Base of the dataclasses below: shows what is known, and an unknown equals an unknown"
     def __repr__(self):
-        told = {f.name: getattr(self, f.name) for f in fields(self)}
-        return f'{type(self).__name__}({", ".join(f"{k}={v!r}" for k,v in told.items() if known(v) and v != "")})'
+        values = {f.name: getattr(self, f.name) for f in fields(self)}
+        return f'{type(self).__name__}({", ".join(f"{k}={v!r}" for k,v in values.items() if known(v) and v != "")})'
 
     def __eq__(self, other):
         if type(self) is not type(other): return NotImplemented

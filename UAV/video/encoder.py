@@ -33,7 +33,7 @@ _checks = dict(rate=_positive, key_interval=_positive,
 
 # %% ../../nbs/api/video/01_encoder.ipynb #23080137
 def _setting(name:str):
-    "An attribute that may be set while the encoder runs; counts from the next picture on"
+    "Return an attribute that may be set while the encoder runs; counts from the next picture on"
     def change(encoder, value): encoder._change(name, value)
     return property(attrgetter(f'_{name}'), change)         # read eight times a picture, so not by a function of ours
 
@@ -91,7 +91,7 @@ class _Pace:
     def __init__(self, now:float, rate:float): self.last = now-1/rate       # when the last picture was due, monotonic s
 
     def early(self, now:float, rate:float)->float:
-        "How long a frame that comes now is too early, s; 0: take it. A quarter of the interval is tolerated"
+        "Return how long a frame that comes now is too early, s; 0: take it. A quarter of the interval is tolerated"
         if (early := self.last+.75/rate-now)>0: return early
         self.last = max(self.last+1/rate, now-1/rate)
         return 0.
@@ -105,7 +105,7 @@ class _Measured:
     def __init__(self): self._units = deque()              # (when, bytes) of each access unit
 
     def add(self, time:float, size:int):
-        "An access unit of `size` bytes came out at `time`, monotonic s"
+        "Add an access unit of `size` bytes that came out at `time`, monotonic s"
         self._units.append((time,size))
         while self._units[0][0]<time-self.span: self._units.popleft()
 
@@ -129,7 +129,7 @@ def _wanted(self:Encoder, image)->VideoFormat:
 # %% ../../nbs/api/video/01_encoder.ipynb #c670b470
 @patch
 def _encode(self:Encoder, frame, time:float)->list:
-    "The access units of this frame"
+    "Return the access units of this frame"
     with self._changed:
         key,self._key_wanted = self._key_wanted,False
         shape,wanted = self._planned
@@ -204,7 +204,7 @@ def _watch(self:Encoder):
 # %% ../../nbs/api/video/01_encoder.ipynb #65256edc
 @patch
 def _run(self:Encoder):
-    "The thread: encode while there is a sink"
+    "Encode while there is a sink; on our thread"
     while True:
         with self._changed:
             if not self._sinks:
@@ -271,7 +271,7 @@ class _Glance:
 @patch
 def wait_format(self:Encoder, timeout:float=5., # s
                )->VideoFormat|None:
-    "The format with its `headers`; starts the source for a moment when it must; `None` after the timeout"
+    "Return the format with its `headers`; starts the source for a moment when it must; `None` after the timeout"
     if self.format or self._closed: return self.format
     glance = _Glance()
     self.add(glance)
@@ -283,13 +283,13 @@ def wait_format(self:Encoder, timeout:float=5., # s
 _delimiter = dict(h264=9, h265=35)
 
 def _with_sets(data:bytes, sets, codec:str='h264')->bytes:
-    "The key frame, with the parameter sets before it"
+    "Return the key frame, with the parameter sets before it"
     nals = [nal for nal in nal_units(data) if _nal_type(nal, codec) != _delimiter[codec]]
     return byte_stream((*sets, *nals))
 
 # %% ../../nbs/api/video/01_encoder.ipynb #aba250b8
 def _decided(name:str):
-    "A setting of the source"
+    "Return a setting of the source"
     return property(lambda encoder: encoder._known(name), lambda encoder, value: encoder._change(name, value))
 
 # %% ../../nbs/api/video/01_encoder.ipynb #8262522d
@@ -305,7 +305,7 @@ class PassThrough(Encoder):
     size,bitrate,rate,key_interval = map(_decided, ('size','bitrate','rate','key_interval'))
 
     def _known(self, name):
-        "A setting as the source has decided; the usual rate before that is known"
+        "Return a setting as the source has decided; the usual rate before that is known"
         known = self.format or self.expected
         if name=='size': return known and (known.width,known.height)
         return getattr(known, name, 15. if name=='rate' else None)

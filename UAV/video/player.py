@@ -42,7 +42,7 @@ class Player(Closes):
         self._thread = _begin_thread(self._run, f'player {_url_name(url)}')
         _players.add(self)
 
-    newest = property(lambda self: self._pictures.most is None, doc="Does it hand out only the newest picture?")
+    newest = property(lambda self: self._pictures.most is None, doc="True if it hands out only the newest picture")
     sinks = property(lambda self: self._source.sinks,
         doc="Add a `Sink` to these, and it gets each access unit of a live stream as it came, to record it for example")
     lost = property(lambda self: self._source.lost,
@@ -50,7 +50,7 @@ class Player(Closes):
     port = property(lambda self: self._source.port, doc="The UDP port on which it listens")
     size = property(lambda self: (frame := self._pictures.newest) and frame.size,
         doc="(width, height) of the newest picture, pixels; `None` when there is none")
-    ended = property(lambda self: bool(self._pictures.over), doc="Will no picture come any more?")
+    ended = property(lambda self: bool(self._pictures.over), doc="True if no picture will come any more")
 
     def __repr__(self):
         state = 'playing' if self.connected else 'no picture yet'
@@ -109,7 +109,7 @@ def _lose(self:Player, error)->bool:
 # %% ../../nbs/api/video/08_player.ipynb #03ee16cb
 @patch
 def _run(self:Player):
-    "The thread: play, and try again after a fault"
+    "Play, and try again after a fault; on our thread"
     retry = self.first_retry
     while not self._closing.is_set():
         before = self._pictures.number
@@ -128,7 +128,7 @@ def _run(self:Player):
 @patch
 def read(self:Player, timeout:float|None=None, # s to wait for it; `None` waits until there is one
         )->Decoded|None:
-    "The next picture; `None` when none comes in time, the file is at its end, or the player is closed"
+    "Return the next picture; `None` when none comes in time, the file is at its end, or the player is closed"
     return self._pictures.take(timeout)
 
 # %% ../../nbs/api/video/08_player.ipynb #c1f4b713
@@ -136,7 +136,7 @@ def read(self:Player, timeout:float|None=None, # s to wait for it; `None` waits 
 def next(self:Player, after:int=-1, # The number of the last picture seen
          timeout:float|None=None, # s to wait; `None` waits until there is one
         )->Decoded|None:
-    "The newest picture later than `after`, as a source gives it; `None` as for `read`"
+    "Return the newest picture later than `after`, as a source gives it; `None` as for `read`"
     return self._pictures.next(after, timeout)
 
 # %% ../../nbs/api/video/08_player.ipynb #2c9bb91d
@@ -172,7 +172,7 @@ class Decoded:
     def scaled(self, width:int, # px
                height:int, # px
               )->np.ndarray:
-        "The picture in another size, upright, BGR, `uint8`; threads may ask at the same time"
+        "Return the picture in another size, upright, BGR, `uint8`; threads may ask at the same time"
         size = (height,width) if self._turns and self._turns[0] else (width,height)
         image = av.video.reformatter.VideoReformatter().reformat(self.decoded, *size, 'bgr24').to_ndarray()
         return _turned(image, self._turns)
@@ -187,7 +187,7 @@ def _decoder(codec:str):
 
 # %% ../../nbs/api/video/08_player.ipynb #e58e4870
 def _decode(decoder, data:bytes, number:int|None=None)->list:
-    "The pictures that come out, each with the `number` of its data as `pts`; none for bytes that are wrong"
+    "Return the pictures that come out, each with the `number` of its data as `pts`; none for bytes that are wrong"
     packet = av.Packet(data)
     packet.pts = number
     try: return decoder.decode(packet)
@@ -229,7 +229,7 @@ class _AnswerReader(_RequestReader):
         return answer
 
     def _next(self)->_Answer|_Interleaved|None:
-        "What is complete; behind the first answer, bytes that begin nothing are skipped"
+        "Return what is complete; behind the first answer, bytes that begin nothing are skipped"
         if self._met and not (begins := self._begins.match(self._data)):
             begins = self._begins.search(self._data)
             del self._data[:begins.start() if begins else len(self._data)]
@@ -239,7 +239,7 @@ class _AnswerReader(_RequestReader):
     _begins,_met = re.compile(rb'\$(?:[\0-\x1f]|\Z)|[A-Z_]{3,20}[ /]|[A-Z_]{1,20}\Z'),False
 
     def feed(self, data:bytes):
-        "All that is complete with `data`, one after the other; raises `ConnectionError`"
+        "Yield all that is complete with `data`, one after the other; raises `ConnectionError`"
         try: yield from super().feed(data)
         except RTSPError as e: raise ConnectionError(f'the server does not speak RTSP: {e}') from None
 
@@ -279,7 +279,7 @@ class RTSPReceiver(Receiver):
         self._sock.sendall(('\r\n'.join(lines)+'\r\n\r\n').encode())
 
     def _answer(self)->_Answer:
-        "The whole answer to the last request; raises `OSError`"
+        "Return the whole answer to the last request; raises `OSError`"
         data,end = b'',clock.monotonic()+self.timeout
         while True:
             for item in self._answers.feed(data):
@@ -291,7 +291,7 @@ class RTSPReceiver(Receiver):
 
 # %% ../../nbs/api/video/08_player.ipynb #e5e493ad
 def _status(line:str)->int:
-    "The number in the first line of an answer; 0 when it is no RTSP"
+    "Return the number in the first line of an answer; 0 when it is no RTSP"
     return int(found[1]) if (found := re.match(r'RTSP/\d\.\d (\d+)', line)) else 0
 
 # %% ../../nbs/api/video/08_player.ipynb #ac8eefa9
@@ -311,7 +311,7 @@ class _Moved(ConnectionError):
 
 @patch
 def _moved(self:RTSPReceiver, why:str, to:str)->ConnectionError:
-    "What a redirection to `to` raises: `_Moved` at the host where we are"
+    "Return what a redirection to `to` raises: `_Moved` at the host where we are"
     try:
         place = urlsplit(urljoin(self._at, to))
         host,_ = host_in(place),place.port
@@ -346,7 +346,7 @@ def _take_challenge(self:RTSPReceiver, headers:dict)->bool:
 
 # %% ../../nbs/api/video/08_player.ipynb #0876b11a
 def _resolve(base:str, control:str)->str:
-    "The URL of a stream, RFC 2326 section C.1.1; a path is appended, too, unless it has that of the base in it"
+    "Return the URL of a stream, RFC 2326 section C.1.1; a path is appended, too, unless it has that of the base in it"
     if control in ('','*'): return base
     if control[0]=='?': return base+control
     whole = '://' in control or control.startswith(urlsplit(base).path.rstrip('/')+'/')
@@ -419,14 +419,14 @@ def _take(self:RTSPReceiver, data:bytes):
 
 @patch
 def _on_ping(self:RTSPReceiver, status:int):
-    "A sign of life was answered: a refused GET_PARAMETER is sent again as OPTIONS"
+    "Handle the answer to a sign of life: a refused GET_PARAMETER is sent again as OPTIONS"
     if self._waits: self._ping_at,self._waits = self._ping_at+self._alive-min(self._alive, self.timeout),False
     if status==200: self._denied = 0
     elif self._ping!='OPTIONS': self._ping,self._ping_at = 'OPTIONS',0.
 
 @patch
 def _arrived(self:RTSPReceiver):
-    "The packets of the video that have come"
+    "Return the packets of the video that have come"
     self._take(b'')                 # what came behind the last answer
     packets,self._packets = self._packets,[]
     for channel,packet in packets:
@@ -436,7 +436,7 @@ def _arrived(self:RTSPReceiver):
 # %% ../../nbs/api/video/08_player.ipynb #01ef658f
 @patch
 def _play(self:RTSPReceiver, url):
-    "The RTP packets"
+    "Yield the RTP packets"
     self._ping = 'GET_PARAMETER' if 'GET_PARAMETER' in self._methods else 'OPTIONS'
     silent_at,self._ping_at = clock.monotonic()+self.timeout,clock.monotonic()+self._alive
     while True:
@@ -462,7 +462,7 @@ def units(self:RTSPReceiver):
 
 @patch
 def _watch(self:RTSPReceiver):
-    "The access units of one connection"
+    "Yield the access units of one connection"
     self._forget()
     with closing(self._connect(self._place[0], urlsplit(self._at).port or 554)) as self._sock:
         try:
@@ -570,7 +570,7 @@ def strip(player, # `Player`
           columns:int=6, # In a row
           patience:float=5., # s to wait for the first picture
          )->Thumbnail:
-    "The next seconds of a stream in a row of small pictures, with their times; raises `PlayerError` when none comes"
+    "Return the next seconds of a stream as a row of small pictures with times; raises `PlayerError` if none comes"
     frame = player.read(patience)
     if frame is None: raise PlayerError(f'no picture from {player}')
     began,images = frame.time,[frame.image]
@@ -580,7 +580,7 @@ def strip(player, # `Player`
 
 # %% ../../nbs/api/video/08_player.ipynb #ec973838
 def _picture_at(player, due, patience, like):
-    "The first picture from `due` on; grey when none comes"
+    "Return the first picture from `due` on; grey when none comes"
     while (frame := player.read(max(0, due+patience-clock.monotonic()) if player.newest else None)) is not None:
         if frame.time>=due-1e-3: return frame.image
     return np.full_like(like, 128)

@@ -56,7 +56,7 @@ class Receiver(Closes):
         except OSError: pass                    # it is closed already
 
     def _wait(self, socks:dict, until:float|None=None)->list:
-        "Those of `{socket: selectors.EVENT_…}` that are ready by then, monotonic s; raises `_Stopped`, `TimeoutError`"
+        "Return the ready ones of `{socket: selectors.EVENT_…}` by then, monotonic s; raises `_Stopped`, `TimeoutError`"
         for sock,event in socks.items(): self._selector.register(sock, event)
         try: ready = self._selector.select(self.timeout if until is None else max(0, until-clock.monotonic()))
         finally:
@@ -73,7 +73,7 @@ class Receiver(Closes):
 # %% ../../nbs/api/video/03_receivers.ipynb #3a0e5f51
 @patch
 def _read(self:Receiver, data:bytes)->list:
-    "The access units that the reader makes of `data`; reports a fault when there are none for too long, once"
+    "Return the access units that the reader makes of `data`; reports a fault when there are none for too long, once"
     units,now = self._reader(data),clock.monotonic()
     if units: self._vain = None
     elif self._vain is None: self._vain = now
@@ -129,13 +129,13 @@ class RTPReceiver(Receiver):
 # %% ../../nbs/api/video/03_receivers.ipynb #a61cce50
 def listen_host(place, # From `urlsplit`
             )->str:
-    "The address of a split URL; `@` and nothing are all of ours, as VLC writes them"
+    "Return the address of a split URL; `@` and nothing are all of ours, as VLC writes them"
     return place.netloc.rpartition('@')[2] and host_in(place)
 
 # %% ../../nbs/api/video/03_receivers.ipynb #91458a68
 @patch
 def _try(self:Receiver, family, kind, protocol, _, address):
-    "A connection to one address; raises `OSError`"
+    "Return a connection to one address; raises `OSError`"
     sock = socket.socket(family, kind, protocol)
     try:
         sock.setblocking(False)
@@ -152,7 +152,7 @@ def _try(self:Receiver, family, kind, protocol, _, address):
 # %% ../../nbs/api/video/03_receivers.ipynb #39fabf13
 @patch
 def _connect(self:Receiver, host:str, port:int):
-    "A TCP connection; raises `OSError` that says why not"
+    "Return a TCP connection; raises `OSError` that says why not"
     for place in socket.getaddrinfo(host, port, type=socket.SOCK_STREAM):
         try: return self._try(*place)
         except OSError as e: problem = e            # perhaps another address is better
@@ -215,13 +215,13 @@ class _Media:
 
 # %% ../../nbs/api/video/03_receivers.ipynb #b72d834a
 def _parameter_sets(fmtp)->bytes:
-    "The `sprop-…` of RFC 6184 and RFC 7798, as a byte stream"
+    "Return the `sprop-…` of RFC 6184 and RFC 7798, as a byte stream"
     found = dict(re.findall(r'sprop-(parameter-sets|vps|sps|pps) *= *"?([^;\s"]+)', fmtp))
     texts = ','.join(found[name] for name in ('parameter-sets','vps','sps','pps') if name in found)
     return byte_stream(filter(None, map(_decoded, texts.split(','))))
 
 def _decoded(text:str)->bytes:
-    "The bytes of a base64, with its padding or without; none when it's invalid"
+    "Return the bytes of a base64, with its padding or without; none when it's invalid"
     text = text.rstrip('=')
     try: return b64decode(text+'='*(-len(text)%4), validate=True)
     except ValueError: return b''
@@ -234,7 +234,7 @@ def _find(pattern:str, text:str, default='')->str:
 
 # %% ../../nbs/api/video/03_receivers.ipynb #f89b283e
 def _read_sdp(text:str)->_Media:
-    "The first H.264 or H.265 video of an SDP; raises `ValueError` when it has none"
+    "Return the first H.264 or H.265 video of an SDP; raises `ValueError` when it has none"
     session,*sections = re.split(r'^(?=m=)', re.sub(r'\r\n?', '\n', text), flags=re.M)
     for section in sections:
         found = re.search(r'^a=rtpmap: *(\d+) +(H264|H265)(?:/90000|\s*$)', section, re.M|re.I)
@@ -262,17 +262,20 @@ class _SenderTimes:
         self._stamp,self._time,self._came,self._same,self._trusted = None,0.,0.,0,True
 
     def __call__(self, stamp:int, now:float)->float:
-        "When to show a picture with this stamp that has come `now`, monotonic s"
+        "Return when to show a picture with this stamp that has come `now`, monotonic s"
         half,before,self._stamp = self._half,self._stamp,stamp
-        step = 0. if before is None else ((stamp-before+half)%(2*half)-half)/clock_rate
+        step = 0. if before is None else ((stamp-before+half)%(2*half)-half)/clock_rate     # s, over the wrap, too
         self._same = 0 if step else self._same+1
-        due,waited,self._came = self._time+step,now-self._came,now
-        is_fast,is_slow = due-now>self.off,now-due>self.off and 2*abs(step)<waited<1       # its clock, not the network
+        waited,self._came = now-self._came,now
+        due = self._time+step
+        is_fast = due-now>self.off
+        is_slow = now-due>self.off and 2*abs(step)<waited<1         # its clock, not the network
         if abs(step)<self.jump and (is_fast or is_slow): self._trusted = False
         anew = abs(step)>self.jump or now-due>self.jump or self._same>1 or not self._trusted
+        most = abs(step)/4                                          # no two pictures change places
         if before is None: self._time = now
         elif anew: self._time = max(now, self._time+1/clock_rate)
-        else: self._time = due+min(max((now-due)*self.gain, -abs(step)/4), abs(step)/4)
+        else: self._time = due+min(max((now-due)*self.gain, -most), most)
         return self._time
 
 # %% ../../nbs/api/video/03_receivers.ipynb #974a59c6
@@ -285,7 +288,7 @@ class _UnitMaker:
         self._times,self._decode_times,self._before = _SenderTimes(bits),_DecodeTimes(),b''
 
     def __call__(self, data:bytes, taken:float|None=None, stamp:int|None=None)->list:
-        "A list of one access unit, or of none, of a picture `taken` at s since 1970, or now, to be shown at a `stamp`"
+        "Return a list of one access unit, or none, of a picture `taken` at s since 1970, or now, to show at a `stamp`"
         data,self._before = self._before+data,b''
         nals,now = nal_units(data),clock.monotonic()
         kinds = {_nal_type(nal, self.codec) for nal in nals}
@@ -329,7 +332,7 @@ class _Reorder:
     def __init__(self): self.expected,self._early,self._since = None,{},0.
 
     def __call__(self, sequence:int, packet)->list:
-        "The packets whose turn it is, each with its `sequence`: its number, 0 … 65535"
+        "Return the packets whose turn it is, each with its `sequence`: its number, 0 … 65535"
         if self.expected is None: self.expected = sequence
         ahead = (sequence-self.expected)&0xffff
         if ahead>=0x8000 and ahead<0x10000-500: self._early,self.expected = {},sequence      # the sender begins anew
@@ -352,7 +355,7 @@ _layouts = dict(h264=(1,24,28), h265=(2,48,49))         # bytes of the header; t
 
 # %% ../../nbs/api/video/03_receivers.ipynb #963962ef
 def _several(payload:bytes):
-    "The NAL units of an aggregation packet"
+    "Yield the NAL units of an aggregation packet"
     n = 0
     while n+2<len(payload):
         start,n = n+2,n+2+int.from_bytes(payload[n:n+2], 'big')
@@ -360,7 +363,7 @@ def _several(payload:bytes):
 
 # %% ../../nbs/api/video/03_receivers.ipynb #377aca0a
 def _first_piece(payload:bytes, codec:str)->bytes:
-    "The header of a NAL unit that comes in pieces"
+    "Return the header of a NAL unit that comes in pieces"
     if codec=='h264': return bytes([payload[0]&0xe0 | payload[1]&31])
     return bytes([payload[0]&0x81 | (payload[2]&63)<<1, payload[1]])
 
@@ -398,7 +401,7 @@ class _SenderClock:
 _heads = dict(h264=(6,7,8,9,14,15), h265=(32,33,34,35,39))      # what comes before the slices of a picture
 
 def _place(payload:bytes, codec:str='h264')->tuple:
-    "Whether a picture may begin with a payload, and whether it has a slice"
+    "Return whether a picture may begin with a payload, and whether it has a slice"
     header,several,piece = _layouts[codec]
     if len(payload)<=header: return False,False
     kind,begins,at = _nal_type(payload, codec),True,header
@@ -431,7 +434,7 @@ class RTPReader:
         self._left = set()                          # those before
 
     def __call__(self, packet:bytes)->list:
-        "The access units that this packet completes"
+        "Return the access units that this packet completes"
         parts = _rtp_parts(packet)
         if parts is None or self.payload_type not in (None,parts[0]) or not self._is_ours(packet[8:12]): return []
         in_turn = self._reorder(parts[2], parts)
@@ -440,7 +443,7 @@ class RTPReader:
 # %% ../../nbs/api/video/03_receivers.ipynb #0665a324
 @patch
 def _is_ours(self:RTPReader, source:bytes)->bool:
-    "Whether we read this sender (SSRC): the newest, unless it had its turn and another one sends now"
+    "True if we read this sender (SSRC): the newest, unless it had its turn and another one sends now"
     now = clock.monotonic()
     if source!=self._source:
         if source in self._left and now-self._received<self.patience: return False
@@ -456,14 +459,14 @@ def _is_ours(self:RTPReader, source:bytes)->bool:
 # %% ../../nbs/api/video/03_receivers.ipynb #d5a91b0e
 @patch
 def _add(self:RTPReader, sequence, marker, timestamp, payload)->list:
-    "The next packet in turn: what it completes"
+    "Add the next packet in turn; return what it completes"
     if not payload and self._last is not None: timestamp = self._timestamp          # padding, of no picture
     first,slice = _place(payload, self.codec)
     missing = 0 if self._last is None else (sequence-self._last-1)&0xffff
     other = timestamp!=self._timestamp or self._marked and first            # of another picture?
     units = self._turn(missing, first) if other else []
     if self._marked and not other: self._distrust(slice)
-    if missing and not other: self._whole = self._whole and False
+    if missing and not other and self._whole: self._whole = False
     self._last,self._timestamp,self._marked = sequence,timestamp,marker or self._marked and not payload
     self._sliced = self._sliced or slice
     try: self._data += _rtp_payload(payload, self.codec) if self._whole and payload else b''
@@ -477,14 +480,14 @@ def _add(self:RTPReader, sequence, marker, timestamp, payload)->list:
 def _turn(self:RTPReader, missing:int, first:bool)->list:
     "Another picture begins; that `missing` packets are of the one before is ruled out by a single one of this one"
     if self.trust is None and self._marked and self._sliced and not missing: self.trust = True
-    elif missing>(not first) and self._data: self._whole = self._whole and False
+    elif missing>(not first) and self._data and self._whole: self._whole = False
     units = self._complete()
     if missing and not first: self._whole = False
     return units
 
 @patch
 def _distrust(self:RTPReader, slice:bool):
-    "A picture goes on behind the mark: from now on, the next picture ends it"
+    "Stop trusting the mark, behind which a picture goes on: the next one ends it"
     if not slice: return                        # such as filler data
     if self.trust:                              # this one was given away in part
         self._whole,self._make.begun = None,False
@@ -494,7 +497,7 @@ def _distrust(self:RTPReader, slice:bool):
 # %% ../../nbs/api/video/03_receivers.ipynb #3a0e5f53
 @patch
 def _complete(self:RTPReader)->list:
-    "The picture is at its end: an access unit, when all of it came"
+    "Return an access unit of the picture that is at its end, when all of it came"
     data,whole = bytes(self._data),self._whole
     self._data,self._whole,self._sliced = bytearray(),True,False
     if whole: return self._make(data, self.clock.utc(self._timestamp), self._timestamp) if data else []
@@ -505,13 +508,13 @@ def _complete(self:RTPReader)->list:
 ts_size = 188
 
 def _section(payload:bytes)->bytes:
-    "The body of a table that begins in this payload, without its CRC"
+    "Return the body of a table that begins in this payload, without its CRC"
     start = 4+payload[0]
     return payload[start:start-4+(int.from_bytes(payload[start-2:start], 'big')&0xfff)]
 
 # %% ../../nbs/api/video/03_receivers.ipynb #625d50b9
 def _program_map(body:bytes)->int|None:
-    "The PID of the first program map of a program association"
+    "Return the PID of the first program map of a program association"
     at = next((n for n in range(5, len(body)-3, 4) if body[n:n+2]!=b'\0\0'), None)
     return None if at is None else int.from_bytes(body[at+2:at+4], 'big')&0x1fff
 
@@ -538,19 +541,19 @@ def _ts_parts(packet:bytes)->tuple:
 
 # %% ../../nbs/api/video/03_receivers.ipynb #ade4fa96
 def _pes_size(payload:bytes)->int|None:
-    "All bytes of a PES packet that begins here, as it says; `None` when it does not"
+    "Return all bytes of a PES packet that begins here, as it says; `None` when it does not"
     size = int.from_bytes(payload[4:6], 'big')
     return size+6 if size else None
 
 def _pes_stamp(payload:bytes)->int|None:
-    "When to show what is in a PES packet, in 1/90000 s; `None` when it has no stamp (H.222.0, 2.4.3.7)"
+    "Return when to show what is in a PES packet, in 1/90000 s; `None` when it has no stamp (H.222.0, 2.4.3.7)"
     if len(payload)<14 or not payload[7]&128: return None
     first,*pairs = payload[9],int.from_bytes(payload[10:12], 'big'),int.from_bytes(payload[12:14], 'big')
     return (first>>1&7)<<30 | pairs[0]>>1<<15 | pairs[1]>>1
 
 # %% ../../nbs/api/video/03_receivers.ipynb #91a1d8e4
 def _is_packet(data:bytes, n:int)->bool:
-    "Whether a packet is at `n`, followed by another one or by nothing yet"
+    "True if a packet is at `n`, followed by another one or by nothing yet"
     return data[n]==0x47 and (n+ts_size==len(data) or data[n+ts_size]==0x47)
 
 # %% ../../nbs/api/video/03_receivers.ipynb #5935ff89
@@ -565,7 +568,7 @@ class _TSReader:
         self.trust = True                                       # does a filled packet end a picture?
 
     def __call__(self, data:bytes)->list:
-        "The access units that these bytes complete"
+        "Return the access units that these bytes complete"
         data = self._rest+data
         units,n = [],0
         while n+ts_size<=len(data):
@@ -593,7 +596,7 @@ class _TSReader:
 # %% ../../nbs/api/video/03_receivers.ipynb #61584ec8
 @patch
 def _video(self:_TSReader, begins, filled, payload, counter)->list:
-    "The next packet of the video: what it completes"
+    "Add the next packet of the video; return what it completes"
     if counter==self._counter: return []                    # the same packet again
     broken = self._counter is not None and counter!=(self._counter+1)&15
     if broken and self._pes is not None: self._give_up()
@@ -608,7 +611,7 @@ def _video(self:_TSReader, begins, filled, payload, counter)->list:
 # %% ../../nbs/api/video/03_receivers.ipynb #cd145a70
 @patch
 def _at_end(self:_TSReader)->bool:
-    "Whether the picture is complete"
+    "True if the picture is complete"
     if not self._pes: return False
     if self._size: return len(self._pes)>=self._size
     return self.trust and self._filled
@@ -616,19 +619,19 @@ def _at_end(self:_TSReader)->bool:
 # %% ../../nbs/api/video/03_receivers.ipynb #21dd3bc0
 @patch
 def _give_up(self:_TSReader):
-    "A packet was lost, and its picture with it; or that is too large"
+    "Count a picture as lost: a packet is missing, or it is too large"
     self._pes,self._make.lost = None,self._make.lost+1
 
 # %% ../../nbs/api/video/03_receivers.ipynb #dc2e2f17
 @patch
 def _complete(self:_TSReader)->list:
-    "The picture is at its end: an access unit"
+    "Return an access unit of the picture that is at its end"
     data,self._pes = bytes(self._pes or b''),None
     return self._make(data[9+data[8]:], stamp=_pes_stamp(data)) if len(data)>9 else []
 
 # %% ../../nbs/api/video/03_receivers.ipynb #4116b092
 def _has_packets(data:bytes)->bool:
-    "Whether TS packets are in a datagram"
+    "True if TS packets are in a datagram"
     return data[:1]==b'G' or any(data[n]==data[n+ts_size]==0x47 for n in range(min(ts_size, len(data)-ts_size)))
 
 # %% ../../nbs/api/video/03_receivers.ipynb #0a1c1e4b

@@ -53,12 +53,12 @@ class Recorder(Sink):
         if free<self.reserve: raise _DiskFull(why)
 
     def _needs_file(self, unit:AccessUnit)->bool:
-        "Whether this key frame must begin a new file"
+        "True if this key frame must begin a new file"
         last = self.videos[-1] if self.videos else None
         return not last or unit.time-last.began>=self.segment or _shape(unit.format)!=_shape(last.format)
 
     def _drop(self):
-        "The disk is too slow: forget what waits, and remember that there is a gap"
+        "Forget what waits, as the disk is too slow, and remember that there is a gap"
         if self._before_gap is None: self._before_gap = self.dropped
         super()._drop()
 
@@ -84,7 +84,7 @@ def _check(self:Recorder):
 
 # %% ../../nbs/api/video/06_recorder.ipynb #46793bb2
 def _plainly(error:OSError)->OSError:
-    "The error as we name it: a disk that is full is a `_DiskFull`"
+    "Return the error as we name it: a disk that is full is a `_DiskFull`"
     return _DiskFull('the disk is full') if error.errno in (errno.ENOSPC,errno.EDQUOT) else error
 
 # %% ../../nbs/api/video/06_recorder.ipynb #5f2f4784
@@ -122,7 +122,7 @@ class _SafeFile:
         self._at,self._whole,self._corrections,self._file = 0,0,[],None
 
     def tell(self):
-        "Where the next bytes go"
+        "Return where the next bytes go"
         return self._at
 
     def seek(self, offset:int, whence:int=0)->int:
@@ -131,7 +131,7 @@ class _SafeFile:
         return self._at
 
     def mark(self):
-        "Whether the file is complete up to here"
+        "Note that the file is complete up to here"
         self._whole = self.size
 
     def write(self, data)->int:
@@ -182,7 +182,7 @@ def close(self:_SafeFile):
 # %% ../../nbs/api/video/06_recorder.ipynb #add00637
 @patch
 def is_there(self:_SafeFile)->bool:
-    "Whether our file still has its name"
+    "True if our file still has its name"
     try: return self._file is None or os.path.samestat(os.stat(self.path), os.fstat(self._file.fileno()))
     except OSError: return False
 

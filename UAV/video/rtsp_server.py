@@ -61,7 +61,7 @@ class _Videos(dict):
     "Encoders by path; `videos[path]` is the format of one, as soon as that is known"
     patience = 5.       # s
     def __getitem__(self, path:str):
-        "Its `VideoFormat`; raises `RTSPError` (503) when that is not known in time"
+        "Return its `VideoFormat`; raises `RTSPError` (503) when that is not known in time"
         encoder,format = self.get(path),None
         try: format = encoder and encoder.wait_format(self.patience)
         except Exception as e: log.warning('rtsp %s: %s', path, e)
@@ -71,14 +71,15 @@ class _Videos(dict):
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #c6f33185
 @patch
 def _crowd(self:RTSPServer, host:str)->list:
-    "The connections of which there are too many for one more from `host`: its own, or all; empty when there is a place"
+    "Return the connections that are too many for one more from `host`: its own, or all; empty if there is a place"
     every = list(self.connections.values())
     same = [c for c in every if c.host==host]
-    return same if len(same)>=self.each else every if len(every)>=self.most else []
+    if len(same)>=self.each: return same
+    return every if len(every)>=self.most else []
 
 @patch
 def _admit(self:RTSPServer, sock, address:tuple):
-    "A connection for a newcomer, if there is a place"
+    "Open a connection for a newcomer, if there is a place"
     host = plain_host(address[0])
     for connection in self._crowd(host): connection.ready(0)            # has it hung up?
     self._make_room(self._crowd(host), host)
@@ -91,7 +92,7 @@ def _admit(self:RTSPServer, sock, address:tuple):
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #c087461e
 @patch
 def _turn_away(self:RTSPServer, sock):
-    "All places are taken: 503"
+    "Answer 503: all places are taken"
     with sock:
         try: sock.send(bytes(_Response(503)))
         except OSError as e: log.debug('rtsp server %d: %s', self.port, e)
@@ -111,7 +112,7 @@ def _drop_lost(self:RTSPServer):
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #e662357e
 @patch
 def _read_report(self:RTSPServer, events:int):
-    "A report of a player over UDP: a sign of life"
+    "Read a player's report over UDP, a sign of life"
     try: data,address = self.udp[1].recvfrom(2048)
     except OSError: return
     for connection in self.connections.values():
@@ -153,7 +154,7 @@ def add(self:RTSPServer, path:str, # Behind `rtsp://host:port/`
 def url(self:RTSPServer, path:str, # Of a video
         host:str|None=None, # Our address, as the player can reach it; `None`: where we listen, or this computer
        )->str:
-    "The URL for players"
+    "Return the URL for players"
     if not host: host = '127.0.0.1' if self.host in ('','0.0.0.0','::') else self.host
     return f'rtsp://{url_host(host)}:{self.port}/{quote(path.strip("/"))}'
 
@@ -161,7 +162,7 @@ def url(self:RTSPServer, path:str, # Of a video
 @patch
 def hosts(self:RTSPServer, path:str|None=None, # Of a video; `None`: of all
          )->list:
-    "The address of each player that plays it now"
+    "Return the address of each player that plays it now"
     playing = [c for c in list(self.connections.values()) if c.viewer]
     return [c.host for c in playing if path in (None, c.session.path)]
 
@@ -169,7 +170,7 @@ def hosts(self:RTSPServer, path:str|None=None, # Of a video; `None`: of all
 @patch
 def viewers(self:RTSPServer, path:str|None=None, # Of a video; `None`: of all
            )->int:
-    "How many players play it now"
+    "Return how many players play it now"
     return len(self.hosts(path and path.strip('/')))
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #726831fe
@@ -216,7 +217,7 @@ class _Viewer(Sink):
         self.codec,self.stopped = None,False
 
     def send(self, unit:AccessUnit):
-        "One picture, in packets; raises `ConnectionAbortedError` when the codec is another one"
+        "Send a picture, in packets; raises `ConnectionAbortedError` when the codec is another one"
         if self.stopped: return
         self.codec = self.codec or unit.format.codec
         if unit.format.codec!=self.codec: raise ConnectionAbortedError(f'{self.codec} has become {unit.format.codec}')
@@ -295,7 +296,7 @@ class _Connection:
         log.info('%r has stopped', self)
 
     def _check_viewer(self):
-        "Whether the source ended by itself"
+        "Close if the source ended by itself"
         if self.viewer is not None and self.viewer.source is None: self.close()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #cc9df80f
@@ -337,7 +338,7 @@ def send_late(self:_Connection, now:float):
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #1fe7ee35
 @patch
 def _give_up(self:_Connection, response:_Response):
-    "The last answer; then the player sees the end"
+    "Send the last answer; then the player sees the end"
     self.outbox.write(bytes(response))
     self.reader,self.session.timeout = None,2.          # we do not listen any more
     self.asked.clear()
@@ -347,7 +348,7 @@ def _give_up(self:_Connection, response:_Response):
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #9c7d15ba
 @patch
 def _must_wait(self:_Connection)->bool:
-    "Whether the next request has a password whose turn has not come; else counts a wrong one"
+    "True if the next request has a password whose turn has not come; else counts a wrong one"
     digest,request = self.server.digest,self.asked[0]
     given = request.headers.get('authorization')
     if not digest or not given or self.known or request.method=='OPTIONS': return False

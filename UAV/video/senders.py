@@ -29,7 +29,7 @@ log = get_logger('video')
 # %% ../../nbs/api/video/02_senders.ipynb #f08e5844
 def is_group(host:str, # An address, or a name
             )->bool:
-    "Whether this is a multicast address"
+    "True if this is a multicast address"
     try: return ipaddress.ip_address(host.partition('%')[0]).is_multicast
     except ValueError: return False
 
@@ -98,7 +98,7 @@ class _Ticks:
         return max(self._last, round((unit.time-self._began)*clock_rate)),self._last
 
 def _as_packet(unit:AccessUnit, stream, show:int, decode:int|None=None, duration:int=0):
-    "The unit as PyAV's containers take it, to show and to decode at these ticks of the stream's clock"
+    "Return the unit as PyAV's containers take it, to show and to decode at these ticks of the stream's clock"
     packet = av.Packet(unit.data)
     packet.stream,packet.time_base,packet.is_keyframe = stream,stream.time_base,unit.key
     packet.pts,packet.dts,packet.duration = show,show if decode is None else decode,duration
@@ -129,7 +129,7 @@ class TSMuxer:
 
     def mux(self, unit:AccessUnit, # The next picture
            )->bytes:
-        "Its packets, 188 bytes each; empty before the first key frame"
+        "Return its packets, 188 bytes each; empty before the first key frame"
         if unit.key and unit.format.codec!=self.codec: self._open(unit)
         if self._stream is None: return b''
         self._container.mux(_as_packet(unit, self._stream, *self._ticks(unit)))
@@ -152,7 +152,7 @@ class TSSender(UDPSink):
         self._muxer.close()
 
     def send(self, unit:AccessUnit):
-        "One picture, in datagrams"
+        "Send a picture, in datagrams"
         packets = self._muxer.mux(unit)
         for n,at in enumerate(range(0, len(packets), self.size), 1):
             self.send_datagram(packets[at:at+self.size])
@@ -175,7 +175,7 @@ class _TSClient(Sink):
         if self._thread is None: self.end()         # it never got a unit
 
     def send(self, unit:AccessUnit):
-        "One picture; may take as long as `patience`"
+        "Send a picture; may take as long as `patience`"
         try: self.sock.sendall(self._muxer.mux(unit))
         except ConnectionError: self.close()        # it has left
 
@@ -187,7 +187,7 @@ class _TSClient(Sink):
         self._left(self)
 
     def has_left(self)->bool:
-        "Has the other side hung up? What it says is read, and ignored"
+        "True if the other side has hung up; what it sends is read, and ignored"
         try:
             with selectors.DefaultSelector() as ready:
                 ready.register(self.sock, selectors.EVENT_READ)
@@ -230,7 +230,7 @@ class TSServer(Closes):
     def _has_place(self, host:str)->bool: return len(self.clients)<self.most and self.hosts.count(host)<self.each
 
     def _welcome(self, sock:socket.socket, address:tuple):
-        "A new player; when all places are taken, those who hung up make room"
+        "Admit a player; when all places are taken, those who hung up make room"
         host = plain_host(address[0])
         with self._lock:
             if not self._has_place(host): self._sweep()
@@ -241,7 +241,7 @@ class TSServer(Closes):
         except RuntimeError: client.end()       # the encoder is closed
 
     def _left(self, client:_TSClient):
-        "A player has gone: its place is free"
+        "Give back the place of a player that has gone"
         with self._lock, suppress(ValueError): self.clients.remove(client)
 
 # %% ../../nbs/api/video/02_senders.ipynb #cecdd778

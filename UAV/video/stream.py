@@ -70,14 +70,14 @@ class VideoStream(Closes):
 
 # %% ../../nbs/api/video/07_stream.ipynb #ce98a247
 def _port(kind:str, port:int|None)->int:
-    "Where it sends to, or listens; raises `ValueError`"
+    "Return where it sends to, or listens; raises `ValueError`"
     if port is None: return default_ports[kind]
     if port in range(kind in senders, 1<<16): return port           # only a server may have a free one, 0
     raise ValueError(f'{port} is no port for {kind!r}')
 
 # %% ../../nbs/api/video/07_stream.ipynb #493d3e90
 def _path_of(name:str, stream_id:int)->str:
-    "A path for this name, on an RTSP server"
+    "Return a path for this name, on an RTSP server"
     return re.sub(r'[^a-z0-9]+', '_', name.lower()).strip('_') or f'stream_{stream_id}'
 
 # %% ../../nbs/api/video/07_stream.ipynb #d12a38c7
@@ -86,7 +86,7 @@ _streams = Opened()
 
 # %% ../../nbs/api/video/07_stream.ipynb #5f66b242
 def _rtsp_server(host:str='', port:int=8554)->RTSPServer:
-    "The server of this process at that port, or one of its own (0); `_let_go` gives it back; raises `OSError`"
+    "Return the server of this process at that port, or one of its own (0); `_let_go` gives it back; raises `OSError`"
     with _servers_lock:
         if (host,port) not in _servers: _servers[host,port] = [RTSPServer(port, host), 0]
         _servers[host,port][1] += 1
@@ -203,7 +203,7 @@ def send_away(self:VideoStream, leaves): # Which players that fetch it: a functi
 @patch
 def uri(self:VideoStream, host:str='127.0.0.1', # Our address, as the viewer can reach it
        )->str:
-    "The viewer's address: a URL, or the number of its own port"
+    "Return the viewer's address: a URL, or the number of its own port"
     if self.own_uri: return self.own_uri
     if self.kind in senders and is_group(self.host): return f'udp://{url_host(self.host)}:{self.port}'
     if self.kind in senders: return str(self.port)

@@ -57,14 +57,14 @@ class AccessUnit:
 # %% ../../nbs/api/video/00_units.ipynb #94b45db7
 def nal_units(data:bytes, # A byte stream
              )->list:
-    "The NAL units of a byte stream, without start codes; empty ones are left out"
+    "Return the NAL units of a byte stream, without start codes; empty ones are left out"
     found = (nal.rstrip(b'\0') for nal in data.split(b'\0\0\1')[1:])
     return [nal for nal in found if nal]
 
 # %% ../../nbs/api/video/00_units.ipynb #074657c4
 def byte_stream(nals, # NAL units
                )->bytes:
-    "A byte stream of them: each behind a start code"
+    "Return a byte stream of them: each behind a start code"
     return b''.join(b'\0\0\0\1'+nal for nal in nals)
 
 # %% ../../nbs/api/video/00_units.ipynb #ded43bca
@@ -77,7 +77,7 @@ _keys = dict(h264=range(5,6), h265=range(16,22))
 def parameter_sets(data:bytes, # A byte stream
                    codec:str='h264', # One of `codecs`
                   )->list:
-    "The parameter sets in it: SPS and PPS, for H.265 the VPS before them"
+    "Return the parameter sets in it: SPS and PPS, for H.265 the VPS before them"
     return [nal for nal in nal_units(data) if _nal_type(nal, codec) in _parameter_sets[codec]]
 
 # %% ../../nbs/api/video/00_units.ipynb #8e02c71f
@@ -85,7 +85,7 @@ _sei = dict(h264=6, h265=39)
 _slices = dict(h264=range(1,6), h265=range(32))
 
 def _sei_kinds(nal:bytes, codec:str='h264')->list:
-    "The payload types of the messages in a SEI NAL unit (H.264 7.3.2.3, H.265 7.3.5)"
+    "Return the payload types of the messages in a SEI NAL unit (H.264 7.3.2.3, H.265 7.3.5)"
     data,kinds = nal[2 if codec=='h265' else 1:].replace(b'\0\0\3', b'\0\0'),[]
     while len(data)>2:                          # type, size, and that many bytes; 255 in a number: it goes on
         numbers = []
@@ -165,13 +165,13 @@ class Sink(Closes):
         if source := self.source: source.key_frame()
 
     def _next(self)->AccessUnit|None:
-        "The next unit; `None` when the sink is closed and all is sent"
+        "Return the next unit; `None` when the sink is closed and all is sent"
         with self._changed:
             self._changed.wait_for(lambda: self._queue or self._closed)
             return self._queue.popleft() if self._queue else None
 
     def _run(self):
-        "The thread: send one unit after the other, until the sink is closed"
+        "Send one unit after the other, until the sink is closed; on our thread"
         try:
             while unit := self._next(): self.send(unit)
         except Exception as e: self._fail(e)
@@ -225,13 +225,13 @@ def close(self:Sink, timeout:float=5., # s that the units which wait may take
 
 # %% ../../nbs/api/video/00_units.ipynb #b9d1e166
 def _even(size)->tuple:
-    "The largest (width, height) that encoders take in this one, px; at least 16×16"
+    "Return the largest (width, height) that encoders take in this one, px; at least 16×16"
     width,height = (max(16, int(n)&~1) for n in size)
     return width,height
 
 # %% ../../nbs/api/video/00_units.ipynb #978e9ddb
 def _fitted(image, width:int, height:int):
-    "A BGR picture in that size, px, which is even: scaled, but an odd last row or column falls off instead"
+    "Return a BGR picture in that size, px, which is even: scaled, but an odd last row or column falls off instead"
     h,w = image.shape[:2]
     if (w&~1,h&~1)==(width,height): return image[:height,:width]
     return cv2.resize(image, (width,height), interpolation=cv2.INTER_AREA if w>width else cv2.INTER_LINEAR)
@@ -266,7 +266,7 @@ def sensible_bitrate(width:int, # px
                      rate:float, # Pictures in a second
                      codec:str='h264', # One of `codecs`
                     )->int:
-    "A bitrate at which a video of this size looks good, bit/s"
+    "Return a bitrate at which a video of this size looks good, bit/s"
     pixels = width*height*rate/(640*480*15)
     return int(round(1e6*pixels**.8*(.6 if codec=='h265' else 1), -4))
 
@@ -296,7 +296,7 @@ def _options(name, format):
 
 # %% ../../nbs/api/video/00_units.ipynb #88b8ddb6
 def _opened(name, format):
-    "A codec context of PyAV; opens with its first picture"
+    "Return a codec context of PyAV; opens with its first picture"
     context = av.CodecContext.create(name, 'w')
     context.width,context.height = format.width,format.height
     context.framerate = max(Fraction(format.rate).limit_denominator(1001), Fraction(1,1001))
@@ -309,7 +309,7 @@ def _opened(name, format):
 
 # %% ../../nbs/api/video/00_units.ipynb #cfaa8202
 class Codec:
-    "An encoder of PyAV that is open; no B pictures, no delay"
+    "An encoder of PyAV that is open; no B-frames, no delay"
     def __init__(self, name:str, # Its name in PyAV, for example `libx264`
                  format:VideoFormat): # What it shall make; `headers` are known after the first picture
         self.name,self.format = name,format
@@ -333,7 +333,7 @@ class Codec:
         return [self._unit(packet) for packet in self._context.encode(picture)]
 
     def _unit(self, packet)->AccessUnit:
-        "The access unit in a packet of PyAV, with what we know of its frame; `format` gets its parameter sets"
+        "Return the access unit in a packet of PyAV, with what we know of its frame; `format` gets its parameter sets"
         while True:
             count,*about = self._inside.popleft()
             if count>=(packet.pts or 0): break                     # those before were left out
@@ -347,7 +347,7 @@ class Codec:
 # %% ../../nbs/api/video/00_units.ipynb #068a3747
 @lru_cache(maxsize=None)
 def _works(name:str)->bool:
-    "Does it turn pictures into H.264 or H.265 on this machine, and the fourth of six into a key frame? Tried once"
+    "True if it encodes pictures on this machine, and makes the fourth of six a key frame; tried once"
     format = VideoFormat(next((c for c,names in _candidates.items() if name in names), 'h264'))
     black = SimpleNamespace(image=np.zeros((format.height,format.width,3), np.uint8), number=0, time_utc=0.)
     try:
@@ -358,7 +358,7 @@ def _works(name:str)->bool:
 
 # %% ../../nbs/api/video/00_units.ipynb #5b4cc086
 def _encoder_names(codec:str='h264', hardware:bool=True):
-    "The encoders of PyAV that work here; raises `ValueError` when there is none"
+    "Yield the encoders of PyAV that work here; raises `ValueError` when there is none"
     if codec not in _candidates: raise ValueError(f'codec {codec!r} is none of {", ".join(_candidates)}')
     name = None
     for name in filter(_works, (n for n in _candidates[codec] if hardware or not _is_hardware(n))): yield name
