@@ -82,16 +82,8 @@ async def acting(self:Steering):
 @patch
 async def newest(self:Steering):
     "Return the attitude after a command took effect; `None` if it doesn't come in time"
-<<<<<<< /tmp/tmpju_ibe6p/o
-    async def told():
-        await self.device.current_attitude()           # request a stream, if needed
-||||||| /tmp/tmpju_ibe6p/b
-    async def told():
-        await self.device._see()           # request a stream, if needed
-=======
     async def first():
-        await self.device._see()           # request a stream, if needed
->>>>>>> /tmp/tmpju_ibe6p/y
+        await self.device.current_attitude()           # request a stream, if needed
         return await anext(attitudes)
     await asyncio.sleep(self.effect)
     async with aclosing(self.device.attitudes()) as attitudes:
