@@ -303,8 +303,8 @@ def _posed(self:Camera, frame:Frame)->Frame:
     pose = frame.pose
     if pose is None and self.pose is not None:
         try:
-            told = dict(time_utc=frame.time_utc) if 'time_utc' in signature(self.pose).parameters else {}
-            pose = None if (said := self.pose(**told))==Pose() else said
+            options = dict(time_utc=frame.time_utc) if 'time_utc' in signature(self.pose).parameters else {}
+            pose = None if (pose := self.pose(**options))==Pose() else pose
         except Exception: self.log.exception('no pose for a picture')
     if pose is frame.pose and not self.clock_error: return frame
     return replace(frame, time_utc=frame.time_utc+self.clock_error, pose=pose)
@@ -349,7 +349,7 @@ def _failed(self:Camera, started:float, error:BaseException)->Picture:
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #fcac49f6
 @patch
-def _tell_picture(self:Camera, picture):
+def _announce_picture(self:Camera, picture):
     "Announce a picture, and the storage when its status is another one"
     self.announce(picture)
     if picture.ok and self._storage_status == 'ready': return      # it was written

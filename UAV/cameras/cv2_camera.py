@@ -103,7 +103,7 @@ class CV2Camera(_LiveCamera):
         self._newest = NewestFrame(1 if self.lockstep else None)
         self._publish(image)
         self._reader = _begin_thread(self._read_on, f'reader {model}')
-        self._watch = timers.every(max(read_timeout/4, .1), self._look, delay=read_timeout)
+        self._watch = timers.every(max(read_timeout/4, .1), self._check_silence, delay=read_timeout)
 
     def close(self):
         "Stop the reader, and release the source; may be called twice"
@@ -125,8 +125,8 @@ def _open(self:CV2Camera):
     if image is None:
         capture.release()
         raise CameraError(f'{_source_name(self.source)} gives no frames in this size')
-    said = capture.get(cv2.CAP_PROP_FPS)
-    self.frame_rate = self.fps or (said if 0 < said < 1000 else 25.)
+    rate = capture.get(cv2.CAP_PROP_FPS)
+    self.frame_rate = self.fps or (rate if 0 < rate < 1000 else 25.)
     return capture,self._fit(image)
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #5c0a5709
@@ -262,7 +262,7 @@ def _silence(self:CV2Camera)->str|None:
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #5c0a5713
 @patch
-def _look(self:CV2Camera):
+def _check_silence(self:CV2Camera):
     "Has a frame come lately? Called by the timer"
     if not self.fault and (silence := self._silence()): self.set_fault(silence)
 

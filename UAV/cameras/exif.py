@@ -173,24 +173,24 @@ def _properties(pose:Pose, make:str)->dict:
     "XMP properties of `pose`, name to value, without what is not known; `make` is that of the EXIF"
     pose = _sound(pose)
     yaw,pitch,roll = _nadir_angles(pose)
-    told = {'Camera:Yaw': yaw, 'Camera:Pitch': pitch, 'Camera:Roll': roll}
+    properties = {'Camera:Yaw': yaw, 'Camera:Pitch': pitch, 'Camera:Roll': roll}
     if make.strip().lower() in ('dji','hasselblad'):        # ODM adds 90 to the pitch of these, whatever it has read
-        told |= {'drone-dji:GimbalYawDegree': yaw, 'drone-dji:GimbalPitchDegree': pitch-90,
+        properties |= {'drone-dji:GimbalYawDegree': yaw, 'drone-dji:GimbalPitchDegree': pitch-90,
                  'drone-dji:GimbalRollDegree': roll}
-    told |= {'drone-dji:AbsoluteAltitude': pose.alt, 'drone-dji:RelativeAltitude': pose.relative_alt}
-    told = {name: f'{round(value, 2)+0.:+.2f}' for name,value in told.items() if known(value)}
+    properties |= {'drone-dji:AbsoluteAltitude': pose.alt, 'drone-dji:RelativeAltitude': pose.relative_alt}
+    properties = {name: f'{round(value, 2)+0.:+.2f}' for name,value in properties.items() if known(value)}
     if known(pose.lat) and known(pose.lon):
-        told |= {'exif:GPSLatitude': _degrees_minutes(pose.lat, 'NS'),
+        properties |= {'exif:GPSLatitude': _degrees_minutes(pose.lat, 'NS'),
                  'exif:GPSLongitude': _degrees_minutes(pose.lon, 'EW')}
     if known(pose.alt):
-        told |= {'exif:GPSAltitude': f'{round(abs(pose.alt)*1000)}/1000', 'exif:GPSAltitudeRef': '01'[pose.alt<0]}
-    return told
+        properties |= {'exif:GPSAltitude': f'{round(abs(pose.alt)*1000)}/1000', 'exif:GPSAltitudeRef': '01'[pose.alt<0]}
+    return properties
 
-def _attributes(told:dict, without:bytes=b'')->bytes:
+def _attributes(properties:dict, without:bytes=b'')->bytes:
     "Properties as the inside of an XML tag, with the namespaces that the tag `without` lacks"
     spaces = [f'xmlns:{name}="{url}"' for name,url in _namespaces.items()
               if not re.search(rf'xmlns:{name}\s*='.encode(), without)]
-    return ' '.join([*spaces, *(f'{name}="{value}"' for name,value in told.items())]).encode()
+    return ' '.join([*spaces, *(f'{name}="{value}"' for name,value in properties.items())]).encode()
 
 def xmp(pose:Pose, # Where the picture was taken
         make:str='', # The EXIF `Make`
@@ -336,14 +336,14 @@ def _is_sound(packet:bytes)->bool:
     try: return len(packet)<65534 and bool(ParserCreate().Parse(packet[len(_xmp_head):], True))
     except ExpatError: return False
 
-def _joined(theirs:bytes, told:dict)->bytes:
+def _joined(theirs:bytes, properties:dict)->bytes:
     "An XMP block with properties of ours; empty when there is no place for them in it"
     found = _first_description.search(theirs)
     if not found or not theirs.rpartition(_rdf_end)[1]: return b''
     bound = {(name.decode(), url.decode()) for name,url in re.findall(rb'xmlns:([\w.-]+)\s*=\s*["\']([^"\']*)', theirs)}
     taken = any(name in _namespaces and url!=_namespaces[name] for name,url in bound)   # our prefix means another thing
-    if taken: at,ours = found.start(),b'<rdf:Description rdf:about="" '+_attributes(told)+b'/>'
-    else: at,ours = found.end(),b' '+_attributes(told, found[0])
+    if taken: at,ours = found.start(),b'<rdf:Description rdf:about="" '+_attributes(properties)+b'/>'
+    else: at,ours = found.end(),b' '+_attributes(properties, found[0])
     both = theirs[:at]+ours+theirs[at:]
     return both if _is_sound(both) else b''
 

@@ -109,7 +109,7 @@ def _read_one(self:Frames)->float:
 @patch
 def _run(self:Frames):
     "The thread: read while there is a reader"
-    watch,due = timers.every(max(self.camera.patience/4, .01), self._look),clock.monotonic()
+    watch,due = timers.every(max(self.camera.patience/4, .01), self._check_hang),clock.monotonic()
     def is_over(): return self.over or not self.watchers
     try:
         while True:
@@ -123,7 +123,7 @@ def _run(self:Frames):
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #3b5e2c31
 @patch
-def _look(self:Frames):
+def _check_hang(self:Frames):
     "Check for a hanging read; called by the timer"
     since,patience = self._since,self.camera.patience
     if since is not None and clock.monotonic()-since>=patience: self.camera.set_fault(f'no picture for {patience:g} s')
@@ -172,7 +172,8 @@ class Filming:
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #e2eb4f57
 @patch
-def _tell(self:Filming, stream): self.camera.announce(VideoStatus(stream.stream_id, stream.running, stream.viewers))
+def _announce_stream(self:Filming, stream):
+    self.camera.announce(VideoStatus(stream.stream_id, stream.running, stream.viewers))
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #3eb487ca
 @patch
@@ -192,7 +193,7 @@ def add(self:Filming, name:str='', # For people; empty: the model and a number
         size = information.resolution_h or 640,information.resolution_v or 480
         same = (s.server for s in self.streams if (s.kind,s.host,s.port)==(kind,host,port)==('rtsp',host,port))
         stream = VideoStream(self.encoder(**how), kind, name, number, host, port, server or next(same, None), uri,
-                             size=size, on_change=self._tell)
+                             size=size, on_change=self._announce_stream)
         self.streams.append(stream)         # a listener that hears of the start finds it among the others
         try: stream.start()
         except BaseException:
@@ -211,7 +212,7 @@ def chosen(self:Filming, stream_id:int=0, # 0: all
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #a45b394a
 @patch
-def _tell_recording(self:Filming):
+def _announce_recording(self:Filming):
     "Notify that a recording began or ended"
     self.camera.announce(self.camera.capture_status())
     for storage in self.camera.storage_information(): self.camera.announce(storage)
@@ -226,7 +227,7 @@ def _ended(self:Filming, recorder):
         self.recorder = self.storage = None
     self.camera.log.warning('the recording has ended: %s', recorder.fault)
     self.camera.announce(RecordingEnded(str(recorder.fault)))
-    self._tell_recording()
+    self._announce_recording()
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #a3227262
 @patch
@@ -258,7 +259,7 @@ def start_recording(self:Filming, stream_id:int=0): # Whose pictures; 0: the fir
             self.recorder = self.storage = None
             if isinstance(e, (OSError,ImportError)): raise CameraError(f'no recording: {e}') from e
             raise
-    self._tell_recording()
+    self._announce_recording()
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #d54953da
 @patch
@@ -274,7 +275,7 @@ def stop_recording(self:Filming):
         elif why := recorder.fault or not recorder.videos and (self.camera.fault or 'no picture came'):
             self.camera.announce(RecordingEnded(str(why)))
         self.storage = None
-    self._tell_recording()
+    self._announce_recording()
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #c713b4c3
 Filming.seconds = property(lambda self: recorder.seconds if (recorder := self.recorder) is not None else 0.,

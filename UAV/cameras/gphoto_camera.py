@@ -265,7 +265,7 @@ def read_still(self:GPhotoCamera)->Still:
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #2335e9e2
 @patch
-def _look_through(self:GPhotoCamera, camera)->bytes|None:
+def _live_view(self:GPhotoCamera, camera)->bytes|None:
     "Return a JPEG of the live view; `None` when the body has none"
     try: return _content(camera.capture_preview())
     except self._body.gp.GPhoto2Error as e:
@@ -276,7 +276,7 @@ def _look_through(self:GPhotoCamera, camera)->bytes|None:
 @patch
 def read(self:GPhotoCamera)->Frame:
     "Return a frame of live view, or else the latest picture; raises `CameraError` when there is neither"
-    jpeg = self._body.do(self._look_through, self.patience) if self._live else None
+    jpeg = self._body.do(self._live_view, self.patience) if self._live else None
     if jpeg is not None: return Frame(_decoded(jpeg), next(self._numbers), clock.time())
     if self._latest is None: raise CameraError(f'{self._body.model} has no live view, and has taken no picture yet')
     return self._latest

@@ -77,8 +77,8 @@ def _property_of(pipeline, name:str, row:dict)->Parameter:
     if element is None: raise ValueError(f'[parameters.{name}] the pipeline has no element {row.get("element")!r}')
     spec = element.find_property(row.get('property', ''))
     if spec is None: raise ValueError(f'[parameters.{name}] {row["element"]} has no property {row.get("property")!r}')
-    told = {k: v for k,v in row.items() if k not in ('element','property')}
-    try: return Parameter(**{'name':name, 'description':spec.blurb, **_range_of(spec), **told})
+    given = {k: v for k,v in row.items() if k not in ('element','property')}
+    try: return Parameter(**{'name':name, 'description':spec.blurb, **_range_of(spec), **given})
     except TypeError as e: raise ValueError(f'[parameters.{name}] {e}') from None
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #7ead4376
@@ -173,7 +173,7 @@ class _Keeper:
 
     def __repr__(self): return f'{type(self).__name__} of {self.name}: {self.problem or "all is well"}'
 
-    def _tell(self, problem:str|None):
+    def _note(self, problem:str|None):
         "Note a problem, or that there is none any more; the owner hears of changes"
         changed,self.problem = bool(problem) != bool(self.problem),problem
         if changed: self.owner._on_problem(problem)
@@ -196,8 +196,8 @@ def _watch(self:_Keeper, pipeline)->str|None:
         limit = owner.read_timeout if pipeline.arrived else owner.open_timeout
         silent = clock.monotonic()-(pipeline.arrived or began)
         if silent > 3*limit: return f'nothing has come for {3*limit:g} s'
-        if silent > limit: self._tell(f'nothing has come for {limit:g} s')
-        elif pipeline.arrived: self._tell(None)
+        if silent > limit: self._note(f'nothing has come for {limit:g} s')
+        elif pipeline.arrived: self._note(None)
         owner._on_beat()
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #0eb6f80f
@@ -226,7 +226,7 @@ def _after(self:_Keeper, problem:str|None, wait:float)->float:
     pipeline,first = self.pipeline,self.owner.first_retry
     if self.closing.is_set(): return 0.
     if pipeline.arrived and pipeline.film: return min(first, .05)
-    self._tell(problem)
+    self._note(problem)
     return first if pipeline.arrived else min(2*wait, self.owner.last_retry)
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #5ae5dbf4
@@ -265,8 +265,8 @@ def _prepare(self:GSTCamera, pipeline):
 @patch
 def _on_frame(self:GSTCamera, data, width, height, rate, taken):
     "Called on GStreamer's thread"
-    said = self.information.resolution_h,self.information.resolution_v
-    if said != (width,height): self.information = replace(self.information, resolution_h=width, resolution_v=height)
+    before = self.information.resolution_h,self.information.resolution_v
+    if before != (width,height): self.information = replace(self.information, resolution_h=width, resolution_v=height)
     if rate: self.frame_rate = rate
     time_utc = clock.time()-clock.monotonic()+taken
     self.newest.put(Frame(_as_image(data, width, height), self.newest.number+1, time_utc))

@@ -121,13 +121,13 @@ _not_ours = 'flags','cam_definition_version','cam_definition_uri','gimbal_device
 
 def _information_of(section:dict)->CameraInformation:
     "A camera's information; raises `ValueError` for an unknown name"
-    told = {_other_names.get(k, k): v.strip() if isinstance(v, str) else v
+    given = {_other_names.get(k, k): v.strip() if isinstance(v, str) else v
             for k,v in section.items() if k not in _not_ours}
-    version = told.get('firmware_version', (0,0,0,0))
+    version = given.get('firmware_version', (0,0,0,0))
     version = tuple(version) if isinstance(version, (list,tuple)) else (int(version),0,0,0)
-    unknown = set(told)-{field.name for field in fields(CameraInformation)}
+    unknown = set(given)-{field.name for field in fields(CameraInformation)}
     if unknown: raise ValueError(f'[camera_info] does not know {", ".join(sorted(unknown))}')
-    return CameraInformation(**{'model': 'GSTCamera', **told, 'firmware_version': version})
+    return CameraInformation(**{'model': 'GSTCamera', **given, 'firmware_version': version})
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #3cd14238
 @dataclass(frozen=True)
@@ -162,13 +162,13 @@ _known = dict(gstreamer_video_src='source', gstreamer_encoder='encoder')
 def _recipe_of(sections:dict)->_Recipe:
     "Read the sections; raises `ValueError` for invalid ones"
     common = {k: v for k,v in sections.items() if not isinstance(v, dict)}
-    told = {_known.get(k, k): v for k,v in sections.items() if isinstance(v, dict)}
+    given = {_known.get(k, k): v for k,v in sections.items() if isinstance(v, dict)}
     lines = {name: _fill_in(_as_text(section['pipeline']), {**common, **section}, name)
-             for name,section in told.items() if section.get('pipeline')}
+             for name,section in given.items() if section.get('pipeline')}
     if not lines.get('source'): raise ValueError("a camera needs a section [source] with a pipeline")
     known = {name: lines.pop(name) for name in ('source','frames','encoder') if name in lines}
-    return _Recipe(**known, branches=tuple(lines.values()), information=_information_of(told.get('camera_info', {})),
-                   position=told.get('camera_position', {}), parameters=told.get('parameters', {}))
+    return _Recipe(**known, branches=tuple(lines.values()), information=_information_of(given.get('camera_info', {})),
+                   position=given.get('camera_position', {}), parameters=given.get('parameters', {}))
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #59a70293
 _appsink = 'appsink name={} emit-signals=true sync=false async=false'
@@ -376,7 +376,7 @@ def _as_image(data:bytes, width:int, height:int):
 @patch
 def open_valve(self:GSTPipeline, name:str, # Of a valve
                on:bool=True, # Open, or closed?
-               at_key:bool=False): # Only with the next key picture?
+               at_key:bool=False): # Only with the next key frame?
     "Open a branch, or close it"
     Gst,valve = self.Gst,self.element(name)
     def until_key(pad, info):
@@ -389,7 +389,7 @@ def open_valve(self:GSTPipeline, name:str, # Of a valve
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #85ca797c
 @patch
 def ask_key(self:GSTPipeline, name:str='uav_units'):
-    "Ask for a key picture at an appsink; an encoder makes one, a camera may"
+    "Ask for a key frame at an appsink; an encoder makes one, a camera may"
     Gst,sink = self.Gst,self.element(name)
     wish = 'GstForceKeyUnit, running-time=(guint64)18446744073709551615, all-headers=(boolean)true, count=(uint)1'
     sink.send_event(Gst.Event.new_custom(Gst.EventType.CUSTOM_UPSTREAM, Gst.Structure.new_from_string(wish)))

@@ -65,8 +65,8 @@ class _Declared(Value):
     "Base of the two dataclasses below: shows what is not as usual"
     def __repr__(self):
         def usual(f): return f.default if f.default_factory is MISSING else f.default_factory()
-        told = [f'{f.name}={now!r}' for f in fields(self)[1:] if (now := getattr(self, f.name)) != usual(f)]
-        return f'{type(self).__name__}({", ".join([repr(self.name), *told])})'
+        given = [f'{f.name}={now!r}' for f in fields(self)[1:] if (now := getattr(self, f.name)) != usual(f)]
+        return f'{type(self).__name__}({", ".join([repr(self.name), *given])})'
 
 # %% ../../nbs/api/cameras/05_parameters.ipynb #b3dcc4e7
 def _names_in(what:str, names)->tuple:
@@ -211,7 +211,7 @@ class Parameters:
         self._values = self.defaults = {p.name: p.check(p.default) for p in declared}
         self._lock,self._changers,self._restored = clock.RLock(),set(),False
         self._call = None                   # the thread in which the device takes a value
-        if self.file: self._load()          # while no one is told
+        if self.file: self._load()          # while no listener is called
         self.apply = apply
 
     names = property(lambda self: tuple(self.declared), doc="In the order of the declaration, which stays")
@@ -288,12 +288,12 @@ def _moved(along)->dict:
 @patch
 def _put(self:Parameters, p:Parameter, value):
     "Give the device a value, and note what moved along"
-    along = self._tell_device(p.name, value) if self.apply else None
+    along = self._set_in_device(p.name, value) if self.apply else None
     self._take({p.name:value, **_moved(along)})
 
 # %% ../../nbs/api/cameras/05_parameters.ipynb #48080df9
 @patch
-def _tell_device(self:Parameters, name:str, value)->dict|None:
+def _set_in_device(self:Parameters, name:str, value)->dict|None:
     "Run `apply`; raises its error, `CameraError` when it takes too long, `CameraBusy` while it still runs"
     if self._call is clock.current_thread(): return self.apply(name, value)     # it sets another one itself
     if self._call and self._call.is_alive(): raise CameraBusy(f'the device is still busy with {self._call.name}')
@@ -311,7 +311,7 @@ def _tell_device(self:Parameters, name:str, value)->dict|None:
 # %% ../../nbs/api/cameras/05_parameters.ipynb #e3b88b6a
 @patch
 def _run_apply(self:Parameters, answer:Future, name:str, value):
-    "The thread of `_tell_device`"
+    "The thread of `_set_in_device`"
     try: along,error = self.apply(name, value),None
     except BaseException as e: along,error = None,e
     if answer.set_running_or_notify_cancel(): return answer.set_exception(error) if error else answer.set_result(along)
@@ -380,8 +380,8 @@ def _kept(self:Parameters)->dict:
 @patch
 def _save(self:Parameters):
     "Write the file; a disk that takes nothing is no reason to refuse a change"
-    told = {name: v.decode('latin-1') if isinstance(v, bytes) else v for name,v in self._kept().items()}
-    try: write_file(self.file, json.dumps(told, indent=1).encode()+b'\n')
+    kept = {name: v.decode('latin-1') if isinstance(v, bytes) else v for name,v in self._kept().items()}
+    try: write_file(self.file, json.dumps(kept, indent=1).encode()+b'\n')
     except OSError as e: get_logger('parameters').warning('%s is not written: %s', self.file.name, e.strerror)
 
 # %% ../../nbs/api/cameras/05_parameters.ipynb #8f0ba385
@@ -476,7 +476,7 @@ def _numbers(p:Parameter, names:dict):
 
 # %% ../../nbs/api/cameras/05_parameters.ipynb #79017bd6
 def _options(p:Parameter, names:dict):
-    if list(_numbers(p, names)): return         # that is said already
+    if list(_numbers(p, names)): return         # one sentence is enough
     if any(not o.name.strip() for o in p.options): yield 'an option has no name'
     values = [typed(p.kind, o.value) for o in p.options]
     for what,there in (('name', [o.name for o in p.options]), ('value', values)):
@@ -511,7 +511,7 @@ def _range_of(o, name:str, values:tuple, names:dict):
 _ends = {'uint32':2**31-1, 'uint64':2**63-1}
 
 def _mavsdk(p:Parameter, names:dict):
-    if list(_numbers(p, names)): return         # that is said already
+    if list(_numbers(p, names)): return         # one sentence is enough
     for value in {p.default, *(o.value for o in p.options)} if p.kind in _ends else ():
         if value > _ends[p.kind]: yield f'{value} is too large: MAVSDK ends with an exception'
     for o in p.options if p.kind in ('float','double') else ():

@@ -101,7 +101,7 @@ class PiCamera(_LiveCamera):
             if '_device' in vars(self): self._device.close()
             if not isinstance(e, (RuntimeError,IndexError)): raise
             raise CameraError(f'camera {camera_num} cannot be opened: {e.__cause__ or e}') from None
-        self._watch = timers.every(self.silence/4, self._look)
+        self._watch = timers.every(self.silence/4, self._check_silence)
 
     @classmethod
     def open(cls, url:DeviceURL, # 'picamera://0', with options `width`, `height`, `fps`, `still_width`
@@ -157,7 +157,7 @@ def _describe(self:PiCamera, properties:dict)->CameraInformation:
 def _on_request(self:PiCamera, request): self._arrived = clock.monotonic()
 
 @patch
-def _look(self:PiCamera):
+def _check_silence(self:PiCamera):
     "Set the fault when frames have stopped, and clear it when they come"
     silent = clock.monotonic()-self._arrived > self.silence
     if silent: self.set_fault(f'{self.information.model} gives no frames: is its cable loose?')

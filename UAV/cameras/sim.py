@@ -397,7 +397,7 @@ def set_camera_source(self:SimDualCamera, primary:str='default', # 'default', 'r
     if source==self.source: return
     self.source,self.lens = source,self.lenses[primary]
     for stream in self.streams:
-        if not self._only_thermal(stream): self.filming._tell(stream)
+        if not self._only_thermal(stream): self.filming._announce_stream(stream)
     self.announce(self.settings())          # the zoom is the other eye's
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #09de9554

@@ -49,10 +49,10 @@ class Storages:
 @patch
 def _remembered(self:Storages)->dict:
     "Load the last use, if still valid"
-    try: told = json.loads(self._file.read_bytes())
+    try: stored = json.loads(self._file.read_bytes())
     except (OSError, ValueError, RecursionError): return {}
-    if not isinstance(told, dict): return {}
-    return {m: n for m,n in told.items() if m in self.media and type(n) is int and 0 < n <= len(self.all)}
+    if not isinstance(stored, dict): return {}
+    return {m: n for m,n in stored.items() if m in self.media and type(n) is int and 0 < n <= len(self.all)}
 
 # %% ../../nbs/api/cameras/03_storages.ipynb #b08621c0
 @patch

@@ -319,7 +319,7 @@ class Pursuit:
             self.asked = x,y,inside('radius', radius, 0, 1) or self.default_radius
         self.follower,self.size,self.focal_length = None,None,NAN      # px, mm
         self.number = -1                            # of the last frame
-        self.seen = self.heard = None               # when the target was seen, and when a frame came: s on a clock
+        self.seen = self.arrived = None               # when the target was seen, and when a frame came: s on a clock
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #c3fbe963
 @patch
@@ -338,9 +338,9 @@ def _rescale(self:Pursuit, size, zoom:float):
     self.size = size
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #40829ba1
-def _focal(told, before:float=NAN)->float:
+def _focal(given, before:float=NAN)->float:
     "A focal length, mm; what it was before when a lens cannot have that"
-    return float(told) if isinstance(told, Real) and .001<told<1e5 else before
+    return float(given) if isinstance(given, Real) and .001<given<1e5 else before
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #be8f948c
 @patch
@@ -383,8 +383,8 @@ class Tracker:
                  camera, # Its `frames`, `lens`, `fault`, `log` and `announce` are used; `_target_place`, if it has that
                  clock=clock.now): # Gives seconds
         self.camera,self.clock,self.status = camera,clock,TrackingStatus()     # the status of the newest frame
-        self.closed,self._pursuit,self._told = False,None,(None,'idle')         # what listeners know
-        self._changed,self._telling = _clock.Condition(),_clock.RLock()
+        self.closed,self._pursuit,self._announced = False,None,(None,'idle')         # what listeners know
+        self._changed,self._announcing = _clock.Condition(),_clock.RLock()
         self._thread,self._runs = None,False
 
     def __repr__(self): return f'{type(self).__name__}: {self.status}'
@@ -393,24 +393,24 @@ class Tracker:
 @patch
 def _set(self:Tracker, pursuit:Pursuit|None, status:TrackingStatus, ends:bool=False):
     "This is how it stands, and it `ends` perhaps, unless there is another target now; tell what is new"
-    with self._telling:
+    with self._announcing:
         with self._changed:
             if self._pursuit is not pursuit: return
             if ends: self._pursuit = pursuit = None
-            news,self._told = self._told!=(pursuit,status.status),(pursuit,status.status)
+            changed,self._announced = self._announced!=(pursuit,status.status),(pursuit,status.status)
             self.status = status
             self._changed.notify_all()
-        if news: self.camera.announce(status)
+        if changed: self.camera.announce(status)
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #c1d5bed7
 @patch
-def _looked(self:Tracker, pursuit:Pursuit, frame)->TrackingStatus|None:
+def _status_of(self:Tracker, pursuit:Pursuit, frame)->TrackingStatus|None:
     "How it stands with this frame, or without one; `None`: as before"
     if frame is None:
-        late = self.clock()-pursuit.heard>self.silence
+        late = self.clock()-pursuit.arrived>self.silence
         why = self.camera.fault or (f'no frame for {self.silence:g} s' if late else '')
         return TrackingStatus('error', pursuit.mode, frame=self.status.frame, why=why) if why else None
-    pursuit.heard = self.clock()
+    pursuit.arrived = self.clock()
     try:
         status = pursuit.look(frame, getattr(self.camera.lens, 'focal_length', NAN))
         find = status.point and getattr(self.camera, '_target_place', None)
@@ -424,8 +424,8 @@ def _looked(self:Tracker, pursuit:Pursuit, frame)->TrackingStatus|None:
 def see(self:Tracker, pursuit:Pursuit, frame):
     "The next frame for this target; `None`: none came"
     now = self.clock()
-    if pursuit.heard is None: pursuit.heard = pursuit.seen = now
-    if (status := self._looked(pursuit, frame)) is None: return
+    if pursuit.arrived is None: pursuit.arrived = pursuit.seen = now
+    if (status := self._status_of(pursuit, frame)) is None: return
     if status.status=='active': pursuit.seen = now
     self._set(pursuit, status)
     why = f'not seen for {self.patience:g} s: {status.why}'
@@ -460,7 +460,7 @@ def start(self:Tracker, pursuit:Pursuit): # What to track
     with self._changed:
         if self.closed: raise CameraError(f'{self.camera!r} is closed')
         self._pursuit,self.status = pursuit,TrackingStatus('active', pursuit.mode)
-        self._told = pursuit,None           # its end is news, even when no frame has come
+        self._announced = pursuit,None           # its end is announced, even when no frame has come
         if self._runs: return
         self._thread,self._runs = _begin_thread(self._run, f'tracker {self.camera.information.model}'),True
 
@@ -468,7 +468,7 @@ def start(self:Tracker, pursuit:Pursuit): # What to track
 @patch
 def stop(self:Tracker):
     "Track no more; fine when nothing is tracked"
-    with self._telling: self._set(self._pursuit, TrackingStatus(), ends=True)
+    with self._announcing: self._set(self._pursuit, TrackingStatus(), ends=True)
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #0eb9fc88
 @patch

@@ -76,8 +76,8 @@ def feed(self:DistanceTrigger, moment:float, # s
     if self.last is None: self.anchor,self.last = (lat,lon),(moment,lat,lon)
     self.tells_speed = self.tells_speed or bool(north or east) and known(north) and known(east)
     velocity = (north,east) if self.tells_speed and known(north) and known(east) else None
-    told = velocity is not None or (lat,lon)!=self.last[1:]         # the same place once more is no report
-    if moment>self.last[0] and told:
+    is_new = velocity is not None or (lat,lon)!=self.last[1:]         # the same place once more is no report
+    if moment>self.last[0] and is_new:
         self.anchor = moved(*self.anchor, *self._not_flown(moment-self.last[0], lat, lon, velocity))
         self.last = moment,lat,lon
     return self.due
@@ -97,7 +97,7 @@ class TriggerStatus(Value):
 class Trigger:
     "Has a camera take pictures by distance"
     period = .02            # s between two looks at where the camera is
-    too_late = 1.25         # distances after which people are told that the camera cannot keep up
+    too_late = 1.25         # distances after which it is announced that the camera cannot keep up
     def __init__(self,
         camera, # Its `pose`, `velocity`, `captures`, `min_interval`, `image_start_capture` and `announce` are used
         clock=clock.now, # Gives seconds
@@ -105,7 +105,7 @@ class Trigger:
         self.camera,self.clock = camera,clock
         self.rule,self.job = None,None          # `None`: it is off
         self.setting = None                     # what was set last: a verb of the camera, and its number
-        self.status,self.shot = TriggerStatus(),-math.inf       # as it was told; when the last picture was
+        self.status,self.shot = TriggerStatus(),-math.inf       # as it was announced; when the last picture was
         self._complained = False
 
     distance = property(lambda self: self.rule.distance if self.rule else NAN,
@@ -127,8 +127,8 @@ class Trigger:
 @patch
 def tell(self:Trigger, state:str, why:str=''):
     "Announce a `TriggerStatus`, when it is another state or there is something to say"
-    told,self.status = self.status,TriggerStatus(self.distance, state, self.status.count, why)
-    if why or (told.state,told.distance)!=(state,self.status.distance): self.camera.announce(self.status)
+    before,self.status = self.status,TriggerStatus(self.distance, state, self.status.count, why)
+    if why or (before.state,before.distance)!=(state,self.status.distance): self.camera.announce(self.status)
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #29bc6403
 @patch
@@ -217,11 +217,11 @@ class CaptureQueue:
     "A camera's picture requests, and the thread that takes them while there are any"
     max_waiting = 10        # single shots that may wait for the one being taken
     def __init__(self,
-                 camera): # Its `storages`, `_take_picture`, `_tell_picture`, `announce` and `capture_status` are used
+                 camera): # Its `storages`, `announce`, `capture_status` and what takes and announces a picture are used
         self.camera,self.jobs,self.changed = camera,deque(),clock.Condition()
         self.thread,self.running,self.progress = None,False,0.      # s, when a shot was last begun or a job finished
         self.next_index = 0             # of the next job's first picture
-        self.state = self.told = False,0.       # capturing and interval: as it is, as it was announced
+        self.state = self.announced = False,0.       # capturing and interval: as it is, as it was announced
         self.refusal = None             # why nothing is accepted: kind of error, text
         self.trigger = Trigger(camera)  # asks for pictures by distance
 
@@ -274,7 +274,7 @@ def tell_state(self:CaptureQueue, state:tuple|None=None):
     "Announce the state, unless it was announced already"
     with self.changed:
         self.state = state or self.state
-        changed,self.told = self.state != self.told,self.state
+        changed,self.announced = self.state != self.announced,self.state
     if changed: self.camera.announce(self.camera.capture_status())
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #1be232c9
@@ -306,7 +306,7 @@ def _do(self:CaptureQueue, job):
         if picture is None: return           # `close` has given up on us
         last = job.begun == job.count
         if last: self._finish(job)       # the one who hears of the last picture may ask for another
-        self.camera._tell_picture(picture)
+        self.camera._announce_picture(picture)
         if last: return
         self.tell_state((False, job.interval))
         slot = _next_slot(slot, clock.monotonic()-t0, job.interval)
@@ -321,7 +321,7 @@ def _next_job(self:CaptureQueue):
             if not self.running: return          # `close` has given up on us
             if self.jobs: return self.jobs[0]
             self.state = False,0.
-            if self.told == self.state:
+            if self.announced == self.state:
                 self.running = False
                 return self.changed.notify_all()
         self.tell_state()
@@ -358,13 +358,15 @@ def close(self:CaptureQueue, patience:float, # s that a picture may take
         rest = list(self.jobs) if hangs else ()         # shots that were promised, and will not be taken
         if hangs: self.jobs.clear()
         self.changed.notify_all()
-    for job in rest: self.camera._tell_picture(self.camera.storages.fail(clock.time(), f'{self.camera!r} was closed'))
+    for _ in rest:
+        failed = self.camera.storages.fail(clock.time(), f'{self.camera!r} was closed')
+        self.camera._announce_picture(failed)
     return not hangs
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5215
 @patch
 @contextmanager
-def paused(self:CaptureQueue, why:str): # What an attempt to take a picture is told
+def paused(self:CaptureQueue, why:str): # The reason that an attempt to take a picture gets
     "Accept nothing for a while; raises `CameraBusy` when something is being taken"
     with self.changed:
         if self.jobs or self.refusal: raise CameraBusy('the storage is in use')

@@ -80,7 +80,7 @@ class URLCamera(_LiveCamera):
         self._frames = _FrameSink(self._newest, model)
         self._receiver,self._sets = None,None       # while it is connected; parameter sets of its video
         self._problem,self._vain = None,None        # why no picture comes; since when none can be decoded, monotonic s
-        if not wait: self._tell('no picture has come yet')
+        if not wait: self._note('no picture has come yet')
         self._thread = _begin_thread(self._run, f'url {model}')
         if not wait: return
         try: self.next_frame(timeout=open_timeout)
@@ -101,7 +101,7 @@ def close(self:URLCamera):
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #948c9ad5
 @patch
-def _look_at(self:URLCamera, unit):
+def _measure_new(self:URLCamera, unit):
     "Measure a key frame with new parameter sets"
     sets = parameter_sets(unit.data, unit.format.codec)
     if sets==self._sets or not (measured := _measure(unit)): return
@@ -115,17 +115,17 @@ def _wait_size(self:URLCamera):
     "Say so when pictures of unknown size come for too long"
     self._vain = self._vain or clock.monotonic()
     if clock.monotonic()-self._vain>(patience := self._receiver.patience):
-        self._tell(f'no picture can be decoded for {patience:g} s')
+        self._note(f'no picture can be decoded for {patience:g} s')
 
 @patch
 def _on_unit(self:URLCamera, unit):
     "Pass on an access unit; decode it, too, while a program looks at frames"
-    if unit.key: self._look_at(unit)
+    if unit.key: self._measure_new(unit)
     if not self._sets: return self._wait_size()
     self._vain = None
     i,newest = self.information,self._newest
     self._encoder.pass_on(unit, width=i.resolution_h, height=i.resolution_v, rate=self.frame_rate, bitrate=self.bitrate)
-    self._tell(None)
+    self._note(None)
     with newest.changed:
         if newest.open and not newest.waiting and clock.monotonic()-newest.asked>self._lease:
             newest.open = False
@@ -138,7 +138,7 @@ def _receive(self:URLCamera):
     scheme,(url,transport) = _scheme(self.url),_in_our_schemes(self.url)
     with receivers[scheme](url, self.open_timeout, *([transport] if scheme=='rtsp' else [])) as self._receiver:
         if self._closing.is_set(): return
-        self._receiver.on_fault = self._tell
+        self._receiver.on_fault = self._note
         with closing(self._receiver.units()) as units:
             for unit in units:
                 self._receiver.timeout = self.read_timeout
@@ -146,7 +146,7 @@ def _receive(self:URLCamera):
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #74e05aa3
 @patch
-def _tell(self:URLCamera, problem:str|None):
+def _note(self:URLCamera, problem:str|None):
     "Note a problem, or that it is over"
     if not (problem or self._problem or self.fault): return
     self._problem = problem and f'{_source_name(self.url)}: {problem}'
@@ -165,7 +165,7 @@ def _run(self:URLCamera):
         except Exception as e:
             surprise = not isinstance(e, OSError)
             if surprise: self.log.exception('%r', self)
-            self._tell((None if surprise else e.strerror) or str(e) or type(e).__name__)
+            self._note((None if surprise else e.strerror) or str(e) or type(e).__name__)
         wait = self.first_retry if self._encoder._number>number else min(2*wait, self.last_retry)
         self._closing.wait(wait)
 

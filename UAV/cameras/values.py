@@ -121,9 +121,9 @@ class Picture(Value):
 # %% ../../nbs/api/cameras/00_values.ipynb #1ce44592
 def _as_line(picture:Picture)->bytes:
     "`picture` as one line of a log, without what is not known"
-    told = {k: v for k,v in asdict(picture).items() if v not in (None,'') and v == v and k != 'storage_id'}
-    if picture.pose: told['pose'] = {k: v for k,v in told['pose'].items() if v is not None and v == v}
-    return json.dumps(told).encode() + b'\n'
+    values = {k: v for k,v in asdict(picture).items() if v not in (None,'') and v == v and k != 'storage_id'}
+    if picture.pose: values['pose'] = {k: v for k,v in values['pose'].items() if v is not None and v == v}
+    return json.dumps(values).encode() + b'\n'
 
 # %% ../../nbs/api/cameras/00_values.ipynb #5c0a502a
 _our_name,_suffix = re.compile(r'IMG_\d{6,}_*\.jpg'),re.compile(r'\.(?!jpg$|part$)[a-z0-9]{1,8}')
@@ -131,10 +131,10 @@ _our_name,_suffix = re.compile(r'IMG_\d{6,}_*\.jpg'),re.compile(r'\.(?!jpg$|part
 def _from_line(line:bytes)->Picture:
     "The picture of one line of a log; raises `ValueError` unless a storage may have written it"
     try:
-        told = json.loads(line)
-        pose = Pose(**{k: inside(k, v) for k,v in told.pop('pose').items()}) if 'pose' in told else None
-        if 'beside' in told: told['beside'] = tuple(told['beside'])
-        p = Picture(**told, pose=pose)
+        values = json.loads(line)
+        pose = Pose(**{k: inside(k, v) for k,v in values.pop('pose').items()}) if 'pose' in values else None
+        if 'beside' in values: values['beside'] = tuple(values['beside'])
+        p = Picture(**values, pose=pose)
     except (TypeError, AttributeError, RecursionError) as e: raise ValueError(f'not a line of the log: {e}') from None
     if type(p.index) is not int or p.index < 0: raise ValueError(f'{p.index!r} is no index')
     if p.file and not _our_name.fullmatch(str(p.file)): raise ValueError(f'{p.file!r} is not ours')

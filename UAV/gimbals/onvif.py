@@ -539,6 +539,7 @@ def set_camera_zoom(self:OnvifCamera, kind:str, # 'range', 'step' or 'continuous
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #26b07a62
 @patch
 def close(self:OnvifCamera):
+    "Close the camera, and the line if nobody else has it; may be called twice"
     URLCamera.close(self)
     if self.alone: self.line.close()
 

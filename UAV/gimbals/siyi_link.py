@@ -21,9 +21,9 @@ from ..utils.values import inside, Value
 from .driver import DeviceLine, FrameCutter, SerialPort, TCPPort, UDPPort
 
 # %% auto #0
-__all__ = ['MODELS', 'Cmd', 'siyi_frame', 'rate_data', 'angle_data', 'zoom_data', 'SiyiFrame', 'SiyiReader', 'SiyiAttitude',
-           'read_attitude', 'SiyiConfig', 'read_config', 'SiyiVersions', 'read_versions', 'SiyiModel', 'SiyiStream',
-           'read_stream', 'SiyiThermal', 'read_thermal', 'read_zoom', 'read_range', 'SiyiLink']
+__all__ = ['MODELS', 'Cmd', 'siyi_frame', 'rate_data', 'angle_data', 'zoom_data', 'SiyiFrame', 'SiyiReader', 'SiyiVersions',
+           'read_versions', 'SiyiModel', 'SiyiLink', 'SiyiAttitude', 'read_attitude', 'SiyiConfig', 'read_config',
+           'SiyiStream', 'read_stream', 'SiyiThermal', 'read_thermal', 'read_zoom', 'read_range']
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #37a52a76
 class Cmd(IntEnum):
@@ -84,45 +84,6 @@ def _unpack(layout:str, data:bytes)->tuple:
     if len(data)<struct.calcsize(layout): raise ValueError(f'{data.hex()!r} is too short')
     return struct.unpack_from(layout, data)
 
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #ebeba0e1
-@dataclass(frozen=True, repr=False, eq=False)
-class SiyiAttitude(Value):
-    "How the gimbal is held"
-    yaw:float # Degrees to the right of the base
-    pitch:float # Degrees above the horizon
-    roll:float # Degrees
-    yaw_rate:float=NAN # Degrees a second; NaN in an answer to angles
-    pitch_rate:float=NAN
-    roll_rate:float=NAN
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #2d43a55a
-def read_attitude(data:bytes, # Of `Cmd.attitude`, or of an answer to `Cmd.angles`
-                  upside_down:bool=False, # Does it stand on its vehicle?
-                 )->SiyiAttitude:
-    "Return how the gimbal is held"
-    yaw,pitch,roll,*rates = (n/10 for n in _unpack('<6h' if len(data)>=12 else '<3h', data))
-    side = -1 if upside_down else 1
-    if upside_down: pitch = -(pitch+180)
-    yaw_rate,pitch_rate,roll_rate = rates or (NAN,)*3
-    return SiyiAttitude(wrap(-yaw*side), wrap(pitch), wrap(roll), 0.-yaw_rate*side, pitch_rate*side, roll_rate)
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #99c5f1da
-@dataclass(frozen=True, repr=False, eq=False)
-class SiyiConfig(Value):
-    "The state of the device"
-    hdr:bool=False
-    record:int=0 # 0 off, 1 on, 2 no card, 3 loss of data
-    mode:int=0 # 0 lock, 1 follow, 2 FPV
-    mount:int|None=None # 1 normal, 2 upside down; `None`: a short answer doesn't tell
-    video:int|None=None # 0 HDMI, 1 CVBS
-    linkage:int|None=None # Do both cameras zoom together?
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #832c34bd
-def read_config(data:bytes)->SiyiConfig:
-    "Decode `Cmd.config`: 5 bytes (ZR10), 7 (A8) or 8 (ZT30)"
-    _unpack('5B', data)
-    return SiyiConfig(bool(data[1]), *data[3:8])
-
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #d54fcf90
 @dataclass(frozen=True, repr=False, eq=False)
 class SiyiVersions(Value):
@@ -154,46 +115,6 @@ MODELS = {'75': SiyiModel('A2 mini', yaw=None, zoom=6.), '73': SiyiModel('A8 min
           '6B': SiyiModel('ZR10', hfov=62.), '78': SiyiModel('ZR30', hfov=58.),
           '83': SiyiModel('ZT6', zoom=6., hfov=85., thermal=True, streams=_two),
           '7A': SiyiModel('ZT30', hfov=85., thermal=True, streams=_two)}
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #04bb655f
-@dataclass(frozen=True, repr=False, eq=False)
-class SiyiStream(Value):
-    "A video stream"
-    stream:int # 0 on the card, 1 main, 2 sub
-    codec:str # 'H264' or 'H265'
-    width:int # px
-    height:int # px
-    bitrate:int # kbit/s
-    fps:int
-
-def read_stream(data:bytes)->SiyiStream:
-    "Decode `Cmd.stream`"
-    stream,codec,*rest = _unpack('<BBHHHB', data)
-    return SiyiStream(stream, 'H265' if codec==2 else 'H264', *rest)
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #4a5a8cc2
-@dataclass(frozen=True, repr=False, eq=False)
-class SiyiThermal(Value):
-    "The hottest and the coldest place of a thermal picture"
-    most:float # °C
-    least:float # °C
-    hottest:tuple # x, y, px
-    coldest:tuple # x, y, px
-
-def read_thermal(data:bytes)->SiyiThermal:
-    "Decode `Cmd.thermal`"
-    most,least,*at = _unpack('<hh4H', data)
-    return SiyiThermal(most/100, least/100, (at[0], at[1]), (at[2], at[3]))
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #d963a11b
-def read_zoom(data:bytes)->float:
-    "Decode the magnification of `Cmd.most_zoom` and `Cmd.present_zoom`"
-    whole,tenths = _unpack('BB', data)
-    return whole+tenths/10
-
-def read_range(data:bytes)->float:
-    "Decode `Cmd.distance`, m; NaN: nothing is near enough"
-    return _unpack('<H', data)[0]/10 or NAN
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #3187eb35
 class SiyiLink(Closes):
@@ -338,3 +259,82 @@ def open(cls:SiyiLink, url:DeviceURL)->'SiyiLink':
     if not url.host and len(url.path)>1: return cls(url.path, transport='serial')
     if not url.host: raise ValueError('where is the SIYI? Write siyi://HOST or siyi:///dev/ttyUSB0')
     return cls(url.host, url.port or 37260, url.option('transport', 'udp'))
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #ebeba0e1
+@dataclass(frozen=True, repr=False, eq=False)
+class SiyiAttitude(Value):
+    "How the gimbal is held"
+    yaw:float # Degrees to the right of the base
+    pitch:float # Degrees above the horizon
+    roll:float # Degrees
+    yaw_rate:float=NAN # Degrees a second; NaN in an answer to angles
+    pitch_rate:float=NAN
+    roll_rate:float=NAN
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #2d43a55a
+def read_attitude(data:bytes, # Of `Cmd.attitude`, or of an answer to `Cmd.angles`
+                  upside_down:bool=False, # Does it stand on its vehicle?
+                 )->SiyiAttitude:
+    "Return how the gimbal is held"
+    yaw,pitch,roll,*rates = (n/10 for n in _unpack('<6h' if len(data)>=12 else '<3h', data))
+    side = -1 if upside_down else 1
+    if upside_down: pitch = -(pitch+180)
+    yaw_rate,pitch_rate,roll_rate = rates or (NAN,)*3
+    return SiyiAttitude(wrap(-yaw*side), wrap(pitch), wrap(roll), 0.-yaw_rate*side, pitch_rate*side, roll_rate)
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #99c5f1da
+@dataclass(frozen=True, repr=False, eq=False)
+class SiyiConfig(Value):
+    "The state of the device"
+    hdr:bool=False
+    record:int=0 # 0 off, 1 on, 2 no card, 3 loss of data
+    mode:int=0 # 0 lock, 1 follow, 2 FPV
+    mount:int|None=None # 1 normal, 2 upside down; `None`: a short answer doesn't tell
+    video:int|None=None # 0 HDMI, 1 CVBS
+    linkage:int|None=None # Do both cameras zoom together?
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #832c34bd
+def read_config(data:bytes)->SiyiConfig:
+    "Decode `Cmd.config`: 5 bytes (ZR10), 7 (A8) or 8 (ZT30)"
+    _unpack('5B', data)
+    return SiyiConfig(bool(data[1]), *data[3:8])
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #04bb655f
+@dataclass(frozen=True, repr=False, eq=False)
+class SiyiStream(Value):
+    "A video stream"
+    stream:int # 0 on the card, 1 main, 2 sub
+    codec:str # 'H264' or 'H265'
+    width:int # px
+    height:int # px
+    bitrate:int # kbit/s
+    fps:int
+
+def read_stream(data:bytes)->SiyiStream:
+    "Decode `Cmd.stream`"
+    stream,codec,*rest = _unpack('<BBHHHB', data)
+    return SiyiStream(stream, 'H265' if codec==2 else 'H264', *rest)
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #4a5a8cc2
+@dataclass(frozen=True, repr=False, eq=False)
+class SiyiThermal(Value):
+    "The hottest and the coldest place of a thermal picture"
+    most:float # °C
+    least:float # °C
+    hottest:tuple # x, y, px
+    coldest:tuple # x, y, px
+
+def read_thermal(data:bytes)->SiyiThermal:
+    "Decode `Cmd.thermal`"
+    most,least,*at = _unpack('<hh4H', data)
+    return SiyiThermal(most/100, least/100, (at[0], at[1]), (at[2], at[3]))
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #d963a11b
+def read_zoom(data:bytes)->float:
+    "Decode the magnification of `Cmd.most_zoom` and `Cmd.present_zoom`"
+    whole,tenths = _unpack('BB', data)
+    return whole+tenths/10
+
+def read_range(data:bytes)->float:
+    "Decode `Cmd.distance`, m; NaN: nothing is near enough"
+    return _unpack('<H', data)[0]/10 or NAN

@@ -433,7 +433,7 @@ async def _shot(self:RemoteCamera, timeout:float, ready=None):
 # %% ../../nbs/api/mavlink/15_remote_camera.ipynb #66be06a7
 @patch
 async def _fetched(self:RemoteCamera, notice, to:str|Path|None, progress=None, any_host:bool|None=None)->RemotePicture:
-    "Fetch the file of a notice; return its `Picture`"
+    "Fetch the file of a notice; return its `RemotePicture`"
     if not notice.file_url.strip(): raise MAVError(f'{self._label} does not say where its picture is')
     try: return RemotePicture(notice, await self.files.fetch(notice, to, progress, any_host=any_host))
     except (ValueError, Lost) as e:
@@ -450,7 +450,7 @@ async def take_picture(self:RemoteCamera,
 )->RemotePicture:
     """Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`
 
-    The `Picture` has `path` or `data`, `time`, `lat`, `lon`, `alt`, `relative_alt`, `index` and `notice`.
+    The `RemotePicture` has `path` or `data`, `time`, `lat`, `lon`, `alt`, `relative_alt`, `index` and `notice`.
     """
     if to is not None: place_on_disk(to, '')         # or an error before there is a picture
     return await self._fetched(await self._shot(timeout), to, progress, any_host)

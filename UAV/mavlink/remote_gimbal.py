@@ -429,13 +429,12 @@ async def _sent(self:RemoteGimbal)->Sent:
     return Sent(Ack(result, self.manager), self.status, why='' if self.in_control else repr(self.status))
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #39af93ed
+_PITCHYAW = mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW
+
 def _pointing_flags(earth:bool=False, lock:bool|None=None)->int:
     "Return GIMBAL_MANAGER_FLAGS, for a yaw from north if `earth`; `lock=None` locks that one"
     lock = earth if lock is None else lock
     return LEVEL | (YAW_LOCK if lock else 0) | (EARTH_FRAME if earth else VEHICLE_FRAME)
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #be1f5654
-_PITCHYAW = mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #add5d421
 @patch

@@ -33,9 +33,10 @@ _checks = dict(rate=_positive, key_interval=_positive,
 
 # %% ../../nbs/api/video/01_encoder.ipynb #23080137
 def _setting(name:str):
-    "Return an attribute that may be set while the encoder runs; counts from the next picture on"
+    "Return an attribute that may be set while the encoder runs"
     def change(encoder, value): encoder._change(name, value)
-    return property(attrgetter(f'_{name}'), change)         # read eight times a picture, so not by a function of ours
+    get = attrgetter(f'_{name}')            # read eight times a picture, so not by a function of ours
+    return property(get, change, doc='As for the constructor; a change counts from the next picture on')
 
 # %% ../../nbs/api/video/01_encoder.ipynb #655a98de
 class Encoder(Closes):
@@ -290,7 +291,8 @@ def _with_sets(data:bytes, sets, codec:str='h264')->bytes:
 # %% ../../nbs/api/video/01_encoder.ipynb #aba250b8
 def _decided(name:str):
     "Return a setting of the source"
-    return property(lambda encoder: encoder._known(name), lambda encoder, value: encoder._change(name, value))
+    def change(encoder, value): encoder._change(name, value)
+    return property(lambda encoder: encoder._known(name), change, doc='As the source has decided')
 
 # %% ../../nbs/api/video/01_encoder.ipynb #8262522d
 class PassThrough(Encoder):
