@@ -6,7 +6,7 @@
 from __future__ import annotations
 from pathlib import Path
 from tempfile import TemporaryDirectory
-import math, os, socket, threading, time, tty
+import math, os, socket, threading, tty
 
 from fastcore.basics import patch, store_attr
 from UAV.gimbals.sim import Motor

@@ -15,7 +15,7 @@ import math
 from fastcore.basics import GetAttr, patch, store_attr
 from .camera import Camera, mode_parameter
 from .frames import Frames
-from .lens import angles, Focus, Lens, rotation, View
+from .lens import Focus, Lens, View
 from .parameters import Option, Parameter
 from .sim_world import _draw_road, sim_world, SimWorld, _wrapping_noise
 from .values import *

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from numbers import Real
 from types import SimpleNamespace as ns
-import math
 
 from fastcore.basics import patch
 from .values import CameraError, Frame, inside, known, NAN, Pose, Value

@@ -16,7 +16,7 @@ from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.clock import goes_by_itself
 from ..utils.devices import DeviceURL
-from ..utils.threads import _begin_thread, Closes, timers
+from ..utils.threads import Closes, timers
 from ..utils.values import inside, Value
 from .driver import DeviceLine, FrameCutter, SerialPort, TCPPort, UDPPort
 

@@ -12,7 +12,6 @@ from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from . import clock
 from .threads import _begin_thread, Closes, timers
-from .values import inside
 
 # %% auto #0
 __all__ = ['log', 'Loop', 'listen_tcp', 'url_host', 'host_in', 'plain_host', 'is_loopback', 'get_web', 'Deadline', 'web_path',
