@@ -58,7 +58,7 @@ def angles(self:TopotekDevice)->tuple:
 @patch(as_prop=True)
 def turning(self:TopotekDevice)->bool:
     "Does it move?"
-    there = self.angles
+    self.advance()
     return any(motor.rate for motor in self.motors.values())
 
 @patch

@@ -126,7 +126,8 @@ class SimCamera(Camera):
         mount=None, # Its mount, such as a `SimGimbal`, with `look` in place of `look` below, and an `origin`
     ):
         self.information = _sim_information(model, width, height)
-        if clock in (_clock.now,_clock.monotonic,_clock.perf_counter): raise ValueError('a clock gives s since 1970, as time.time')
+        if clock in (_clock.now,_clock.monotonic,_clock.perf_counter):
+            raise ValueError('a clock gives s since 1970, as time.time')
         super().__init__(folder, quota, storages=storages)
         store_attr('north,east,altitude,roll,pitch,yaw,attitude,origin,frame_rate,capture_time,clock,mount')
         self.world,self.plugged_in = sim_world(seed) if world is None else world,True

@@ -608,8 +608,8 @@ async def _storages(visit, photo:number=None, # Store pictures on this storage f
     "Show the storages, or choose one for pictures or recordings"
     camera = await visit.choose()
     wanted = {medium:number for medium,number in dict(photo=photo, video=video).items() if number}
-    for number,media in _usages(await camera.storages() if wanted else [], wanted).items():
-        (await camera.use_storage(number, media)).check()
+    for storage_id,media in _usages(await camera.storages() if wanted else [], wanted).items():
+        (await camera.use_storage(storage_id, media)).check()
     there = await camera.storages()
     for storage in there: visit.report(_storage(storage))
     if not there: raise MAVError('it has no storage')

@@ -254,7 +254,7 @@ def wait(self:SiyiLink, true, # A function of the link
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #8c76cd65
 @patch(cls_method=True)
-def open(cls:SiyiLink, url:DeviceURL)->'SiyiLink':
+def open(cls:SiyiLink, url:DeviceURL)->SiyiLink:
     "Link to `siyi://HOST[:PORT][?transport=tcp]` or `siyi:///dev/ttyUSB0`; raises `ValueError`"
     if not url.host and len(url.path)>1: return cls(url.path, transport='serial')
     if not url.host: raise ValueError('where is the SIYI? Write siyi://HOST or siyi:///dev/ttyUSB0')
