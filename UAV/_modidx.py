@@ -4528,6 +4528,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                           'UAV/mavlink/gimbal_client.py'),
                                            'UAV.mavlink.gimbal_client.GimbalClient.close': ( 'api/mavlink/gimbal_client.html#gimbalclient.close',
                                                                                              'UAV/mavlink/gimbal_client.py'),
+                                           'UAV.mavlink.gimbal_client.GimbalClient.deliver': ( 'api/mavlink/gimbal_client.html#gimbalclient.deliver',
+                                                                                               'UAV/mavlink/gimbal_client.py'),
                                            'UAV.mavlink.gimbal_client.GimbalClient.expecting': ( 'api/mavlink/gimbal_client.html#gimbalclient.expecting',
                                                                                                  'UAV/mavlink/gimbal_client.py'),
                                            'UAV.mavlink.gimbal_client.GimbalClient.find_gimbal': ( 'api/mavlink/gimbal_client.html#gimbalclient.find_gimbal',
