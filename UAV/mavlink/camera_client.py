@@ -56,6 +56,7 @@ class TargetVerb:
             return await self.verb(getattr(camera, self.part) if self.part else camera, *params)
         send.__name__,send.__qualname__,send.__module__ = name,f'{owner.__name__}.{name}',owner.__module__
         send.verb,send.__signature__ = self.cmd,signature
+        for new,old in self.names.items(): send.__doc__ = send.__doc__.replace(f'\n    {old}: ', f'\n    {new}: ')
         setattr(owner, name, send)
 
     @property
