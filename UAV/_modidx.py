@@ -1812,6 +1812,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                 'UAV.cli.common.between': ('api/cli/common.html#between', 'UAV/cli/common.py'),
                                 'UAV.cli.common.complain': ('api/cli/common.html#complain', 'UAV/cli/common.py'),
                                 'UAV.cli.common.ending': ('api/cli/common.html#ending', 'UAV/cli/common.py'),
+                                'UAV.cli.common.key_in': ('api/cli/common.html#key_in', 'UAV/cli/common.py'),
                                 'UAV.cli.common.links': ('api/cli/common.html#links', 'UAV/cli/common.py'),
                                 'UAV.cli.common.listed': ('api/cli/common.html#listed', 'UAV/cli/common.py'),
                                 'UAV.cli.common.on_links': ('api/cli/common.html#on_links', 'UAV/cli/common.py'),
