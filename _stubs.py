@@ -170,7 +170,9 @@ def target_verb(name, call):
     "A verb as `TargetVerb(COMMAND, CLASS.VERB, PART, PUBLISHED='NAME')` makes it: that verb, behind a target"
     made,published = stub_of(METHODS[ast.unparse(call.args[1])], True),{k.value.value: k.arg for k in call.keywords}
     for a in made.args.args: a.arg = published.get(a.arg, a.arg)
-    made.name = name
+    doc = ast.get_docstring(made, clean=False) or ''
+    for old,new in published.items(): doc = doc.replace(f'\n    {old}: ', f'\n    {new}: ')
+    made.name,made.body = name,[ast.Expr(ast.Constant(doc or ...))]
     return with_target(made)
 
 
@@ -263,6 +265,18 @@ def plain(node):
 def getter(name): return ast.parse(f'@property\ndef {name}(self) -> Any: ...').body[0]
 
 
+def parts_of(node):
+    "`{name: type}` of the parts that a class of `KeepsNames` gives its objects"
+    tables = [n.value for n in node.body if isinstance(n, ast.Assign) and names_in(n) == ['_parts'] and isinstance(n.value, ast.Call)]
+    return {k.arg: k.value for table in tables for k in table.keywords if isinstance(k.value, ast.Name) and k.value.id in CLASSES}
+
+
+def inherited_parts(node):
+    "The names of the parts of the classes that a class continues"
+    bases = [CLASSES[name_of(b)] for b in node.bases if name_of(b) in CLASSES]
+    return {name for base in bases for name in {*parts_of(base)} | inherited_parts(base)}
+
+
 def class_stub(node, patches):
     "A class with all that `@patch` adds to it"
     marks = {name_of(mark) for mark in [*node.decorator_list, *node.bases]}
@@ -279,7 +293,8 @@ def class_stub(node, patches):
         elif isinstance(n, ast.Assign) and has_fields: body += [annotated(name, named('ClassVar[Any]')) for name in names_in(n)]
         elif isinstance(n, (ast.Assign, ast.AnnAssign)): body += plain(n)
     there = {f.name for f in filter(is_function, [*functions, *body])} | {n.target.id for n in body if isinstance(n, ast.AnnAssign)}
-    for name,kind in attributes(every).items():                     # what is annotated in a dataclass is a field
+    there |= inherited_parts(node)
+    for name,kind in {**attributes(every), **parts_of(node)}.items():                     # what is annotated in a dataclass is a field
         if is_public(name) and name not in there: body.append(annotated(name, named('ClassVar[Any]') if has_fields else kind))
     body += [stub_of(f, True) for f in functions]
     bases,kept = [b for b in node.bases if name_of(b) != 'GetAttr'],[d for d in node.decorator_list if name_of(d) in KEPT]
@@ -359,6 +374,8 @@ class Plain(ast.NodeTransformer):
     def visit_Name(self, node):
         name = self.swapped.get(node.id, node.id)
         return named(f'_{name}' if name in self.handles else name if name in self.known else 'Any')
+
+    def visit_Attribute(self, node): return node if node.attr == 'setter' else self.generic_visit(node)     # of a property
 
     def visit_FunctionDef(self, node):
         node = self.generic_visit(node)

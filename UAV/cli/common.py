@@ -32,8 +32,8 @@ from ..wire.signing import secret_key
 
 # %% auto #0
 __all__ = ['disk_errors', 'number', 'seconds', 'visit_groups', 'us', 'between', 'painted', 'run_with_options', 'Program',
-           'listed', 'links', 'address', 'target', 'Result', 'sentence', 'ending', 'complain', 'or_exit', 'place_for',
-           'visit_options', 'Visitor', 'on_links', 'Visit']
+           'listed', 'links', 'address', 'target', 'key_in', 'Result', 'sentence', 'ending', 'complain', 'or_exit',
+           'place_for', 'visit_options', 'Visitor', 'on_links', 'Visit']
 
 # %% ../../nbs/api/cli/01_common.ipynb #d0e3f7e0
 def between(low:float, high:float, # Allowed range
@@ -261,6 +261,15 @@ def target(text:str, # Such as '1/100'
     if numbers and all(1<=int(n)<=255 for n in numbers.groups()): return int(numbers[1]),int(numbers[2])
     raise ArgumentTypeError(f'write SYSTEM/COMPONENT, such as 1/100, not {text!r}')
 
+# %% ../../nbs/api/cli/01_common.ipynb #2d8c4580
+def key_in(file:str|None, # The value of `--sign`; `None`: it wasn't typed
+          )->bytes|None:
+    "Return the key in a file, or `None` without one; raises `ValueError`, or `OSError` for the file"
+    if file is None: return
+    if not file.strip():            # `--sign "$KEY"` in a script
+        raise ValueError('--sign names no file, so nothing would be signed')
+    return secret_key(Path(file))
+
 # %% ../../nbs/api/cli/01_common.ipynb #5ebda971
 class Result:
     "Result of a verb: a sentence for people, and fields for programs"
@@ -484,8 +493,8 @@ async def run(self:Program, typed, # Result of `parse`
     there = self.there = self.visit(self.client(us[1], loglevel=LogLevels.ERROR), options, typed.verb)
     try:
         if f.check: f.check(**arguments)
-        key = secret_key(Path(options.sign)) if options.sign else None
-        with on_links(links(options.connection), source_system=us[0], signing=key) as com:
+        signing = key_in(options.sign)
+        with on_links(links(options.connection), source_system=us[0], signing=signing) as com:
             com.add_component(there.client)
             await f(there, **arguments)
     except BrokenPipeError: pass

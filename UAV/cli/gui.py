@@ -10,12 +10,13 @@ from pathlib import Path
 from types import SimpleNamespace
 import logging, os, signal, sys, webbrowser
 from ..cameras import SimCamera
-from .common import address, links, on_links, or_exit, place_for, run_with_options, sentence, between, number
+from .common import (address, links, on_links, or_exit, place_for, run_with_options, sentence, between,
+    number, key_in)
 from .serve import Aboard, add_streams, log_to, serving, StatusPrinter
 from ..manager import Gui
 from ..manager.server import Door
 from ..mavlink import CameraClient, GimbalClient, mavlink
-from ..wire.signing import secret_key, state_file
+from ..wire.signing import state_file
 from typing import Literal
 
 # %% auto #0
@@ -57,7 +58,7 @@ def _own_token(typed:str|None)->str|None:
 def _opened(typed, stack:ExitStack)->tuple:
     "Open the panel and return `(Gui, its server)`; raises `ValueError`, `MAVError` or `OSError`"
     token,connections = _own_token(typed.token),_wanted_links(typed)
-    key = secret_key(Path(typed.sign)) if typed.sign else None
+    key = key_in(typed.sign)
     if typed.sim: stack.enter_context(sim_vehicle([_inner], typed.path or 'hover'))
     com = stack.enter_context(on_links(connections, source_system=typed.system, signing=key))
     second = next(id for id in (mavlink.MAV_COMP_ID_USER1,mavlink.MAV_COMP_ID_USER2) if id!=typed.component)

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import logging, os, re, shutil, signal, sys
 from fastcore.basics import basic_repr
 from ..cameras import Camera, CameraError, CV2Camera, SimCamera, SimDualCamera, Storage
-from .common import (address, links, listed, on_links, or_exit, painted, place_for, run_with_options,
+from .common import (address, key_in, links, listed, on_links, or_exit, painted, place_for, run_with_options,
     between, number)
 from ..gimbals import circle, FixedMount, Gimbal, hover, SimGimbal, SimVehicle
 from ..mavlink import CameraServer, GimbalCameraServer, GimbalServer, SimAutopilot
@@ -25,7 +25,7 @@ from ..utils.threads import Closes
 from ..utils.values import known, one_of
 from ..video.rtsp_server import RTSPServer
 from ..video.stream import senders
-from ..wire.signing import secret_key, Signing
+from ..wire.signing import Signing
 from argparse import ArgumentTypeError
 from typing import Literal
 
@@ -153,7 +153,7 @@ def _guarding(text:str)->str|list:
 
 def _signing_of(typed):
     "Return the key, or the `Signing` of a server with `--guard signed`; raises `ValueError`, or `OSError` for its file"
-    key = secret_key(Path(typed.sign)) if typed.sign else None
+    key = key_in(typed.sign)
     if typed.guard!='signed': return key
     if not key: raise ValueError('--guard signed needs a key: --sign')
     return Signing(key, accept_unsigned=lambda msg_id, source: True)

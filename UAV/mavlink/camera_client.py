@@ -44,23 +44,29 @@ class TargetVerb:
         self.cmd,self.verb,self.part,self.names = cmd,verb,part,names
 
     def __set_name__(self, owner, name):
+        signature = self.signature
         @wraps(self.verb)
-        async def send(client, target_system=None, target_component=None, *args, **kwargs):
-            camera = client.camera(target_system, target_component)
-            kwargs = {self.names.get(k, k): v for k,v in kwargs.items()}
-            return await self.verb(getattr(camera, self.part) if self.part else camera, *args, **kwargs)
+        async def send(*args, **kwargs):
+            try: given = signature.bind(*args, **kwargs)
+            except TypeError as e: raise TypeError(f'{name}: {e}') from None        # with the published names
+            given.apply_defaults()
+            client,system,component,*params = given.args
+            camera = client.camera(system, component)
+            return await self.verb(getattr(camera, self.part) if self.part else camera, *params)
         send.__name__,send.__qualname__,send.__module__ = name,f'{owner.__name__}.{name}',owner.__module__
-        send.verb,send.__signature__ = self.cmd,self.signature
+        send.verb,send.__signature__ = self.cmd,signature
+        for new,old in self.names.items(): send.__doc__ = send.__doc__.replace(f'\n    {old}: ', f'\n    {new}: ')
         setattr(owner, name, send)
 
     @property
     def signature(self)->inspect.Signature:
-        "That of the handle's verb, behind a target, with the published names"
+        "That of the handle's verb, behind a target, with the published names; what that verb requires is 0 here"
         published = {name:new for new,name in self.names.items()}
         me,*params = inspect.signature(self.verb).parameters.values()
         target = [inspect.Parameter(n, inspect.Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation='int | None')
                   for n in ('target_system','target_component')]
-        params = [p.replace(name=published.get(p.name, p.name)) for p in params]
+        params = [p.replace(name=published.get(p.name, p.name), default=0 if p.default is p.empty else p.default)
+                  for p in params]
         return inspect.Signature([me.replace(annotation=me.empty), *target, *params], return_annotation='Ack')
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #7b27bdcc

@@ -46,6 +46,11 @@ class GimbalClient(Component):
         super().set_target(target_system, target_component)
         self.gimbal_device_id = gimbal_device_id
 
+    def deliver(self, msg):
+        "Dispatch a received message, then wake those that wait until it is stored"
+        try: super().deliver(msg)
+        finally: self._after_storing.offer(msg)     # a subclass may have a handler of its own for it
+
     def _lose(self, source:tuple, why:str):
         "Drop a lost peer, and end the waits for its messages"
         super()._lose(source, why)
@@ -83,7 +88,6 @@ def _on_gimbal_message(self:GimbalClient, msg):
     "Store a message at the gimbal that it is about"
     gimbal = about(msg)
     if gimbal in self._gimbals or len(self._gimbals)<self._most_gimbals: self.at(*gimbal).store(msg)
-    self._after_storing.offer(msg)
 
 @patch
 @receives(ATTITUDE)
@@ -92,7 +96,6 @@ def _on_vehicle_message(self:GimbalClient, msg):
     "Store the newest heading or takeoff altitude of a vehicle"
     key = address(msg)[0],msg.get_msgId()
     if key in self._vehicles or len(self._vehicles)<self._most_gimbals: self._vehicles[key] = msg,clock.monotonic()
-    self._after_storing.offer(msg)
 
 @patch
 def expecting(self:GimbalClient, msg_id:int, # MAVLINK_MSG_ID

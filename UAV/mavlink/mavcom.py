@@ -117,7 +117,8 @@ def _check_component(component, com, twins=()):
     name = component.__name__ if isinstance(component, type) else type(component).__name__
     if isinstance(component, type): raise TypeError(f'{name} is a class; a component is {name}(…)')
     if not hasattr(component, '_beat_soon'):           # no `Member`
-        raise TypeError(f'{component!r} is no component: write CameraServer(camera=…), or GimbalServer(gimbal=…)')
+        raise TypeError(f'{component!r} is no component: write CameraServer(camera=…), or GimbalServer(gimbal=…); '
+                        f'a class of your own continues Component, or Member')
     number,other = component.source_component,component.mav_com
     if other not in (None,com) and not component._closed:
         raise ValueError(f'{name} {number} is on {other!r} already; make a second one for this MAVCom')

@@ -496,9 +496,8 @@ async def focus(self:RemoteCamera, percent:float|None=None, # Of the range
 
 # %% ../../nbs/api/mavlink/15_remote_camera.ipynb #c325254e
 @patch
-async def mode(self:RemoteCamera,
-    mode:int|str=mavlink.CAMERA_MODE_IMAGE, # A CAMERA_MODE, or its word: 'image', 'video' or 'image_survey'
-)->Ack:
+async def mode(self:RemoteCamera, mode:int|str, # A CAMERA_MODE, or its word: 'image', 'video' or 'image_survey'
+              )->Ack:
     "Set the mode: pictures, video or survey"
     number = number_of('CAMERA_MODE', mode, 'CAMERA_MODE_')
     return await self._send(mavlink.MAV_CMD_SET_CAMERA_MODE, 0, number, *[NAN]*5)
