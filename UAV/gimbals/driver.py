@@ -17,7 +17,7 @@ from .gimbal import Gimbal
 from .values import *
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.threads import _begin_thread, Closes
+from ..utils.threads import _begin_thread, Closes, Opened
 from ..utils.values import inside
 from ..utils.geo import quaternion
 
@@ -179,6 +179,8 @@ class SerialPort(_Port):
     def read(self)->bytes: return self._end.read(4096)
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #3462e287
+_lines = Opened()
+
 class DeviceLine(Closes):
     "A connection to a device that is made in the background, and made again when it is lost"
     patience,steady = 3.,5.     # s that connecting may take; s after which a connection was a good one
@@ -195,6 +197,7 @@ class DeviceLine(Closes):
         self._bell,self._pull = socket.socketpair()
         for end in (self._bell,self._pull): end.setblocking(False)
         self._thread = _begin_thread(self._run, f'line to {self.port}')
+        _lines.add(self)
 
     def __str__(self): return str(self.port)
     def __repr__(self): return f'{type(self).__name__}({self.port}, {self.error or "connected"})'
@@ -316,6 +319,7 @@ def close(self:DeviceLine):
     self.drop('closed')
     if self._thread not in (None, clock.current_thread()): self._thread.join()
     self.error = 'closed'
+    _lines.discard(self)
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #aac7f980
 class FrameCutter:
