@@ -11,7 +11,7 @@ import _stubs
 
 
 class BuildWithStubs(build_py):
-    "The package and a stub beside each module: in the wheel, or here for an editable install; in the wheel `help` shows parameters"
+    "Write a stub beside each module, here or into the wheel; in the wheel `help` shows parameters, too"
     def run(self):
         super().run()
         editable = getattr(self, 'editable_mode', False)

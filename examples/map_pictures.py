@@ -16,14 +16,16 @@ FOLDER = Path('pictures')
 def feature(camera: RemoteCamera, picture: Picture) -> dict:
     "A point of GeoJSON, which has the longitude first"
     facts = dict(camera=camera.name, component=camera.component, file=str(picture.path), time=str(picture.time))
-    return dict(type='Feature', geometry=dict(type='Point', coordinates=[picture.lon, picture.lat, picture.alt]), properties=facts)
+    place = dict(type='Point', coordinates=[picture.lon, picture.lat, picture.alt])
+    return dict(type='Feature', geometry=place, properties=facts)
 
 
 async def main(connection: str = 'udpin:127.0.0.1:14550', count: str = '3') -> None:
     with MAVCom(connection, source_system=255) as ground:
         cameras = await ground.find_cameras(count=int(count), timeout=10)
         print(f'found {len(cameras)} cameras of {count}')
-        results = await asyncio.gather(*(camera.take_picture(to=FOLDER/str(camera.component)) for camera in cameras), return_exceptions=True)
+        shots = (camera.take_picture(to=FOLDER/str(camera.component)) for camera in cameras)
+        results = await asyncio.gather(*shots, return_exceptions=True)
         features = []
         for camera, picture in zip(cameras, results):
             print(f'{camera.component}: {picture}')

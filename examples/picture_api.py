@@ -5,7 +5,7 @@ In one terminal:  uav-camera-server
 In another one:   python picture_api.py;  in a third one:  curl -X POST -o picture.jpg localhost:8000/picture
 """
 from contextlib import asynccontextmanager
-from typing import AsyncIterator
+from collections.abc import AsyncIterator
 
 from fastapi import FastAPI, HTTPException, Response
 from UAV import CommandError, MAVError, NoAnswer

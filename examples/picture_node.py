@@ -6,7 +6,8 @@ In another one:   python picture_node.py
 """
 import queue, threading
 from collections import defaultdict
-from typing import Any, Callable
+from collections.abc import Callable
+from typing import Any
 
 from UAV import MAVError
 from UAV.blocking import MAVCom

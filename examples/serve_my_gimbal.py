@@ -5,7 +5,8 @@ In another one:   uav-gimbal angle -45 30       (QGroundControl needs an autopil
 Without a port, the servos are simulated. Ctrl-C ends it.
 """
 import threading, time
-from typing import Callable, Protocol
+from collections.abc import Callable
+from typing import Protocol
 
 import serial
 from UAV.gimbals import Axis, Gimbal, GimbalAttitude, GimbalError, GimbalInformation, Setpoint

@@ -271,7 +271,7 @@ async def recordings(self):
 async def shots(self):
     client = self.camera.client
     for _ in range(self.dice.randint(1, 4)):
-        number = client._next_shot()
+        number = client.command_numbers.shot()
         command = client.send_command(*self.camera.address, mavlink.MAV_CMD_IMAGE_START_CAPTURE, [0, 0, 1, number])
         await self.flight.ask(self, 'shot', (self.com.source_system,number), command)
         await self.pause()

@@ -241,7 +241,7 @@ _answers = {
     Cmd.autofocus: lambda d, data: b'\1', Cmd.focus: lambda d, data: setattr(d, 'focus', data[0]) or b'\1',
     Cmd.zoom: lambda d, data: d._zoom(struct.unpack('b', data[:1])[0]),
     Cmd.zoom_to: lambda d, data: setattr(d, 'zoom', min(data[0]+data[1]/10, d.model.zoom)) or b'\1',
-    Cmd.most_zoom: lambda d, data: _in_tenths(d.model.zoom), 
+    Cmd.most_zoom: lambda d, data: _in_tenths(d.model.zoom),
     Cmd.present_zoom: lambda d, data: _in_tenths(d._zoom(d.zooming) and d.zoom),
     Cmd.center: lambda d, data: d._go(0., -90. if data[0] in (2,4) else 0.)[:0] or b'\1',
     Cmd.mode: lambda d, data: bytes([d.mode]), Cmd.photo: lambda d, data: d._photo(data[0]),

@@ -6,7 +6,7 @@
 from __future__ import annotations
 from pathlib import Path
 from tempfile import TemporaryDirectory
-import math, os, socket, threading, time, tty
+import math, os, socket, threading, tty
 
 from fastcore.basics import patch, store_attr
 from UAV.gimbals.sim import Motor
@@ -58,7 +58,7 @@ def angles(self:TopotekDevice)->tuple:
 @patch(as_prop=True)
 def turning(self:TopotekDevice)->bool:
     "Does it move?"
-    there = self.angles
+    self.advance()
     return any(motor.rate for motor in self.motors.values())
 
 @patch

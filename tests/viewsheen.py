@@ -6,7 +6,7 @@
 from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import NamedTuple
-import math, struct, threading, time
+import math, struct, threading
 
 from fastcore.basics import patch, store_attr
 from fastcore.meta import delegates

@@ -210,7 +210,7 @@ def gst():
     with suppress(ImportError, ValueError):
         import gi
         gi.require_version('GstVideo', '1.0')
-        from gi.repository import GstVideo      # before the first element: later its interfaces have no methods
+        from gi.repository import GstVideo      # noqa: F401  before the first element: later its interfaces have no methods
     return Gst
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #f59d1c85

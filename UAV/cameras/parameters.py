@@ -129,10 +129,10 @@ def _check_fields(self:Parameter):
         raise ValueError(f"name must be a text such as 'CAM_EV', not {self.name!r}")
     fields = dict.fromkeys(('kind','description','unit'), ('a text',str))
     fields |= dict.fromkeys(('low','high','step'), ('a number or None',Real|None))
-    for field,(what,kind) in fields.items():
-        value = getattr(self, field)
+    for attribute,(what,kind) in fields.items():
+        value = getattr(self, attribute)
         huge = isinstance(value, Real) and 1.7e308<abs(value)<math.inf
-        if huge or not isinstance(value, kind): raise ValueError(f'{self.name}: {field} must be {what}, not {value!r}')
+        if huge or not isinstance(value, kind): raise ValueError(f'{self.name}: {attribute} must be {what}, not {value!r}')
 
 # %% ../../nbs/api/cameras/05_parameters.ipynb #7ccb6c09
 @patch

@@ -66,7 +66,7 @@ def _settings(controls:dict, metadata:dict)->list:
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #b4b6100a
 def _picamera2():
     "Import picamera2; raises `CameraError` when it is missing, or was built for another NumPy"
-    try: import libcamera, picamera2, picamera2.encoders, picamera2.outputs
+    try: import libcamera, picamera2, picamera2.encoders, picamera2.outputs  # noqa: F401
     except ValueError as e:         # numpy.dtype size changed
         raise CameraError(f"picamera2 doesn't load ({e}): on Debian 12 it needs "
                           "`pip install 'numpy<2' 'opencv-python-headless<4.12'`") from None

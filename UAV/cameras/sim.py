@@ -15,7 +15,7 @@ import math
 from fastcore.basics import GetAttr, patch, store_attr
 from .camera import Camera, mode_parameter
 from .frames import Frames
-from .lens import angles, Focus, Lens, rotation, View
+from .lens import Focus, Lens, View
 from .parameters import Option, Parameter
 from .sim_world import _draw_road, sim_world, SimWorld, _wrapping_noise
 from .values import *
@@ -126,7 +126,8 @@ class SimCamera(Camera):
         mount=None, # Its mount, such as a `SimGimbal`, with `look` in place of `look` below, and an `origin`
     ):
         self.information = _sim_information(model, width, height)
-        if clock in (_clock.now,_clock.monotonic,_clock.perf_counter): raise ValueError('a clock gives s since 1970, as time.time')
+        if clock in (_clock.now,_clock.monotonic,_clock.perf_counter):
+            raise ValueError('a clock gives s since 1970, as time.time')
         super().__init__(folder, quota, storages=storages)
         store_attr('north,east,altitude,roll,pitch,yaw,attitude,origin,frame_rate,capture_time,clock,mount')
         self.world,self.plugged_in = sim_world(seed) if world is None else world,True

@@ -16,7 +16,7 @@ from .values import *
 from .values import _as_line, _from_line, _suffix
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.threads import Closes, in_child, Opened
+from ..utils.threads import Closes, Opened
 
 # %% auto #0
 __all__ = ['MiB', 'storage_kinds', 'lost_line', 'Storage', 'lock_file', 'write_file']

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from numbers import Real
 from types import SimpleNamespace as ns
-import math
 
 from fastcore.basics import patch
 from .values import CameraError, Frame, inside, known, NAN, Pose, Value
@@ -213,7 +212,7 @@ def learn(self:Follower, image, before):
     self.speed = (self.speed+self.middle-before)/2
     if self.confidence<self.learned: return
     square = self._square(image)
-    for known,rate in ((self.shape,.05), (self.colours,.05), (self.portrait,.1)): known.learn(square, rate)
+    for memory,rate in ((self.shape,.05), (self.colours,.05), (self.portrait,.1)): memory.learn(square, rate)
     self.keep(image)
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #b5bfaee4

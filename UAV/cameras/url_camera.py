@@ -70,7 +70,7 @@ class URLCamera(_LiveCamera):
                  wait:bool=True): # False: the source may come later, such as a device that boots
         "Raises `ValueError` for a URL that can't be read, and `CameraError` when there is no picture"
         store_attr('url,open_timeout,read_timeout,pose')
-        try: urlsplit(url).port
+        try: _ = urlsplit(url).port
         except ValueError:
             raise ValueError(f'{_source_name(url)} is no URL: write %2F for a / of the password') from None
         if _scheme(url) not in receivers: raise ValueError(f'{_source_name(url)}: write {", ".join(receivers)}://…')

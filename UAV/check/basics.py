@@ -7,7 +7,6 @@ from __future__ import annotations
 from contextlib import contextmanager
 import math
 
-from fastcore.basics import patch
 from .prober import (_answers, _brings, _ftp_path, _holds, message_ids, _must_bring, _must_end, _must_pace,
     _refused, _slowdown, Acks)
 from .requirement import given, must, NotForThis, requirement, seen_if

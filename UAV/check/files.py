@@ -6,7 +6,7 @@
 from __future__ import annotations
 import math, zlib
 
-from .prober import _answers, _ftp_path, _holds, message_ids, Prober, _refused
+from .prober import _answers, _ftp_path, _holds, message_ids, _refused
 from .requirement import given, must, NotForThis, requirement
 from ..ftp.frames import ACK, FtpFrame, FtpOp, NAK
 

@@ -5,7 +5,7 @@
 # %% ../../nbs/api/check/00_requirement.ipynb #b7c7abe9
 from __future__ import annotations
 from dataclasses import dataclass
-from typing import Callable
+from collections.abc import Callable
 
 from ..wire.dialect import mavlink
 

@@ -62,9 +62,11 @@ class CameraVisit(Visit):
         "Return whether the component at `there` is a camera; `None` while unknown"
         remote = self.client.remotes.get(there)
         informed = asked.done() and not asked.exception() and bool(asked.result())
-        if remote is None or remote.type is None: return informed and is_camera(there, mavlink.MAV_TYPE_GENERIC) or None
+        if remote is None or remote.type is None:               # no heartbeat yet
+            return True if informed and is_camera(there, mavlink.MAV_TYPE_GENERIC) else None
         if remote.type==mavlink.MAV_TYPE_CAMERA: return True
-        if remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID and not is_camera(there, remote.type): return False
+        is_autopilot = remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID
+        if is_autopilot and not is_camera(there, remote.type): return False     # it answers for its camera
         return informed if asked.done() else None
 
     async def no_camera(self, there:tuple)->str:
@@ -606,8 +608,8 @@ async def _storages(visit, photo:number=None, # Store pictures on this storage f
     "Show the storages, or choose one for pictures or recordings"
     camera = await visit.choose()
     wanted = {medium:number for medium,number in dict(photo=photo, video=video).items() if number}
-    for number,media in _usages(await camera.storages() if wanted else [], wanted).items():
-        (await camera.use_storage(number, media)).check()
+    for storage_id,media in _usages(await camera.storages() if wanted else [], wanted).items():
+        (await camera.use_storage(storage_id, media)).check()
     there = await camera.storages()
     for storage in there: visit.report(_storage(storage))
     if not there: raise MAVError('it has no storage')

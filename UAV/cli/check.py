@@ -7,7 +7,7 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
-import json, re, sys
+import json, sys
 
 from ..check.prober import Finding, Prober
 from ..check.suite import cost, describe, Findings, run_suite, subjects, suite

@@ -6,7 +6,7 @@
 from __future__ import annotations
 from functools import partial
 from pathlib import Path
-import asyncio, sys
+import asyncio
 
 import cv2
 from ..cameras import CameraError, CV2Camera, SimCamera

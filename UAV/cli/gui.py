@@ -15,7 +15,6 @@ from .serve import Aboard, add_streams, log_to, serving, StatusPrinter
 from ..manager import Gui
 from ..manager.server import Door
 from ..mavlink import CameraClient, GimbalClient, mavlink
-from ..utils.values import inside
 from ..wire.signing import secret_key, state_file
 from typing import Literal
 

@@ -22,7 +22,7 @@ from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device
 from ..utils.files import read_secret
 from ..utils.threads import Closes
-from ..utils.values import inside, known, one_of
+from ..utils.values import known, one_of
 from ..video.rtsp_server import RTSPServer
 from ..video.stream import senders
 from ..wire.signing import secret_key, Signing
@@ -352,11 +352,11 @@ def _serve(typed):
 
 def _introduce(camera, com, printer:StatusPrinter):
     "Print what is served, and on which links"
-    for number,component in com.component.items():
+    for component_id,component in com.component.items():
         device = getattr(component, 'camera', None) or getattr(component, 'gimbal', None)
         model = device and (getattr(component, 'name', None) or device.information.model)
         name = f'{device.information.vendor} {model}' if device else type(component).__name__
-        printer.line(f'{name} is {com.source_system}/{number}')
+        printer.line(f'{name} is {com.source_system}/{component_id}')
     server = next(c for c in com.component.values() if isinstance(c, CameraServer))
     for channel in com.channels: printer.line(f'  on {channel.name}')
     if server.guard: printer.line(f'  only these may format, reset and delete: {_named(server.guard)}')

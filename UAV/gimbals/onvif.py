@@ -672,7 +672,7 @@ def _steer(self:Onvif, setpoint:Setpoint):
 @patch
 def _receive(self:Onvif):
     "Take over the newest position"
-    (x,y,zoom,uri),spaces = self.line.status,self.line.spaces['position'] or [_Space()]
+    (x,y,_,uri),spaces = self.line.status,self.line.spaces['position'] or [_Space()]
     space = next((s for s in spaces if s.uri==uri), spaces[-1])         # the generic one, if it doesn't say
     now = dict(pitch=_between(y, space.y, self.tilt), yaw=_between(x, space.x, self.pan))
     with self._lock:

@@ -19,7 +19,6 @@ from ..cameras.values import *
 from .driver import direction_of
 from .values import GimbalError
 from ..utils import clock
-from ..utils.lazy import cv2, np
 from ..utils.threads import timers
 from ..utils.values import inside
 from ..utils.pictures import decode_picture

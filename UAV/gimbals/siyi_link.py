@@ -16,7 +16,7 @@ from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.clock import goes_by_itself
 from ..utils.devices import DeviceURL
-from ..utils.threads import _begin_thread, Closes, timers
+from ..utils.threads import Closes, timers
 from ..utils.values import inside, Value
 from .driver import DeviceLine, FrameCutter, SerialPort, TCPPort, UDPPort
 
@@ -254,7 +254,7 @@ def wait(self:SiyiLink, true, # A function of the link
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #8c76cd65
 @patch(cls_method=True)
-def open(cls:SiyiLink, url:DeviceURL)->'SiyiLink':
+def open(cls:SiyiLink, url:DeviceURL)->SiyiLink:
     "Link to `siyi://HOST[:PORT][?transport=tcp]` or `siyi:///dev/ttyUSB0`; raises `ValueError`"
     if not url.host and len(url.path)>1: return cls(url.path, transport='serial')
     if not url.host: raise ValueError('where is the SIYI? Write siyi://HOST or siyi:///dev/ttyUSB0')

@@ -50,7 +50,7 @@ class Gui(Panel):
         if len(there)>=self.most_rows:
             lost = next((row for row in there if row.lost), None)
             if lost is None: return
-            asyncio.ensure_future(self.remove_row(lost.id))
+            lost.removal = asyncio.ensure_future(self.remove_row(lost.id))      # an event loop keeps no task alive
         return self.add_row(kind(self, where))
 
     def _may_manage(self)->set:

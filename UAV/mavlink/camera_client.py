@@ -8,11 +8,10 @@ from functools import wraps
 from pathlib import Path
 import asyncio, inspect, os, re, secrets
 
-from fastcore.basics import patch, store_attr
+from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import LogLevels
 from ..utils import clock
-from ..utils.docs import for_async
 from ..utils.values import NAN
 from ..wire.dialect import Ack, address, number_of
 from .retransmission import first_rto

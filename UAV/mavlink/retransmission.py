@@ -10,7 +10,7 @@ import math
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from .protocol import Command, longest_rto, Lost, remembered
+from .protocol import Command, longest_rto, remembered
 from ..utils import clock, clock as _clock
 from ..utils.clock import Seen
 from ..wire.dialect import address, enum_name

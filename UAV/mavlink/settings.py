@@ -170,10 +170,11 @@ def _decoded(data:bytes)->str:
     "The text of XML: UTF-8, or the encoding that it names; raises `ValueError`"
     named = re.findall(rb'^\s*<\?xml[^>]{,80}encoding=["\']([\w.-]+)', data)
     codecs = ['utf-16'] if data[:2] in (b'\xff\xfe',b'\xfe\xff') else ['utf-8-sig', *map(bytes.decode, named)]
+    errors = []
     for codec in codecs:
         try: return data.decode(codec)
-        except (ValueError, LookupError) as e: why = why if codec!=codecs[0] else e
-    raise ValueError(f'the definition is no text: {why}')
+        except (ValueError, LookupError) as e: errors.append(e)
+    raise ValueError(f'the definition is no text: {errors[0]}')
 
 # %% ../../nbs/api/mavlink/07_settings.ipynb #649c22ef
 def _root(data:bytes):

@@ -356,7 +356,7 @@ def join(self:World, task:_Task, timeout:float|None=None)->bool:
     "Wait until a task has ended; false after `timeout` seconds"
     end = math.inf if timeout is None else self.now+max(timeout, 0)
     while not task.done:
-        task.joiners.append(waiter := Waiter(here()))
+        task.joiners.append(Waiter(here()))
         if not self.wait(end): return task.done
     return True
 

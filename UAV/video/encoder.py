@@ -12,7 +12,7 @@ from ..utils import clock
 from ..utils.lazy import av, np
 from ..utils.threads import _begin_thread, Closes
 from ..utils.pictures import _checked
-from .units import (AccessUnit, byte_stream, Codec, codecs, _DecodeTimes, _even, _is_hardware, is_key,
+from .units import (AccessUnit, byte_stream, codecs, _DecodeTimes, _even, _is_hardware, is_key,
     _nal_type, nal_units, _open_codec, parameter_sets, sensible_bitrate, Sink, VideoFormat)
 from operator import attrgetter
 

@@ -8,7 +8,7 @@ from contextlib import closing, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property
 from urllib.parse import unquote, urljoin, urlsplit
-import atexit, os, re, selectors, socket
+import atexit, os, re, selectors
 from fastcore.basics import GetAttr, patch, store_attr
 from ..logging import get_logger
 from ..utils import clock

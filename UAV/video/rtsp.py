@@ -7,9 +7,9 @@ from __future__ import annotations
 from base64 import b64encode
 from dataclasses import dataclass, field
 from functools import partial
-from urllib.parse import quote, unquote, urlsplit
+from urllib.parse import unquote, urlsplit
 from zlib import crc32
-import hashlib, hmac, random, re, secrets, socket, struct
+import hashlib, hmac, random, re, secrets, struct
 
 from fastcore.basics import basic_repr, patch, store_attr
 from fastcore.meta import delegates

@@ -5,7 +5,7 @@
 # %% ../../nbs/api/video/07_stream.ipynb #f86f46bc
 from __future__ import annotations
 from contextlib import suppress
-import math, os, re
+import math, re
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock

@@ -8,7 +8,7 @@ from bisect import insort
 from collections import deque
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache
 from types import SimpleNamespace
 
 from fastcore.basics import patch
@@ -345,7 +345,7 @@ class Codec:
         return AccessUnit(data, key, *about, self.format)
 
 # %% ../../nbs/api/video/00_units.ipynb #068a3747
-@lru_cache(maxsize=None)
+@cache
 def _works(name:str)->bool:
     "True if it encodes pictures on this machine, and makes the fourth of six a key frame; tried once"
     format = VideoFormat(next((c for c,names in _candidates.items() if name in names), 'h264'))

@@ -12,7 +12,7 @@ from pathlib import Path
 from struct import Struct
 import hashlib, hmac, json, os, secrets
 
-from fastcore.basics import patch, store_attr
+from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, LogLevels
 from ..utils import clock, clock as _clock
