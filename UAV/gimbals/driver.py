@@ -87,7 +87,7 @@ def attitude_of(self:GimbalDriver, roll:float, pitch:float, yaw:float, # Degrees
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #34a52f18
 def _retry_delay(attempt:int, longest:float=8.)->float: # s; 0 is the first attempt
-    return min(.25*2**(attempt-1), longest) if attempt else 0.
+    return min(.25*2**min(attempt-1, 9), longest) if attempt else 0.       # 2**1024 is no float any more
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #ba9b4805
 def _watch_peer(sock):
@@ -249,7 +249,7 @@ def _run(self:DeviceLine):
     while not self._closed.wait(_retry_delay(attempt, self.port.longest)):
         self._since = math.inf
         try: self._session(attempt)
-        except (OSError, ValueError) as e: why = str(self._why or getattr(e, 'strerror', None) or e)
+        except Exception as e: why = str(self._why or getattr(e, 'strerror', None) or e)        # pyserial has many
         if self._closed.is_set(): break
         was_up,lasted = self._since<math.inf,clock.monotonic()-self._since>=self.steady
         if was_up or why!=self.error: log.warning('%s: %s', self.port, why)
