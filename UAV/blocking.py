@@ -181,6 +181,7 @@ class BlockingMAVCom(Blocking):
         "Close the links and end the thread; safe to call twice"
         try: self._loop.close()                     # first, so what still runs can clean up over the link
         finally: self._target.close()
+        _open.discard(self)
 
     def __enter__(self): return self
     def __exit__(self, *error): self.close()

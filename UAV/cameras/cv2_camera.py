@@ -273,7 +273,8 @@ def next_frame(self:CV2Camera, after:int=-1, # The number of the last frame seen
     "Wait for a frame later than `after`; raises `CameraError` when none comes for `read_timeout`"
     if self.lockstep: frame = self._newest.take(self.read_timeout)
     else: frame = self._newest.next(after, self.read_timeout)
-    if why := self._newest.over or self._silence(): raise CameraError(why)
+    why = frame is None and self._newest.over or self._silence()        # a frame counts, although it is over by now
+    if why: raise CameraError(why)
     if frame is None: raise CameraError(f'{_source_name(self.source)} has given no frame for {self.read_timeout:g} s')
     return frame
 

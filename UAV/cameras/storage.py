@@ -57,6 +57,7 @@ class Storage(Closes):
     def close(self):
         "Let others have the folder, and remove it if it was a temporary one; what is known of the pictures stays"
         self._release()
+        _storages.discard(self)
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #efae48fb
 storage_kinds = 'unknown','usb_stick','sd','microsd','cf','cfe','xqd','hd','other'     # as MAVLink names them

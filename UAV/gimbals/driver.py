@@ -17,7 +17,7 @@ from .gimbal import Gimbal
 from .values import *
 from ..logging import get_logger
 from ..utils import clock
-from ..utils.threads import _begin_thread, Closes
+from ..utils.threads import _begin_thread, Closes, Opened
 from ..utils.values import inside
 from ..utils.geo import quaternion
 
@@ -87,7 +87,7 @@ def attitude_of(self:GimbalDriver, roll:float, pitch:float, yaw:float, # Degrees
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #34a52f18
 def _retry_delay(attempt:int, longest:float=8.)->float: # s; 0 is the first attempt
-    return min(.25*2**(attempt-1), longest) if attempt else 0.
+    return min(.25*2**min(attempt-1, 9), longest) if attempt else 0.       # 2**1024 is no float any more
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #ba9b4805
 def _watch_peer(sock):
@@ -179,6 +179,8 @@ class SerialPort(_Port):
     def read(self)->bytes: return self._end.read(4096)
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #3462e287
+_lines = Opened()
+
 class DeviceLine(Closes):
     "A connection to a device that is made in the background, and made again when it is lost"
     patience,steady = 3.,5.     # s that connecting may take; s after which a connection was a good one
@@ -195,6 +197,7 @@ class DeviceLine(Closes):
         self._bell,self._pull = socket.socketpair()
         for end in (self._bell,self._pull): end.setblocking(False)
         self._thread = _begin_thread(self._run, f'line to {self.port}')
+        _lines.add(self)
 
     def __str__(self): return str(self.port)
     def __repr__(self): return f'{type(self).__name__}({self.port}, {self.error or "connected"})'
@@ -246,7 +249,7 @@ def _run(self:DeviceLine):
     while not self._closed.wait(_retry_delay(attempt, self.port.longest)):
         self._since = math.inf
         try: self._session(attempt)
-        except (OSError, ValueError) as e: why = str(self._why or getattr(e, 'strerror', None) or e)
+        except Exception as e: why = str(self._why or getattr(e, 'strerror', None) or e)        # pyserial has many
         if self._closed.is_set(): break
         was_up,lasted = self._since<math.inf,clock.monotonic()-self._since>=self.steady
         if was_up or why!=self.error: log.warning('%s: %s', self.port, why)
@@ -316,6 +319,7 @@ def close(self:DeviceLine):
     self.drop('closed')
     if self._thread not in (None, clock.current_thread()): self._thread.join()
     self.error = 'closed'
+    _lines.discard(self)
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #aac7f980
 class FrameCutter:

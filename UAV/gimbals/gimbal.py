@@ -75,6 +75,7 @@ def close(self:Gimbal):
     finally:
         if free: self._lock.release()
     if self._alarm: self._timers.cancel(self._alarm, timeout=self.patience)
+    _gimbals.discard(self)
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #e51c7a20
 def _seconds(what, value):

@@ -209,7 +209,9 @@ async def take_async(self:NewestFrame):
         with self.changed:
             if (frame := self._take()) is not None or self.over: return frame
             self._futures.append(future)
-        await future
+        try: await future
+        finally:
+            with self.changed: self._futures = [other for other in self._futures if other is not future]
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #158fae30
 @patch

@@ -33,14 +33,16 @@ if hasattr(os,'register_at_fork'): os.register_at_fork(after_in_child=_forked)
 
 class ForkError(RuntimeError): "Something that was opened before a fork is used in the child"
 
+def _refuse(one, *args):
+    raise ForkError(f'this {vars(one)["kind"]} was opened before the fork: open one after the fork')
+
 class _Inherited:
     "What an open object is in a forked process; `close` leaves it to the parent"
     def __repr__(self): return f'{vars(self)["kind"]} of the parent process'
-    def __getattr__(self, name):
-        kind = vars(self)['kind']
-        raise ForkError(f'this {kind} was opened before the fork: open one after the fork')
-    def __setattr__(self, name, value): self.__getattr__(name)
-    def __enter__(self): self.__getattr__('__enter__')
+    def __bool__(self): return True
+    def __getattribute__(self, name):
+        return object.__getattribute__(self, name) if name=='close' or name.startswith('__') else _refuse(self)
+    __setattr__ = __enter__ = __len__ = __iter__ = __aiter__ = __getitem__ = __reduce_ex__ = _refuse
     def __exit__(self, *args): pass
     def close(self, *args, **kwargs): "Do nothing"
 
@@ -57,9 +59,12 @@ def _leave(one):
     from ctypes import py_object, pythonapi
     if not _inherited: pythonapi.Py_IncRef(py_object(_inherited))       # so that no destructor runs at exit
     _inherited.append((one,vars(one)))
-    kind = type(one).__name__
-    object.__setattr__(one, '__class__', _Inherited)
-    object.__setattr__(one, '__dict__', dict(kind=kind))
+    kind = type(one)
+    try: object.__setattr__(one, '__class__', _Inherited)
+    except TypeError:       # it has slots, or a base that is written in C
+        alike = type(kind)('_Inherited', (_Inherited,kind), dict(__slots__=()))
+        object.__setattr__(one, '__class__', alike)
+    object.__setattr__(one, '__dict__', dict(kind=kind.__name__))
 
 class Opened:
     "The open objects of a kind, weakly referenced; any thread may change it while others iterate"

@@ -219,3 +219,4 @@ def close(self:VideoStream):
     with self._lock: self._closed,shared,self._shared = True,self._shared,False
     self.stop()
     if shared: _let_go(self.server)
+    _streams.discard(self)
