@@ -334,6 +334,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                     'UAV.cameras.frames.Filming.close': ('api/cameras/frames.html#filming.close', 'UAV/cameras/frames.py'),
                                     'UAV.cameras.frames.Filming.encoder': ( 'api/cameras/frames.html#filming.encoder',
                                                                             'UAV/cameras/frames.py'),
+                                    'UAV.cameras.frames.Filming.seconds': ( 'api/cameras/frames.html#filming.seconds',
+                                                                            'UAV/cameras/frames.py'),
                                     'UAV.cameras.frames.Filming.start_recording': ( 'api/cameras/frames.html#filming.start_recording',
                                                                                     'UAV/cameras/frames.py'),
                                     'UAV.cameras.frames.Filming.stop_recording': ( 'api/cameras/frames.html#filming.stop_recording',
