@@ -44,9 +44,9 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
     min_interval = .1          # s, the shortest time between pictures
     jpeg_quality = 95          # 0..100
     modes = 'image','video'    # what `set_camera_mode` takes; with one alone, there is nothing to choose
-    image_in_video_mode,video_in_image_mode = True,True      # may each be taken in the other's mode?
+    image_in_video_mode,video_in_image_mode = True,True      # can each be taken in the other's mode?
     patience = 10.             # s that `read` may take; longer is a fault
-    frame_rate = 30.           # frames a second that are read at most, while one looks at them
+    frame_rate = 30.           # frames a second that are read at most, while somebody watches
     exif_tags = _OwnTags()      # for its pictures, such as {'Copyright': '© 2026 Ann'}
     lens,focus,mode = None,None,'image'
     declared = ()              # `Parameter`s; a subclass says what can be set
@@ -67,7 +67,9 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
         self.storages = _storages_of(folder, quota, storage, storages)
         self.storage = self.storages[0]
         self.log = get_logger(f'camera.{self.information.model}')
-        self._event_callbacks,self._storage_status,self._begun = [],'ready',True
+        self._event_callbacks = []
+        self._storage_status = 'ready'      # as it was announced
+        self._begun = True
         self._make_parts()
         _cameras.add(self)
 
@@ -75,12 +77,88 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
         if name in _checks: _check(name, name, value)
         super().__setattr__(name, value)
 
+# %% ../../nbs/api/cameras/09_camera.ipynb #650af6b5
+@patch
+def image_start_capture(self:Camera, interval:float=0., # Seconds between pictures; raised to `min_interval`
+                        count:int=1, # How many pictures; 0 until stopped
+                       )->int: # Index of the first of them
+    "Take pictures, and return at once; raises `ValueError`, `CameraBusy`, `WrongMode` or `StorageError`"
+    interval,count = _check_sequence(interval, count, self.min_interval)
+    if self.mode == 'video' and not self.image_in_video_mode: raise WrongMode('no pictures in video mode')
+    return self.captures.start(interval, count)
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5318
+@patch
+def image_stop_capture(self:Camera):
+    "End a series, and return at once; a running picture and waiting singles are still taken"
+    self.captures.stop()
+
+@patch
+def wait_idle(self:Camera, timeout:float|None=None, # s; `None` waits as long as it takes
+             )->bool:
+    "Wait until all pictures are taken and announced; False on timeout. Don't call it in callbacks"
+    return self.captures.wait_idle(timeout)
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #347a1d98
+@patch(as_prop=True)
+def fault(self:Camera)->str|None:
+    "The device's fault; `None` when it works"
+    return self._fault_now
+
+@patch(as_prop=True)
+def pictures(self:Camera)->tuple:
+    "All shots of the count, by index"
+    return tuple(self.storages.pictures)
+
+@patch(as_prop=True)
+def recording(self:Camera)->bool:
+    "True while a video is being recorded"
+    return self.filming.recorder is not None
+
+@patch(as_prop=True)
+def recording_time(self:Camera)->float:
+    "Length of that video, s"
+    return self.filming.seconds
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #7cafc6df
+@patch
+def picture(self:Camera, index:int, # From 0
+           )->Picture:
+    "Return a shot by its index; raises `IndexError`"
+    return self.storages.picture(index)
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #01b8f48a
+@patch
+def close(self:Camera):
+    "Stop, wait for a running picture (`patience` at most), and release the storage; may be called twice"
+    done = self.captures.close(self.patience)
+    for part in (self.tracking,self.filming): part.close()
+    if not (self.frames.close(1.) and done): self.log.error('read() does not come back; closed without it')
+    self._closing.set()
+    with self._state_lock: self._fault_now = self._fault_now or 'closed'
+    self.storages.close()
+    _cameras.discard(self)
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #10d80dee
+@patch
+def read(self:Camera)->Frame:
+    "Return the newest frame; written by subclasses"
+    raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #945f3116
+@patch
+def read_still(self:Camera)->Frame:
+    "Return the frame for a picture; override it if the camera has better stills"
+    return self.frames.still()
+
 # %% ../../nbs/api/cameras/09_camera.ipynb #43ea7393
 @patch
 def _make_parts(self:Camera):
     "Set up the parts, each with the camera that it serves"
-    self._fault_now,self._state_lock,self._closing = None,clock.Lock(),clock.Event()
-    self.captures,self.frames,self.filming,self.tracking = CaptureQueue(self),Frames(self),Filming(self),Tracker(self)
+    self._fault_now = None
+    self._state_lock,self._closing = clock.Lock(),clock.Event()
+    self.captures,self.frames = CaptureQueue(self),Frames(self)
+    self.filming,self.tracking = Filming(self),Tracker(self)
     self.trigger = self.captures.trigger            # takes pictures by distance
     self.streams = self.filming.streams             # the first one has number 1
 
@@ -150,45 +228,6 @@ def _check_class(kind:type):
         value = getattr_static(kind, name, None)
         if not hasattr(value, '__get__') or callable(value): _check(f'{kind.__name__}.{name}', name, value)
 
-# %% ../../nbs/api/cameras/09_camera.ipynb #347a1d98
-@patch(as_prop=True)
-def fault(self:Camera)->str|None:
-    "The device's fault; `None` when it works"
-    return self._fault_now
-
-@patch(as_prop=True)
-def pictures(self:Camera)->tuple:
-    "All shots of the count, by index"
-    return tuple(self.storages.pictures)
-
-@patch(as_prop=True)
-def recording(self:Camera)->bool:
-    "True while a video is being recorded"
-    return self.filming.recorder is not None
-
-@patch(as_prop=True)
-def recording_time(self:Camera)->float:
-    "Length of that video, s"
-    return self.filming.seconds
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #01b8f48a
-@patch
-def close(self:Camera):
-    "Stop, wait for a running picture (`patience` at most), and release the storage; may be called twice"
-    done = self.captures.close(self.patience)
-    for part in (self.tracking,self.filming): part.close()
-    if not (self.frames.close(1.) and done): self.log.error('read() does not come back; closed without it')
-    self._closing.set()
-    with self._state_lock: self._fault_now = self._fault_now or 'closed'
-    self.storages.close()
-    _cameras.discard(self)
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #10d80dee
-@patch
-def read(self:Camera)->Frame:
-    "Return the newest frame; written by subclasses"
-    raise NotImplementedError(f'{type(self).__name__} needs a method read(self) that returns a Frame')
-
 # %% ../../nbs/api/cameras/09_camera.ipynb #ae963dfb
 @patch
 def subscribe(self:Camera, callback): # Called with each event; must be quick
@@ -209,12 +248,6 @@ def announce(self:Camera, event):
         try: callback(event)
         except (Exception, SystemExit): self.log.exception('%r failed on %r', name, event)
 
-# %% ../../nbs/api/cameras/09_camera.ipynb #3d913554
-@patch
-def settings(self:Camera)->CameraSettings:
-    "Return mode, zoom and focus"
-    return CameraSettings(self.mode, self.lens.percent if self.lens else NAN, self.focus.percent if self.focus else NAN)
-
 # %% ../../nbs/api/cameras/09_camera.ipynb #acb7cd3d
 @patch
 def set_camera_mode(self:Camera, mode:str): # One of `modes`
@@ -224,6 +257,12 @@ def set_camera_mode(self:Camera, mode:str): # One of `modes`
     if waits: raise CameraBusy('a picture is being taken')
     self.mode = mode
     self.announce(self.settings())
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #3d913554
+@patch
+def settings(self:Camera)->CameraSettings:
+    "Return mode, zoom and focus"
+    return CameraSettings(self.mode, self.lens.percent if self.lens else NAN, self.focus.percent if self.focus else NAN)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #e815d435
 @patch
@@ -251,88 +290,20 @@ def set_fault(self:Camera, fault:str|None, # The device's fault; `None` when it 
     else: self.log.warning('works again, after: %s', was)
     self.announce(DeviceStatus(fault or None))
 
-# %% ../../nbs/api/cameras/09_camera.ipynb #650af6b5
-@patch
-def image_start_capture(self:Camera, interval:float=0., # Seconds between pictures; raised to `min_interval`
-                        count:int=1, # How many pictures; 0 until stopped
-                       )->int: # Index of the first of them
-    "Take pictures, and return at once; raises `ValueError`, `CameraBusy`, `WrongMode` or `StorageError`"
-    interval,count = _check_sequence(interval, count, self.min_interval)
-    if self.mode == 'video' and not self.image_in_video_mode: raise WrongMode('no pictures in video mode')
-    return self.captures.start(interval, count)
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5318
-@patch
-def image_stop_capture(self:Camera):
-    "End a series, and return at once; a running picture and waiting singles are still taken"
-    self.captures.stop()
-
-@patch
-def wait_idle(self:Camera, timeout:float|None=None, # s; `None` waits as long as it takes
-             )->bool:
-    "Wait until all pictures are taken and announced; False on timeout. Don't call it in callbacks"
-    return self.captures.wait_idle(timeout)
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #945f3116
-@patch
-def read_still(self:Camera)->Frame:
-    "Return the frame for a picture; override it if the camera has better stills"
-    return self.frames.still()
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5319
-@patch
-def _read_watched(self:Camera)->Frame:
-    "The frame of a picture; sets the fault when there is none or it takes too long, and else clears it"
-    patience,fault,error = self.patience,None,None
-    alarm = timers.every(patience, lambda: self.set_fault(f'no picture for {patience:g} s'), delay=patience)
-    try:
-        frame = self.read_still()
-        if isinstance(frame, Frame): return frame
-        raise CameraError(f'read() must return a Frame, not {type(frame).__name__}')
-    except BaseException as e:
-        fault,error = str(e) or type(e).__name__,None if isinstance(e, CameraError) else e
-        raise
-    finally:
-        timers.cancel(alarm)
-        self.set_fault(fault, error)
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #7e7cb098
-@patch
-def _posed(self:Camera, frame:Frame)->Frame:
-    "`frame` with a pose, if it has none and there is a function for it that says one; and with the true time"
-    pose = frame.pose
-    if pose is None and self.pose is not None:
-        try:
-            options = dict(time_utc=frame.time_utc) if 'time_utc' in signature(self.pose).parameters else {}
-            pose = None if (pose := self.pose(**options))==Pose() else pose
-        except Exception: self.log.exception('no pose for a picture')
-    if pose is frame.pose and not self.clock_error: return frame
-    return replace(frame, time_utc=frame.time_utc+self.clock_error, pose=pose)
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #5c0a531b
-@patch
-def _encode(self:Camera, frame)->bytes:
-    "The frame as JPEG; that of the camera, if it has made one"
-    if isinstance(frame, Still): return frame.jpeg
-    try: image = as_bgr(frame.image)
-    except ValueError as e: raise CameraError(f'a frame is {e}') from None
-    ok,jpeg = cv2.imencode('.jpg', image, [cv2.IMWRITE_JPEG_QUALITY, self.jpeg_quality])
-    if not ok: raise CameraError('the frame cannot be encoded')
-    return jpeg.tobytes()
-
 # %% ../../nbs/api/cameras/09_camera.ipynb #b7bb589d
 @patch
 def _take_picture(self:Camera)->Picture|None:
     "Take one picture and keep it; a failure is kept, too. `None`: closed meanwhile, and recorded already"
     started = clock.time()
     try:
-        frame,information = self._posed(self._read_watched()),self.information
+        frame = self._posed(self._read_watched())
+        information = self.information
         if not self.captures.running: return
         self.captures.progress = clock.monotonic()       # the device came back, however late
         if self.lens: information = replace(information, focal_length=self.lens.focal_length)
-        beside,own = getattr(frame, 'beside', ()),{k: v for k,v in (frame.tags or {}).items() if v is not None and v==v}
+        tags = {name: v for name,v in (frame.tags or {}).items() if v is not None and v==v}      # NaN is not known
         return self.storages.save(self._encode(frame), frame.time_utc, frame.pose, information,
-                                  {**own, **self.exif_tags}, beside)
+                                  tags | {**self.exif_tags}, getattr(frame, 'beside', ()))
     except BaseException as e:
         if self.captures.running: return self._failed(started, e)
 
@@ -356,17 +327,54 @@ def _announce_picture(self:Camera, picture):
     before,self._storage_status = self._storage_status,self.storages.photo.information().status
     if before != self._storage_status: self.announce(self.storages.about(self.storages.photo))
 
-# %% ../../nbs/api/cameras/09_camera.ipynb #7cafc6df
+# %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5319
 @patch
-def picture(self:Camera, index:int, # From 0
-           )->Picture:
-    "Return a shot by its index; raises `IndexError`"
-    return self.storages.picture(index)
+def _read_watched(self:Camera)->Frame:
+    "The frame of a picture; sets the fault when there is none or it takes too long, and else clears it"
+    patience = self.patience
+    fault = error = None
+    alarm = timers.every(patience, lambda: self.set_fault(f'no picture for {patience:g} s'), delay=patience)
+    try:
+        frame = self.read_still()
+        if isinstance(frame, Frame): return frame
+        raise CameraError(f'read() must return a Frame, not {type(frame).__name__}')
+    except BaseException as e:
+        fault = str(e) or type(e).__name__
+        if not isinstance(e, CameraError): error = e            # a surprise: its traceback is logged
+        raise
+    finally:
+        timers.cancel(alarm)
+        self.set_fault(fault, error)
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #7e7cb098
+@patch
+def _posed(self:Camera, frame:Frame)->Frame:
+    "Return the frame with the pose from our function, if it has none of its own, and with the true time"
+    pose = frame.pose
+    if pose is None and self.pose is not None:
+        try:
+            options = dict(time_utc=frame.time_utc) if 'time_utc' in signature(self.pose).parameters else {}
+            pose = self.pose(**options)
+            if pose == Pose(): pose = None          # nothing is known
+        except Exception: self.log.exception('no pose for a picture')
+    if pose is frame.pose and not self.clock_error: return frame
+    return replace(frame, time_utc=frame.time_utc+self.clock_error, pose=pose)
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #5c0a531b
+@patch
+def _encode(self:Camera, frame)->bytes:
+    "Return the frame as JPEG; that of the camera, if it has made one"
+    if isinstance(frame, Still): return frame.jpeg
+    try: image = as_bgr(frame.image)
+    except ValueError as e: raise CameraError(f'a frame is {e}') from None
+    ok,jpeg = cv2.imencode('.jpg', image, [cv2.IMWRITE_JPEG_QUALITY, self.jpeg_quality])
+    if not ok: raise CameraError('the frame cannot be encoded')
+    return jpeg.tobytes()
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #259b4674
 @patch
 def storage_format(self:Camera, storage_id:int=1, # As in StorageInformation
-                   cancelled=lambda: False): # Says whether it is to end without having deleted anything
+                   cancelled=lambda: False): # Returns True to end without having deleted anything
     "Delete all files of a storage; raises `ValueError` for an unknown one, `CameraBusy` while in use, `TakenBack`"
     storage = self.storages.numbered(storage_id)
     photo = storage is self.storages.photo
@@ -395,7 +403,7 @@ def add_stream(self:Camera,
     size:tuple|None=None, # (width, height) in px; `None`: that of the frames
     rate:float|None=15., # Pictures in a second, at most; `None`: the camera's own `frame_rate`
     bitrate:int|None=None, # bit/s; `None`: what suits size and rate
-    uri:str='', # What viewers are told, in place of what we think
+    uri:str='', # What viewers get, in place of what we think
     server=None, # Your own `RTSPServer`, such as one with a password; `None`: that of this process at `port`
     **how, # `source`, for a camera with several
 ):
@@ -441,32 +449,12 @@ def video_stop_capture(self:Camera, stream_id:int=0): # There is one recording: 
     self.filming.chosen(stream_id)
     self.filming.stop_recording()
 
-# %% ../../nbs/api/cameras/09_camera.ipynb #35b34e7f
-def mode_parameter(
-    *modes, # As in `Camera.modes`, the first one at first
-)->Parameter:
-    "Return `CAM_MODE`, the mode as a parameter"
-    names = dict(image='Photo', video='Video', image_survey='Survey')
-    options = {names[mode]: mode_numbers[mode] for mode in modes}
-    return Parameter('CAM_MODE', 'uint32', mode_numbers[modes[0]], 'Camera mode', options)
-
 # %% ../../nbs/api/cameras/09_camera.ipynb #22a3d9cd
 @patch
 def apply_parameter(self:Camera, name:str, # Of the parameter
                     value, # In its type, in its range
                    )->dict|None: # What moved along with it, if the device says so
     "Set a value in the device, within `patience`; written by subclasses. May raise `ValueError` or `CameraError`"
-
-# %% ../../nbs/api/cameras/09_camera.ipynb #c9e9743c
-@patch
-def _apply(self:Camera, name:str, value)->dict|None:
-    "The mode has a verb of its own; a closed camera raises `CameraError`: its folder may be another's by now"
-    along = None
-    if self._closing.is_set(): raise CameraError(f'{self!r} is closed')
-    if name != 'CAM_MODE': along = self.apply_parameter(name, value)
-    else: self.set_camera_mode(next(mode for mode,number in mode_numbers.items() if number == value))
-    if self._closing.is_set(): raise CameraError(f'{self!r} was closed meanwhile')
-    return along
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #ad561868
 @patch(as_prop=True)
@@ -481,6 +469,26 @@ def parameters(self:Camera)->Parameters:
         self._parameters = Parameters(declared, file, self._apply, changed)
         self._parameters.patience = self.patience
     return self._parameters
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #35b34e7f
+def mode_parameter(
+    *modes, # As in `Camera.modes`, the first one at first
+)->Parameter:
+    "Return `CAM_MODE`, the mode as a parameter"
+    names = dict(image='Photo', video='Video', image_survey='Survey')
+    options = {names[mode]: mode_numbers[mode] for mode in modes}
+    return Parameter('CAM_MODE', 'uint32', mode_numbers[modes[0]], 'Camera mode', options)
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #c9e9743c
+@patch
+def _apply(self:Camera, name:str, value)->dict|None:
+    "The mode has a verb of its own; a closed camera raises `CameraError`: its folder may be another's by now"
+    along = None
+    if self._closing.is_set(): raise CameraError(f'{self!r} is closed')
+    if name != 'CAM_MODE': along = self.apply_parameter(name, value)
+    else: self.set_camera_mode(next(mode for mode,number in mode_numbers.items() if number == value))
+    if self._closing.is_set(): raise CameraError(f'{self!r} was closed meanwhile')
+    return along
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #edd9a71c
 @patch
@@ -571,12 +579,16 @@ def camera_stop_tracking(self:Camera):
 @patch
 def _target_place(self:Camera, frame:Frame, point:tuple)->Pose|None:
     "The place on the ground that is seen in `frame` at a point (x, y, 0…1); `None`: it is not known"
-    pose,i = self._posed(frame).pose,self.information
+    pose = self._posed(frame).pose
+    if pose is None or not all(map(known, (pose.relative_alt, pose.pitch, pose.yaw))): return None
     height,width = frame.image.shape[:2]
-    fov = 2*math.degrees(math.atan2(i.shown(width, height)[0]/2, _focal((self.lens or i).focal_length))) or NAN
-    if pose is None or not all(map(known, (fov, pose.relative_alt, pose.pitch, pose.yaw))): return None
-    attitude = pose.roll if known(pose.roll) else 0.,pose.pitch,pose.yaw
-    view = View((width,height), fov, (0,0,-pose.relative_alt), attitude)
+    sensor,_ = self.information.shown(width, height)            # mm that the frame shows of it
+    focal_length = _focal((self.lens or self.information).focal_length)
+    fov = 2*math.degrees(math.atan2(sensor/2, focal_length))    # the whole width
+    if not (known(fov) and fov): return None
+    roll = pose.roll if known(pose.roll) else 0.
+    view = View((width,height), fov, (0,0,-pose.relative_alt), (roll,pose.pitch,pose.yaw))
     there = view.on_ground(point[0]*width-.5, point[1]*height-.5)
-    place = there and pose.moved(*there, -pose.relative_alt)
-    return place and Pose(place.lat, place.lon, place.alt, 0.)
+    if there is None: return None
+    place = pose.moved(*there, -pose.relative_alt)
+    return Pose(place.lat, place.lon, place.alt, 0.)

@@ -61,6 +61,42 @@ def _publish(self:Frames, frame:Frame):
     if seen is not None and (frame.number,frame.time_utc)==(seen.number,seen.time_utc): return
     self.put(frame if frame.number>self.number else replace(frame, number=self.number+1))
 
+# %% ../../nbs/api/cameras/08_frames.ipynb #b3a7eff8
+@patch
+def _run(self:Frames):
+    "The thread: read while there is a reader"
+    watch = timers.every(max(self.camera.patience/4, .01), self._check_hang)
+    due = clock.monotonic()
+    def is_over(): return self.over or not self.watchers
+    try:
+        while True:
+            with self.changed:
+                self._reads = not is_over()
+                if not self._reads: return
+            wait = self._read_one()
+            due = max(due+1/self.camera.frame_rate, clock.monotonic())
+            with self.changed: self.changed.wait_for(is_over, max(0, wait or due-clock.monotonic()))
+    finally: timers.cancel(watch)
+
+# %% ../../nbs/api/cameras/08_frames.ipynb #f7498f73
+@patch
+def _read_one(self:Frames)->float:
+    "Read a frame and publish it; when that fails, the seconds to wait until the next attempt"
+    self._since = clock.monotonic()
+    try:
+        with self._turn(self.camera.patience): frame = self._read()
+    except BaseException as e:              # no error of a device may end the thread
+        if self.over: return 0.
+        self.camera.set_fault(str(e) or type(e).__name__, None if isinstance(e, CameraError) else e)
+        with self.changed:
+            self._failed = e
+            self.changed.notify_all()
+        return .1
+    finally: self._since = None
+    if self.camera.fault: self.camera.set_fault(None)
+    self._publish(frame)
+    return 0.
+
 # %% ../../nbs/api/cameras/08_frames.ipynb #d300b95e
 @patch
 def _read(self:Frames)->Frame:
@@ -85,41 +121,6 @@ def _turn(self:Frames, seconds:float):
         if self.over: raise CameraError(self.over)
         yield
     finally: self._device.release()
-
-# %% ../../nbs/api/cameras/08_frames.ipynb #f7498f73
-@patch
-def _read_one(self:Frames)->float:
-    "Read a frame and publish it; when that fails, the seconds to wait until the next attempt"
-    self._since = clock.monotonic()
-    try:
-        with self._turn(self.camera.patience): frame = self._read()
-    except BaseException as e:              # no error of a device may end the thread
-        if self.over: return 0.
-        self.camera.set_fault(str(e) or type(e).__name__, None if isinstance(e, CameraError) else e)
-        with self.changed:
-            self._failed = e
-            self.changed.notify_all()
-        return .1
-    finally: self._since = None
-    if self.camera.fault: self.camera.set_fault(None)
-    self._publish(frame)
-    return 0.
-
-# %% ../../nbs/api/cameras/08_frames.ipynb #b3a7eff8
-@patch
-def _run(self:Frames):
-    "The thread: read while there is a reader"
-    watch,due = timers.every(max(self.camera.patience/4, .01), self._check_hang),clock.monotonic()
-    def is_over(): return self.over or not self.watchers
-    try:
-        while True:
-            with self.changed:
-                self._reads = not is_over()
-                if not self._reads: return
-            wait = self._read_one()
-            due = max(due+1/self.camera.frame_rate, clock.monotonic())
-            with self.changed: self.changed.wait_for(is_over, max(0, wait or due-clock.monotonic()))
-    finally: timers.cancel(watch)
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #3b5e2c31
 @patch
@@ -150,12 +151,19 @@ class Filming:
     segment = 60.           # s of a recording in one file
     first = 3.              # s that a stop waits for the first picture
     def __init__(self, camera): # Its `frames`, `storages`, `announce` and `make_encoder` are used
-        self.camera,self.streams,self.encoders = camera,_Streams(),{}       # encoders by what was asked of them
-        self.recorder,self.storage = None,None                      # while there is a recording
-        self.begun = clock.Event()                              # has its first picture come?
+        self.camera,self.streams = camera,_Streams()
+        self.encoders = {}                      # by the format that was requested
+        self.recorder = self.storage = None     # while there is a recording
+        self.begun = clock.Event()              # set when its first picture has come
         self.closed,self._lock = False,clock.RLock()
 
     def __repr__(self): return '\n'.join(map(repr, self.streams)) or 'no streams'
+
+    @property
+    def seconds(self)->float:
+        "Length of the recording under way, s"
+        recorder = self.recorder            # it may end meanwhile
+        return 0. if recorder is None else recorder.seconds
 
     def encoder(self, codec:str='h264', # 'h264' or 'h265'
                 size:tuple|None=None, # (width, height) in px; `None`: that of the frames
@@ -170,11 +178,6 @@ class Filming:
             if key not in self.encoders: self.encoders[key] = self.camera.make_encoder(*key)
             return self.encoders[key]
 
-# %% ../../nbs/api/cameras/08_frames.ipynb #e2eb4f57
-@patch
-def _announce_stream(self:Filming, stream):
-    self.camera.announce(VideoStatus(stream.stream_id, stream.running, stream.viewers))
-
 # %% ../../nbs/api/cameras/08_frames.ipynb #3eb487ca
 @patch
 def add(self:Filming, name:str='', # For people; empty: the model and a number
@@ -187,59 +190,21 @@ def add(self:Filming, name:str='', # For people; empty: the model and a number
     "Add a stream, which runs at once; raises `ValueError` for a name that is there, `OSError` for a port that is taken"
     from UAV.video.stream import VideoStream
     with self._lock:
-        number,information = len(self.streams)+1,self.camera.information
+        number = len(self.streams)+1
+        information = self.camera.information
         name = name or f'{information.model} {number}'
         if any(name==s.name for s in self.streams): raise ValueError(f'there is a stream {name!r} already')
         size = information.resolution_h or 640,information.resolution_v or 480
         same = (s.server for s in self.streams if (s.kind,s.host,s.port)==(kind,host,port)==('rtsp',host,port))
         stream = VideoStream(self.encoder(**how), kind, name, number, host, port, server or next(same, None), uri,
                              size=size, on_change=self._announce_stream)
-        self.streams.append(stream)         # a listener that hears of the start finds it among the others
+        self.streams.append(stream)         # a listener that gets its start finds it among the others
         try: stream.start()
         except BaseException:
             self.streams.remove(stream)
             stream.close()
             raise
     return stream
-
-# %% ../../nbs/api/cameras/08_frames.ipynb #7c25441b
-@patch
-def chosen(self:Filming, stream_id:int=0, # 0: all
-          )->list:
-    "The streams that are meant; raises `ValueError` for one that is not there"
-    if not 0<=stream_id<=len(self.streams): raise ValueError(f'there is no stream {stream_id}')
-    return self.streams[stream_id-1:stream_id] if stream_id else list(self.streams)
-
-# %% ../../nbs/api/cameras/08_frames.ipynb #a45b394a
-@patch
-def _announce_recording(self:Filming):
-    "Notify that a recording began or ended"
-    self.camera.announce(self.camera.capture_status())
-    for storage in self.camera.storage_information(): self.camera.announce(storage)
-
-# %% ../../nbs/api/cameras/08_frames.ipynb #05f4db1f
-@patch
-def _ended(self:Filming, recorder):
-    "The recorder has ended by itself"
-    if self.recorder is not recorder: return        # `stop_recording` waits for us, with the lock
-    with self._lock:
-        if self.recorder is not recorder: return
-        self.recorder = self.storage = None
-    self.camera.log.warning('the recording has ended: %s', recorder.fault)
-    self.camera.announce(RecordingEnded(str(recorder.fault)))
-    self._announce_recording()
-
-# %% ../../nbs/api/cameras/08_frames.ipynb #a3227262
-@patch
-def _new_recorder(self:Filming, storage):
-    "A recorder that writes into the storage, and stops before that is full"
-    from UAV.video.recorder import Recorder
-    most = None if storage.quota is None else storage.information().available
-    self.begun = begun = clock.Event()
-    def name(number):
-        begun.set()
-        return storage.new_recording()
-    return Recorder(name, segment=self.segment, quota=most, reserve=storage.reserve, on_end=self._ended)
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #aef481a4
 @patch
@@ -272,14 +237,56 @@ def stop_recording(self:Filming):
             if not (self.closed or self.camera.fault): self.begun.wait(self.first)
             source.remove(recorder)
         if not recorder.close(): self.camera.log.error('the disk hangs: the file of the recording is not complete yet')
-        elif why := recorder.fault or not recorder.videos and (self.camera.fault or 'no picture came'):
-            self.camera.announce(RecordingEnded(str(why)))
+        else:
+            why = recorder.fault
+            if not (why or recorder.videos): why = self.camera.fault or 'no picture came'
+            if why: self.camera.announce(RecordingEnded(str(why)))
         self.storage = None
     self._announce_recording()
 
-# %% ../../nbs/api/cameras/08_frames.ipynb #c713b4c3
-Filming.seconds = property(lambda self: recorder.seconds if (recorder := self.recorder) is not None else 0.,
-    doc="Length of the recording under way, s")
+# %% ../../nbs/api/cameras/08_frames.ipynb #7c25441b
+@patch
+def chosen(self:Filming, stream_id:int=0, # 0: all
+          )->list:
+    "The streams that are meant; raises `ValueError` for one that is not there"
+    if not 0<=stream_id<=len(self.streams): raise ValueError(f'there is no stream {stream_id}')
+    return self.streams[stream_id-1:stream_id] if stream_id else list(self.streams)
+
+# %% ../../nbs/api/cameras/08_frames.ipynb #e2eb4f57
+@patch
+def _announce_stream(self:Filming, stream):
+    self.camera.announce(VideoStatus(stream.stream_id, stream.running, stream.viewers))
+
+# %% ../../nbs/api/cameras/08_frames.ipynb #a45b394a
+@patch
+def _announce_recording(self:Filming):
+    "Notify that a recording began or ended"
+    self.camera.announce(self.camera.capture_status())
+    for storage in self.camera.storage_information(): self.camera.announce(storage)
+
+# %% ../../nbs/api/cameras/08_frames.ipynb #05f4db1f
+@patch
+def _ended(self:Filming, recorder):
+    "The recorder has ended by itself"
+    if self.recorder is not recorder: return        # `stop_recording` waits for us, with the lock
+    with self._lock:
+        if self.recorder is not recorder: return
+        self.recorder = self.storage = None
+    self.camera.log.warning('the recording has ended: %s', recorder.fault)
+    self.camera.announce(RecordingEnded(str(recorder.fault)))
+    self._announce_recording()
+
+# %% ../../nbs/api/cameras/08_frames.ipynb #a3227262
+@patch
+def _new_recorder(self:Filming, storage):
+    "A recorder that writes into the storage, and stops before that is full"
+    from UAV.video.recorder import Recorder
+    most = None if storage.quota is None else storage.information().available
+    self.begun = begun = clock.Event()
+    def name(number):
+        begun.set()
+        return storage.new_recording()
+    return Recorder(name, segment=self.segment, quota=most, reserve=storage.reserve, on_end=self._ended)
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #c245d201
 @patch

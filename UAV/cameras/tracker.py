@@ -18,7 +18,70 @@ from ..utils.threads import _begin_thread, _has_ended
 from ..utils.pictures import as_bgr
 
 # %% auto #0
-__all__ = ['side', 'context', 'bins', 'Follower', 'TrackingStatus', 'Pursuit', 'Tracker']
+__all__ = ['side', 'context', 'bins', 'Follower', 'Pursuit', 'TrackingStatus', 'Tracker']
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #4e1be82a
+class Follower:
+    "Follows a target from picture to picture"
+    good,learned = .35,.45      # confidence below which it is lost; from which on we learn how it looks now
+    again = .28                 # with which a lost one counts as found; one without colours of its own needs `learned`
+    smallest = 6.               # px, of a side of a target
+    def __init__(self, image, # BGR picture, uint8
+                 box): # The target: left, top, right, bottom, px
+        left,top,right,bottom = box
+        self.middle,self.speed = np.array([left+right, top+bottom])/2,np.zeros(2)      # px, px a picture
+        self.size = np.maximum([right-left, bottom-top], self.smallest)                # px
+        square = self._square(image)
+        self.shape,self.colours,self.portrait = _Appearance(square),_Colours(square),_Portrait(square)
+        self.confidence = _top_of(self.shape.response(square))[0]
+        self.lost = self.confidence<self.good
+        self.keep(image)
+
+    def __repr__(self):
+        size,middle = self.size.round(),self.middle.round()
+        return f'{type(self).__name__}: {size} px at {middle}, {"lost, " if self.lost else ""}{self.confidence:.2f}'
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #b5bfaee4
+@patch
+def follow(self:Follower, image, # The next picture
+          )->float:
+    "Set `box` to where it is in the next picture; returns the confidence, below `good` it is `lost`"
+    if self.lost: self.search(image)
+    else:
+        before,bounds = self.middle,image.shape[1::-1]
+        self.move(image)
+        self.fit(image)
+        self.judge(image)
+        self.size = np.clip(self.size, self.smallest, bounds)
+        if not ((self.middle>=0) & (self.middle<bounds)).all(): self.confidence = 0.        # it has left the picture
+        self.lost = self.confidence<self.good
+        if not self.lost: self.learn(image, before)
+    return self.confidence
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #ba971177
+@patch
+def learn(self:Follower, image, before):
+    "It was at `before` in the last picture, and is here now: how it looks, and how fast it goes"
+    self.speed = (self.speed+self.middle-before)/2
+    if self.confidence<self.learned: return
+    square = self._square(image)
+    for memory,rate in ((self.shape,.05), (self.colours,.05), (self.portrait,.1)): memory.learn(square, rate)
+    self.keep(image)
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #30649ca5
+@patch
+def _square(self:Follower, image, scale=1.): return _cut_out(image, self.middle, self.size*scale)
+
+@patch
+def keep(self:Follower, image):
+    "Remember what it looks like, for when it is lost"
+    self.face = cv2.getRectSubPix(image, tuple(map(round, self.size.tolist())), tuple(self.middle.tolist()))
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #30f5772a
+@patch(as_prop=True)
+def box(self:Follower)->tuple:
+    "left, top, right, bottom, px"
+    return *(self.middle-self.size/2).tolist(), *(self.middle+self.size/2).tolist()
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #57f75212
 side,context = 64,2.2       # px of the square; how much more it shows than the target itself
@@ -124,42 +187,6 @@ class _Portrait(_Learned):
         core = self._core(square)
         return float((core*self.core).sum()/np.sqrt((core**2).sum()*(self.core**2).sum()+1e-3))
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #4e1be82a
-class Follower:
-    "Follows a target from picture to picture"
-    good,learned = .35,.45      # confidence below which it is lost; from which on we learn how it looks now
-    again = .28                 # with which a lost one counts as found; one without colours of its own needs `learned`
-    smallest = 6.               # px, of a side of a target
-    def __init__(self, image, # BGR picture, uint8
-                 box): # The target: left, top, right, bottom, px
-        left,top,right,bottom = box
-        self.middle,self.speed = np.array([left+right, top+bottom])/2,np.zeros(2)      # px, px a picture
-        self.size = np.maximum([right-left, bottom-top], self.smallest)                # px
-        square = self._square(image)
-        self.shape,self.colours,self.portrait = _Appearance(square),_Colours(square),_Portrait(square)
-        self.confidence = _top_of(self.shape.response(square))[0]
-        self.lost = self.confidence<self.good
-        self.keep(image)
-
-    def __repr__(self):
-        size,middle = self.size.round(),self.middle.round()
-        return f'{type(self).__name__}: {size} px at {middle}, {"lost, " if self.lost else ""}{self.confidence:.2f}'
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #30649ca5
-@patch
-def _square(self:Follower, image, scale=1.): return _cut_out(image, self.middle, self.size*scale)
-
-@patch
-def keep(self:Follower, image):
-    "Remember what it looks like, for when it is lost"
-    self.face = cv2.getRectSubPix(image, tuple(map(round, self.size.tolist())), tuple(self.middle.tolist()))
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #30f5772a
-@patch(as_prop=True)
-def box(self:Follower)->tuple:
-    "left, top, right, bottom, px"
-    return *(self.middle-self.size/2).tolist(), *(self.middle+self.size/2).tolist()
-
 # %% ../../nbs/api/cameras/06_tracker.ipynb #ca01fd87
 @patch
 def move(self:Follower, image):
@@ -182,7 +209,8 @@ def blob(self:Follower, square):
     middle = slice(side//2-6, side//2+7)
     counts = np.bincount(labels[middle,middle].ravel(), minlength=2)
     counts[0] = 0                       # what is not likely
-    x,y,width,height,area = found[counts.argmax()].tolist() if counts.any() else [0]*5
+    if not counts.any(): return
+    x,y,width,height,area = found[counts.argmax()].tolist()
     inside = 0<x and 0<y and x+width<side and y+height<side
     return (x,y,width,height) if inside and area>.2*(side/context)**2 else None
 
@@ -205,38 +233,19 @@ def judge(self:Follower, image):
     "Return whether the found place shows the target"
     self.confidence = min(1., self.confidence, self.portrait.likeness(self._square(image)))
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #ba971177
+# %% ../../nbs/api/cameras/06_tracker.ipynb #c822fcbf
 @patch
-def learn(self:Follower, image, before):
-    "It was at `before` in the last picture, and is here now: how it looks, and how fast it goes"
-    self.speed = (self.speed+self.middle-before)/2
-    if self.confidence<self.learned: return
-    square = self._square(image)
-    for memory,rate in ((self.shape,.05), (self.colours,.05), (self.portrait,.1)): memory.learn(square, rate)
-    self.keep(image)
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #b5bfaee4
-@patch
-def follow(self:Follower, image, # The next picture
-          )->float:
-    "Where is it now? `box` says it; returns the confidence, and below `good` it is `lost`"
-    if self.lost: self.search(image)
-    else:
-        before,bounds = self.middle,image.shape[1::-1]
-        self.move(image)
-        self.fit(image)
-        self.judge(image)
-        self.size = np.clip(self.size, self.smallest, bounds)
-        if not ((self.middle>=0) & (self.middle<bounds)).all(): self.confidence = 0.        # it has left the picture
-        self.lost = self.confidence<self.good
-        if not self.lost: self.learn(image, before)
-    return self.confidence
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #22444032
-def _smaller(image, scale:float):
-    "Each side is `scale` times as long, and a pixel at least"
-    size = tuple(max(round(n*scale), 1) for n in image.shape[1::-1])
-    return cv2.resize(image, size, interpolation=cv2.INTER_AREA)
+def search(self:Follower, image):
+    "Look for a lost target in the whole picture; when it is there, go on from there"
+    found = [(*_top_of(self.shape.response(_cut_out(image, spot, self.size))), spot) for spot in self.spots(image)]
+    confidence,shift,spot = max(found, key=lambda f: f[0])
+    before = self.middle,self.size
+    self.middle,self.speed,self.confidence = spot+shift*self.size*context,np.zeros(2),confidence
+    needed = self.again if self.fit(image) else self.learned
+    self.judge(image)
+    self.lost = self.confidence<needed
+    if self.lost: self.middle,self.size = before
+    else: self.shape.learn(self._square(image), .3)        # it may have turned meanwhile
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #27931d2f
 @patch
@@ -260,19 +269,11 @@ def _highest(score, width, height):
         yield x,y
         score[max(0,y-height):y+height+1,max(0,x-width):x+width+1] = -np.inf
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #c822fcbf
-@patch
-def search(self:Follower, image):
-    "Look for a lost target in the whole picture; when it is there, go on from there"
-    found = [(*_top_of(self.shape.response(_cut_out(image, spot, self.size))), spot) for spot in self.spots(image)]
-    confidence,shift,spot = max(found, key=lambda f: f[0])
-    before = self.middle,self.size
-    self.middle,self.speed,self.confidence = spot+shift*self.size*context,np.zeros(2),confidence
-    needed = self.again if self.fit(image) else self.learned
-    self.judge(image)
-    self.lost = self.confidence<needed
-    if self.lost: self.middle,self.size = before
-    else: self.shape.learn(self._square(image), .3)        # it may have turned meanwhile
+# %% ../../nbs/api/cameras/06_tracker.ipynb #22444032
+def _smaller(image, scale:float):
+    "Each side is `scale` times as long, and a pixel at least"
+    size = tuple(max(round(n*scale), 1) for n in image.shape[1::-1])
+    return cv2.resize(image, size, interpolation=cv2.INTER_AREA)
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #d185c8b7
 @patch
@@ -281,28 +282,6 @@ def rescale(self:Follower, about, # x, y, px: what stays where it is
     "The pictures are larger from now on, by a zoom or because they have more pixels"
     self.middle = about+(self.middle-about)*factor
     self.size,self.speed = self.size*factor,self.speed*factor
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #485d3226
-@dataclass(frozen=True, repr=False, eq=False)
-class TrackingStatus(Value):
-    "Track a target; all lengths are fractions of the picture"
-    status:str='idle' # 'idle', 'active', or 'error': the target is lost, and we look for it
-    mode:str='none' # What was asked for: 'none', 'point' or 'rectangle'
-    rectangle:tuple|None=None # Left, top, right, bottom
-    point:tuple|None=None # Its middle: x, y
-    radius:float=NAN # Half of its longer side; 1 is the width of the picture
-    frame:Frame|None=None # Where we found it, or did not
-    confidence:float=NAN # From 0 to 1, how sure that is
-    place:Pose|None=None # Where the target is, if the camera knows where it is itself
-    why:str='' # What went wrong
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #53bcce8f
-def _checked_rectangle(left:float, top:float, right:float, bottom:float)->tuple:
-    "The four, as floats; raises `ValueError` unless they are 0…1, and the rectangle is not empty"
-    names = dict(left=left, top=top, right=right, bottom=bottom)
-    left,top,right,bottom = (inside(name, value, 0, 1) for name,value in names.items())
-    if left<right and top<bottom: return left,top,right,bottom
-    raise ValueError(f'the rectangle is empty: {left:g} to {right:g}, {top:g} to {bottom:g}')
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #b710f757
 class Pursuit:
@@ -319,6 +298,65 @@ class Pursuit:
         self.follower,self.size,self.focal_length = None,None,NAN      # px, mm
         self.number = -1                            # of the last frame
         self.seen = self.arrived = None               # when the target was seen, and when a frame came: s on a clock
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #df296eab
+@patch
+def look(self:Pursuit, frame:Frame, # The next one of the camera
+         focal_length:float=NAN, # With which it was taken, mm
+        )->TrackingStatus:
+    "Return the status in this frame; raises `ValueError` for one that is no picture"
+    self.number = frame.number
+    self._find(frame, focal_length)
+    sure = max(0., round(self.follower.confidence, 3))
+    if self.follower.lost:
+        return TrackingStatus('error', self.mode, frame=frame, confidence=sure, why='the target is lost')
+    width,height = self.size.tolist()
+    sides = zip(self.follower.box, (width,height)*2)
+    left,top,right,bottom = (min(max(n/size, 0.), 1.) for n,size in sides)
+    point,radius = ((left+right)/2,(top+bottom)/2),float(max(self.follower.size))/2/width
+    return TrackingStatus('active', self.mode, (left,top,right,bottom), point, radius, frame, sure)
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #be8f948c
+@patch
+def _find(self:Pursuit, frame:Frame, focal_length:float):
+    "Find the target in a frame"
+    image = as_bgr(frame.image)
+    size = np.array(image.shape[1::-1], float)
+    focal_length = _focal(focal_length, self.focal_length)
+    zoom = focal_length/self.focal_length
+    if self.follower is None:
+        self.follower = Follower(image, self._box(*size))
+        self.size = size
+    else:
+        before = copy(self.follower)
+        self._rescale(size, zoom if known(zoom) else 1.)
+        self.follower.follow(image)
+        if self.follower.lost and known(zoom) and zoom!=1:      # the lens is ahead of the frame: without the zoom
+            self.follower,focal_length = before,self.focal_length
+            self.follower.follow(image)
+    self.focal_length = focal_length
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #485d3226
+@dataclass(frozen=True, repr=False, eq=False)
+class TrackingStatus(Value):
+    "Track a target; all lengths are fractions of the picture"
+    status:str='idle' # 'idle', 'active', or 'error': the target is lost, and searched for
+    mode:str='none' # What was asked for: 'none', 'point' or 'rectangle'
+    rectangle:tuple|None=None # Left, top, right, bottom
+    point:tuple|None=None # Its middle: x, y
+    radius:float=NAN # Half of its longer side; 1 is the width of the picture
+    frame:Frame|None=None # Where we found it, or did not
+    confidence:float=NAN # From 0 to 1, how sure that is
+    place:Pose|None=None # Where the target is, if the camera knows where it is itself
+    why:str='' # What went wrong
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #53bcce8f
+def _checked_rectangle(left:float, top:float, right:float, bottom:float)->tuple:
+    "The four, as floats; raises `ValueError` unless they are 0…1, and the rectangle is not empty"
+    names = dict(left=left, top=top, right=right, bottom=bottom)
+    left,top,right,bottom = (inside(name, value, 0, 1) for name,value in names.items())
+    if left<right and top<bottom: return left,top,right,bottom
+    raise ValueError(f'the rectangle is empty: {left:g} to {right:g}, {top:g} to {bottom:g}')
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #c3fbe963
 @patch
@@ -341,116 +379,23 @@ def _focal(given, before:float=NAN)->float:
     "A focal length, mm; what it was before when a lens cannot have that"
     return float(given) if isinstance(given, Real) and .001<given<1e5 else before
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #be8f948c
-@patch
-def _find(self:Pursuit, frame:Frame, focal_length:float):
-    "Find the target in a frame"
-    image,focal_length = as_bgr(frame.image),_focal(focal_length, self.focal_length)
-    size,zoom,before = np.array(image.shape[1::-1], float),focal_length/self.focal_length,copy(self.follower)
-    if self.follower is None: self.follower,self.size = Follower(image, self._box(*size)),size
-    else:
-        self._rescale(size, zoom if known(zoom) else 1.)
-        self.follower.follow(image)
-        if self.follower.lost and known(zoom) and zoom!=1:
-            self.follower,focal_length = before,self.focal_length
-            before.follow(image)
-    self.focal_length = focal_length
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #df296eab
-@patch
-def look(self:Pursuit, frame:Frame, # The next one of the camera
-         focal_length:float=NAN, # With which it was taken, mm
-        )->TrackingStatus:
-    "How it stands in this frame; raises `ValueError` for one that is no picture"
-    self.number = frame.number
-    self._find(frame, focal_length)
-    sure = max(0., round(self.follower.confidence, 3))
-    if self.follower.lost:
-        return TrackingStatus('error', self.mode, frame=frame, confidence=sure, why='the target is lost')
-    width,height = self.size.tolist()
-    sides = zip(self.follower.box, (width,height)*2)
-    left,top,right,bottom = (min(max(n/size, 0.), 1.) for n,size in sides)
-    point,radius = ((left+right)/2,(top+bottom)/2),float(max(self.follower.size))/2/width
-    return TrackingStatus('active', self.mode, (left,top,right,bottom), point, radius, frame, sure)
-
 # %% ../../nbs/api/cameras/06_tracker.ipynb #c6c60b48
 class Tracker:
     "Tracks one target on the frames of a camera"
-    patience = 5.           # s that a lost target is looked for
+    patience = 5.           # s that a lost target is searched for
     silence = 2.            # s without a frame, after which the target counts as lost
     def __init__(self,
                  camera, # Its `frames`, `lens`, `fault`, `log` and `announce` are used; `_target_place`, if it has that
                  clock=clock.now): # Gives seconds
-        self.camera,self.clock,self.status = camera,clock,TrackingStatus()     # the status of the newest frame
-        self.closed,self._pursuit,self._announced = False,None,(None,'idle')         # what listeners know
+        self.camera,self.clock = camera,clock
+        self.status = TrackingStatus()          # of the newest frame
+        self.closed = False
+        self._pursuit = None                    # the target
+        self._announced = None,'idle'           # the target and the status that listeners had last
         self._changed,self._announcing = _clock.Condition(),_clock.RLock()
         self._thread,self._runs = None,False
 
     def __repr__(self): return f'{type(self).__name__}: {self.status}'
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #e49125ef
-@patch
-def _set(self:Tracker, pursuit:Pursuit|None, status:TrackingStatus, ends:bool=False):
-    "This is how it stands, and it `ends` perhaps, unless there is another target now; tell what is new"
-    with self._announcing:
-        with self._changed:
-            if self._pursuit is not pursuit: return
-            if ends: self._pursuit = pursuit = None
-            changed,self._announced = self._announced!=(pursuit,status.status),(pursuit,status.status)
-            self.status = status
-            self._changed.notify_all()
-        if changed: self.camera.announce(status)
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #c1d5bed7
-@patch
-def _status_of(self:Tracker, pursuit:Pursuit, frame)->TrackingStatus|None:
-    "How it stands with this frame, or without one; `None`: as before"
-    if frame is None:
-        late = self.clock()-pursuit.arrived>self.silence
-        why = self.camera.fault or (f'no frame for {self.silence:g} s' if late else '')
-        return TrackingStatus('error', pursuit.mode, frame=self.status.frame, why=why) if why else None
-    pursuit.arrived = self.clock()
-    try:
-        status = pursuit.look(frame, getattr(self.camera.lens, 'focal_length', NAN))
-        find = status.point and getattr(self.camera, '_target_place', None)
-        return replace(status, place=find(frame, status.point)) if find else status
-    except Exception as e:
-        self.camera.log.exception('a frame cannot be tracked')
-        return TrackingStatus('error', pursuit.mode, frame=frame, why=str(e) or type(e).__name__)
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #927ebc90
-@patch
-def see(self:Tracker, pursuit:Pursuit, frame):
-    "The next frame for this target; `None`: none came"
-    now = self.clock()
-    if pursuit.arrived is None: pursuit.arrived = pursuit.seen = now
-    if (status := self._status_of(pursuit, frame)) is None: return
-    if status.status=='active': pursuit.seen = now
-    self._set(pursuit, status)
-    why = f'not seen for {self.patience:g} s: {status.why}'
-    if now-pursuit.seen>self.patience: self._set(pursuit, TrackingStatus(why=why), ends=True)
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #870db485
-@patch
-def _run(self:Tracker):
-    "The thread: look at each frame while there is a target"
-    try:
-        with self.camera.frames.watching() as frames:
-            number = -1 if frames.newest is None else frames.newest.number     # it may be an old one
-            while (pursuit := self._target()) is not None:
-                if frames.over: raise CameraError(frames.over)
-                pursuit.number = number = max(number, pursuit.number)
-                self.see(pursuit, frames.next(number, .2))
-                number = pursuit.number
-    except CameraError: self.close()            # the camera was closed just now
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #575db30f
-@patch
-def _target(self:Tracker)->Pursuit|None:
-    "The target; with none, the thread ends"
-    with self._changed:
-        self._runs = self._pursuit is not None
-        return self._pursuit
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #c525a400
 @patch
@@ -474,7 +419,7 @@ def stop(self:Tracker):
 def next(self:Tracker, after:int=-1, # The number of the last frame seen
          timeout:float|None=None, # s; `None` waits as long as it takes
         )->TrackingStatus|None:
-    "How it stands in a later frame than `after`: waits for it. `None` on timeout, and when nothing is tracked"
+    "Wait for the status in a later frame than `after`; `None` on timeout, and when nothing is tracked"
     def there(): return self.status.frame is not None and self.status.frame.number>after
     with self._changed:
         self._changed.wait_for(lambda: self._pursuit is None or there(), timeout)
@@ -488,3 +433,68 @@ def close(self:Tracker, timeout:float=5., # s that a frame under way may take
     with self._changed: self.closed,thread = True,self._thread
     self.stop()
     return _has_ended(thread, timeout)
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #870db485
+@patch
+def _run(self:Tracker):
+    "The thread: take each frame while there is a target"
+    try:
+        with self.camera.frames.watching() as frames:
+            number = -1 if frames.newest is None else frames.newest.number     # it may be an old one
+            while (pursuit := self._target()) is not None:
+                if frames.over: raise CameraError(frames.over)
+                pursuit.number = number = max(number, pursuit.number)
+                self.see(pursuit, frames.next(number, .2))
+                number = pursuit.number
+    except CameraError: self.close()            # the camera was closed just now
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #575db30f
+@patch
+def _target(self:Tracker)->Pursuit|None:
+    "The target; with none, the thread ends"
+    with self._changed:
+        self._runs = self._pursuit is not None
+        return self._pursuit
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #927ebc90
+@patch
+def see(self:Tracker, pursuit:Pursuit, frame):
+    "Take the next frame for this target; `None`: none came"
+    now = self.clock()
+    if pursuit.arrived is None: pursuit.arrived = pursuit.seen = now
+    if (status := self._status_of(pursuit, frame)) is None: return
+    if status.status=='active': pursuit.seen = now
+    self._set(pursuit, status)
+    why = f'not seen for {self.patience:g} s: {status.why}'
+    if now-pursuit.seen>self.patience: self._set(pursuit, TrackingStatus(why=why), ends=True)
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #c1d5bed7
+@patch
+def _status_of(self:Tracker, pursuit:Pursuit, frame)->TrackingStatus|None:
+    "Return the status with this frame, or without one; `None`: as before"
+    if frame is None:
+        late = self.clock()-pursuit.arrived>self.silence
+        why = self.camera.fault or (f'no frame for {self.silence:g} s' if late else '')
+        return TrackingStatus('error', pursuit.mode, frame=self.status.frame, why=why) if why else None
+    pursuit.arrived = self.clock()
+    try:
+        status = pursuit.look(frame, getattr(self.camera.lens, 'focal_length', NAN))
+        find = status.point and getattr(self.camera, '_target_place', None)
+        return replace(status, place=find(frame, status.point)) if find else status
+    except Exception as e:
+        self.camera.log.exception('a frame cannot be tracked')
+        return TrackingStatus('error', pursuit.mode, frame=frame, why=str(e) or type(e).__name__)
+
+# %% ../../nbs/api/cameras/06_tracker.ipynb #e49125ef
+@patch
+def _set(self:Tracker, pursuit:Pursuit|None, status:TrackingStatus, ends:bool=False):
+    "Set the status of `pursuit`, which may end with it, unless there is another target; announce a change"
+    with self._announcing:
+        with self._changed:
+            if self._pursuit is not pursuit: return
+            if ends: self._pursuit = pursuit = None
+            changed = self._announced != (pursuit,status.status)
+            self._announced = pursuit,status.status
+            self.status = status
+            self._changed.notify_all()
+        if changed: self.camera.announce(status)

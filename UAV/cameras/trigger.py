@@ -16,11 +16,11 @@ from ..utils.threads import _begin_thread, timers
 from ..utils.geo import great_circle, metres, moved, velocity_here
 
 # %% auto #0
-__all__ = ['DistanceTrigger', 'PlaceUnknown', 'TriggerStatus', 'Trigger', 'CaptureQueue']
+__all__ = ['DistanceTrigger', 'Trigger', 'PlaceUnknown', 'TriggerStatus', 'CaptureQueue']
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #42cc5dba
 class DistanceTrigger:
-    "Says when the vehicle has come so far that the next picture is due; raises `ValueError`"
+    "Decides when the vehicle has come so far that the next picture is due; raises `ValueError`"
     least,most = .1,1e5         # m
     slack = 3.                  # m that a position may be beside the place where the velocity has led
     fastest = 70.               # m/s that are believed without a velocity
@@ -29,30 +29,45 @@ class DistanceTrigger:
     def __init__(self, distance:float): # Between two pictures, m
         self.distance = inside('distance', distance, self.least, self.most)
         self.anchor,self.stood = None,None      # where the last picture was taken; where it stands
-        self.last,self.tells_speed = None,False # the last position: `(moment, lat, lon)`; did it ever tell a velocity?
+        self.last = None                        # the last position: `(moment, lat, lon)`
+        self.tells_speed = False                # has a velocity come that isn't 0?
         self.late = 0.                          # m that the last picture came too late
 
-    flown = property(lambda self: great_circle(*self.anchor, *self.last[1:]) if self.last else 0.,
-        doc="m from the last picture to the last position, as a great circle")
-    due = property(lambda self: self.flown>=self.distance-self.late,
-        doc="Is the next picture due? The way flown has reached `distance`, less what the last one came too late (m)")
+    @property
+    def flown(self)->float:
+        "m from the last picture to the last position, as a great circle"
+        return great_circle(*self.anchor, *self.last[1:]) if self.last else 0.
+
+    @property
+    def due(self)->bool:
+        "True if the way flown has reached `distance`, less what the last picture came too late"
+        return self.flown >= self.distance-self.late
 
     def __repr__(self): return f'DistanceTrigger: {self.flown:.1f} of {self.distance:g} m'
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #25595db8
+@patch
+def feed(self:DistanceTrigger, moment:float, # s
+         lat:float, lon:float, # Degrees
+         north:float=NAN, east:float=NAN, # Velocity, m/s
+        )->bool:
+    "Take a position; returns whether a picture is due"
+    if self.last is None: self.anchor,self.last = (lat,lon),(moment,lat,lon)
+    has_velocity = known(north) and known(east)
+    if has_velocity and (north or east): self.tells_speed = True
+    velocity = (north,east) if has_velocity and self.tells_speed else None
+    is_new = velocity is not None or (lat,lon)!=self.last[1:]         # the same place once more is no report
+    if moment>self.last[0] and is_new:
+        self.anchor = moved(*self.anchor, *self._not_flown(moment-self.last[0], lat, lon, velocity))
+        self.last = moment,lat,lon
+    return self.due
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #65bfbf2c
 @patch
 def taken(self:DistanceTrigger):
-    "The picture was taken, at the last position"
+    "Note that the picture was taken, at the last position"
     self.late = min(max(self.flown-(self.distance-self.late), 0.), self.distance/4)
     self.anchor = self.last and self.last[1:]
-
-# %% ../../nbs/api/cameras/07_trigger.ipynb #f91aa27b
-@patch
-def _stands(self:DistanceTrigger, lat:float, lon:float, speed:float)->bool:
-    "Does it stand? One that says so, and is far away then, does not"
-    if speed>=self.standing: self.stood = None
-    elif self.stood is None: self.stood = self.last[1:]
-    return self.stood is not None and great_circle(*self.stood, lat, lon)<self.drift
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #ed4e7784
 @patch
@@ -66,37 +81,18 @@ def _not_flown(self:DistanceTrigger, seconds:float, lat:float, lon:float, veloci
     beside = step[0]-led[0],step[1]-led[1]
     return beside if math.hypot(*beside)>self.slack+math.hypot(*led)/2 else (0.,0.)
 
-# %% ../../nbs/api/cameras/07_trigger.ipynb #25595db8
+# %% ../../nbs/api/cameras/07_trigger.ipynb #f91aa27b
 @patch
-def feed(self:DistanceTrigger, moment:float, # s
-         lat:float, lon:float, # Degrees
-         north:float=NAN, east:float=NAN, # Velocity, m/s
-        )->bool:
-    "Take a position; returns whether a picture is due"
-    if self.last is None: self.anchor,self.last = (lat,lon),(moment,lat,lon)
-    self.tells_speed = self.tells_speed or bool(north or east) and known(north) and known(east)
-    velocity = (north,east) if self.tells_speed and known(north) and known(east) else None
-    is_new = velocity is not None or (lat,lon)!=self.last[1:]         # the same place once more is no report
-    if moment>self.last[0] and is_new:
-        self.anchor = moved(*self.anchor, *self._not_flown(moment-self.last[0], lat, lon, velocity))
-        self.last = moment,lat,lon
-    return self.due
-
-# %% ../../nbs/api/cameras/07_trigger.ipynb #5964067c
-class PlaceUnknown(CameraBusy): "By distance, and it is not known where the camera is; it may be soon"
-
-@dataclass(frozen=True, repr=False, eq=False)
-class TriggerStatus(Value):
-    "Whether pictures are taken by distance; comes when that changes"
-    distance:float=NAN # Between two pictures, m; NaN: no distance was set
-    state:str='off' # 'on', 'off', or 'waiting': it is not known where the camera is
-    count:int=0 # Pictures since it was set
-    why:str='' # What people should know
+def _stands(self:DistanceTrigger, lat:float, lon:float, speed:float)->bool:
+    "True if it stands; one that reports so, and is far away then, does not"
+    if speed>=self.standing: self.stood = None
+    elif self.stood is None: self.stood = self.last[1:]
+    return self.stood is not None and great_circle(*self.stood, lat, lon)<self.drift
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5d35c5bd
 class Trigger:
-    "Has a camera take pictures by distance"
-    period = .02            # s between two looks at where the camera is
+    "Takes pictures with a camera by distance"
+    period = .02            # s between two polls of where the camera is
     too_late = 1.25         # distances after which it is announced that the camera cannot keep up
     def __init__(self,
         camera, # Its `pose`, `velocity`, `captures`, `min_interval`, `image_start_capture` and `announce` are used
@@ -123,45 +119,6 @@ class Trigger:
         except Exception: return *place,NAN,NAN
         return *place,north,east
 
-# %% ../../nbs/api/cameras/07_trigger.ipynb #87f0ef4f
-@patch
-def tell(self:Trigger, state:str, why:str=''):
-    "Announce a `TriggerStatus`, when it is another state or there is something to say"
-    before,self.status = self.status,TriggerStatus(self.distance, state, self.status.count, why)
-    if why or (before.state,before.distance)!=(state,self.status.distance): self.camera.announce(self.status)
-
-# %% ../../nbs/api/cameras/07_trigger.ipynb #29bc6403
-@patch
-def tick(self:Trigger):
-    "Look where the camera is, and take a picture if one is due"
-    rule,place = self.rule,self.place()
-    if rule is None: return
-    waits = self.status.state=='waiting'
-    if place is None: return None if waits else self.tell('waiting', 'no position: no pictures by distance')
-    due = rule.feed(self.clock(), *place)
-    if waits: self.tell('on', 'pictures by distance go on')
-    if due: self._shoot(rule)
-
-# %% ../../nbs/api/cameras/07_trigger.ipynb #65e5eab7
-@patch
-def _shoot(self:Trigger, rule:DistanceTrigger):
-    "Take a picture, or try again with the next look"
-    now,camera,status = self.clock(),self.camera,self.status
-    if camera.captures.state[0] or now-self.shot<camera.min_interval: return self._busy(rule)
-    try: camera.image_start_capture()
-    except CameraBusy: return self._busy(rule)
-    except Exception as e: return self.stop(f'no pictures by distance: {e}')
-    rule.taken()
-    self.shot,self.status = now,TriggerStatus(status.distance, status.state, status.count+1)
-
-# %% ../../nbs/api/cameras/07_trigger.ipynb #e76d65c2
-@patch
-def _busy(self:Trigger, rule:DistanceTrigger):
-    "The camera cannot: tell once when it comes much too late"
-    if self._complained or rule.flown<self.too_late*rule.distance: return
-    self._complained = True
-    self.tell('on', f'too fast for a picture every {rule.distance:g} m')
-
 # %% ../../nbs/api/cameras/07_trigger.ipynb #93c34577
 @patch
 def start(self:Trigger, distance:float, # m
@@ -173,8 +130,41 @@ def start(self:Trigger, distance:float, # m
     rule.feed(self.clock(), *place)
     self.shot = self.clock() if now else -math.inf
     self.status,self.rule,self._complained = TriggerStatus(count=int(now)),rule,False
-    self.tell('on')
+    self.announce('on')
     if self.job is None: self.job = timers.every(self.period, self.tick, delay=self.period)
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #29bc6403
+@patch
+def tick(self:Trigger):
+    "Poll where the camera is, and take a picture if one is due"
+    rule,place = self.rule,self.place()
+    if rule is None: return
+    waits = self.status.state=='waiting'
+    if place is None: return None if waits else self.announce('waiting', 'no position: no pictures by distance')
+    due = rule.feed(self.clock(), *place)
+    if waits: self.announce('on', 'pictures by distance go on')
+    if due: self._shoot(rule)
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #65e5eab7
+@patch
+def _shoot(self:Trigger, rule:DistanceTrigger):
+    "Take a picture, or try again with the next poll"
+    now,camera,status = self.clock(),self.camera,self.status
+    is_capturing,_ = camera.captures.state
+    if is_capturing or now-self.shot<camera.min_interval: return self._busy(rule)
+    try: camera.image_start_capture()
+    except CameraBusy: return self._busy(rule)
+    except Exception as e: return self.stop(f'no pictures by distance: {e}')
+    rule.taken()
+    self.shot,self.status = now,TriggerStatus(status.distance, status.state, status.count+1)
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #e76d65c2
+@patch
+def _busy(self:Trigger, rule:DistanceTrigger):
+    "Leave the picture due; announce once when it comes much too late"
+    if self._complained or rule.flown<self.too_late*rule.distance: return
+    self._complained = True
+    self.announce('on', f'too fast for a picture every {rule.distance:g} m')
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #80b309cf
 @patch
@@ -182,7 +172,7 @@ def stop(self:Trigger, why:str=''):
     "Take no more pictures; may be called twice"
     job,self.job,self.rule = self.job,None,None
     if job: timers.cancel(job)
-    if job or why: self.tell('off', why)
+    if job or why: self.announce('off', why)
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #01ada6e1
 @patch
@@ -190,27 +180,23 @@ def count_from_0(self:Trigger):
     "Forget how many pictures there were"
     self.status = TriggerStatus(self.status.distance, self.status.state)
 
-# %% ../../nbs/api/cameras/07_trigger.ipynb #1d388f76
-def _next_slot(slot:int, late:float, interval:float)->int:
-    "The slot to come after `slot`, `late` s after slot 0 was due, with `interval` s between slots"
-    return max(slot+1, math.ceil(late/interval))
+# %% ../../nbs/api/cameras/07_trigger.ipynb #5964067c
+class PlaceUnknown(CameraBusy): "By distance, and it is not known where the camera is; it may be soon"
 
-# %% ../../nbs/api/cameras/07_trigger.ipynb #52d3c6b3
-def _check_sequence(interval:float, count:int, min_interval:float)->tuple:
-    "`interval` (s) and `count` (0: until stopped), made possible; raises `ValueError` when they make no sense"
-    if not 0 <= interval <= 1e6: raise ValueError(f'interval must be 0 to 1000000 s, not {interval}')
-    whole = 0 <= count < math.inf and count == int(count)
-    if not whole: raise ValueError(f'count must be a whole number, 0 or more, not {count}')
-    return (0. if count == 1 else max(float(interval), min_interval)), int(count)
+@dataclass(frozen=True, repr=False, eq=False)
+class TriggerStatus(Value):
+    "Whether pictures are taken by distance; comes when that changes"
+    distance:float=NAN # Between two pictures, m; NaN: no distance was set
+    state:str='off' # 'on', 'off', or 'waiting': it is not known where the camera is
+    count:int=0 # Pictures since it was set
+    why:str='' # What people should know
 
-# %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5206
-class _CaptureJob:
-    "One picture (`interval` is 0), or a sequence of `count` (0: until stopped), every `interval` s"
-    def __init__(self, interval:float, count:int, index:int):
-        store_attr()
-        self.begun,self.stop = 0,clock.Event()
-
-    def __repr__(self): return f'CaptureJob({self.begun} of {self.count or "many"}, from {self.index})'
+# %% ../../nbs/api/cameras/07_trigger.ipynb #87f0ef4f
+@patch
+def announce(self:Trigger, state:str, why:str=''):
+    "Announce a `TriggerStatus`, if the state is another one or there is a reason to give"
+    before,self.status = self.status,TriggerStatus(self.distance, state, self.status.count, why)
+    if why or (before.state,before.distance)!=(state,self.status.distance): self.camera.announce(self.status)
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #af7b96fc
 class CaptureQueue:
@@ -219,26 +205,14 @@ class CaptureQueue:
     def __init__(self,
                  camera): # Its `storages`, `announce`, `capture_status` and what takes and announces a picture are used
         self.camera,self.jobs,self.changed = camera,deque(),clock.Condition()
-        self.thread,self.running,self.progress = None,False,0.      # s, when a shot was last begun or a job finished
+        self.thread,self.running = None,False
+        self.progress = 0.              # s, when a shot was last begun or a job finished
         self.next_index = 0             # of the next job's first picture
         self.state = self.announced = False,0.       # capturing and interval: as it is, as it was announced
         self.refusal = None             # why nothing is accepted: kind of error, text
         self.trigger = Trigger(camera)  # asks for pictures by distance
 
     def __repr__(self): return f'CaptureQueue({list(self.jobs)})'
-
-# %% ../../nbs/api/cameras/07_trigger.ipynb #c9215d4e
-CaptureQueue.sequence_runs = property(lambda self: any(j.count!=1 and not j.stop.is_set() for j in list(self.jobs)),
-    doc="Is a sequence under way, or waiting?")
-
-@patch
-def _check(self:CaptureQueue, single:bool):
-    "Raise what speaks against taking a picture now"
-    if self.refusal: raise self.refusal[0](self.refusal[1])
-    if self.sequence_runs: raise CameraBusy('a sequence is running')
-    if self.jobs and not single: raise CameraBusy('a picture is being taken')
-    if len(self.jobs) > self.max_waiting: raise CameraBusy(f'{self.max_waiting} pictures are waiting already')
-    self.camera.storages.check_room()
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #e19e6ebb
 @patch
@@ -268,9 +242,93 @@ def stop(self:CaptureQueue):
     with self.changed:
         for job in self.jobs: job.stop.set()
 
+# %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a53f3
+@patch
+def wait_idle(self:CaptureQueue, timeout:float|None=None, # s; `None` waits as long as it takes
+             )->bool:
+    "Wait until nothing is being taken and all is announced; False on timeout"
+    with self.changed: return self.changed.wait_for(lambda: not self.running, timeout)
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5206
+class _CaptureJob:
+    "One picture (`interval` is 0), or a sequence of `count` (0: until stopped), every `interval` s"
+    def __init__(self, interval:float, count:int, index:int):
+        store_attr()
+        self.begun,self.stop = 0,clock.Event()
+
+    def __repr__(self): return f'CaptureJob({self.begun} of {self.count or "many"}, from {self.index})'
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #c9215d4e
+@patch(as_prop=True)
+def sequence_runs(self:CaptureQueue)->bool:
+    "True while a sequence is under way or waiting"
+    return any(job.count!=1 and not job.stop.is_set() for job in list(self.jobs))
+
+@patch
+def _check(self:CaptureQueue, single:bool):
+    "Raise the reason that no picture can be taken now"
+    if self.refusal: raise self.refusal[0](self.refusal[1])
+    if self.sequence_runs: raise CameraBusy('a sequence is running')
+    if self.jobs and not single: raise CameraBusy('a picture is being taken')
+    if len(self.jobs) > self.max_waiting: raise CameraBusy(f'{self.max_waiting} pictures are waiting already')
+    self.camera.storages.check_room()
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #1d388f76
+def _next_slot(slot:int, late:float, interval:float)->int:
+    "The slot to come after `slot`, `late` s after slot 0 was due, with `interval` s between slots"
+    return max(slot+1, math.ceil(late/interval))
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #52d3c6b3
+def _check_sequence(interval:float, count:int, min_interval:float)->tuple:
+    "`interval` (s) and `count` (0: until stopped), made possible; raises `ValueError` when they make no sense"
+    if not 0 <= interval <= 1e6: raise ValueError(f'interval must be 0 to 1000000 s, not {interval}')
+    whole = 0 <= count < math.inf and count == int(count)
+    if not whole: raise ValueError(f'count must be a whole number, 0 or more, not {count}')
+    return (0. if count == 1 else max(float(interval), min_interval)), int(count)
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a520c
+@patch
+def _run(self:CaptureQueue):
+    "The capture thread: one job after the other"
+    while job := self._next_job():
+        try: self._do(job)
+        except BaseException: self.camera.log.exception('%r goes on, after', self)
+        self._finish(job)
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5222
+@patch
+def _next_job(self:CaptureQueue):
+    "Return the next task; `None` ends the thread, once the idle status was sent"
+    while True:
+        with self.changed:
+            if not self.running: return          # `close` has given up on us
+            if self.jobs: return self.jobs[0]
+            self.state = False,0.
+            if self.announced == self.state:
+                self.running = False
+                return self.changed.notify_all()
+        self.announce_state()
+
+# %% ../../nbs/api/cameras/07_trigger.ipynb #9f9a4f09
+@patch
+def _do(self:CaptureQueue, job):
+    "Take the pictures of one job by its timetable, until it is done or stopped"
+    t0,slot = clock.monotonic(),0
+    while self._begin(job):
+        self.announce_state((True, job.interval))
+        picture = self.camera._take_picture()
+        if picture is None: return           # `close` has given up on us
+        last = job.begun == job.count
+        if last: self._finish(job)       # whoever gets the event of the last picture may take another
+        self.camera._announce_picture(picture)
+        if last: return
+        self.announce_state((False, job.interval))
+        slot = _next_slot(slot, clock.monotonic()-t0, job.interval)
+        job.stop.wait(max(0, t0+slot*job.interval-clock.monotonic()))
+
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a53f1
 @patch
-def tell_state(self:CaptureQueue, state:tuple|None=None):
+def announce_state(self:CaptureQueue, state:tuple|None=None):
     "Announce the state, unless it was announced already"
     with self.changed:
         self.state = state or self.state
@@ -295,53 +353,6 @@ def _finish(self:CaptureQueue, job):
         if self.jobs and self.jobs[0] is job: self.jobs.popleft()
         self.progress = clock.monotonic()
 
-# %% ../../nbs/api/cameras/07_trigger.ipynb #9f9a4f09
-@patch
-def _do(self:CaptureQueue, job):
-    "Take the pictures of one job by its timetable, until it is done or stopped"
-    t0,slot = clock.monotonic(),0
-    while self._begin(job):
-        self.tell_state((True, job.interval))
-        picture = self.camera._take_picture()
-        if picture is None: return           # `close` has given up on us
-        last = job.begun == job.count
-        if last: self._finish(job)       # the one who hears of the last picture may ask for another
-        self.camera._announce_picture(picture)
-        if last: return
-        self.tell_state((False, job.interval))
-        slot = _next_slot(slot, clock.monotonic()-t0, job.interval)
-        job.stop.wait(max(0, t0+slot*job.interval-clock.monotonic()))
-
-# %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5222
-@patch
-def _next_job(self:CaptureQueue):
-    "Return the next task; `None` ends the thread, once the idle status was sent"
-    while True:
-        with self.changed:
-            if not self.running: return          # `close` has given up on us
-            if self.jobs: return self.jobs[0]
-            self.state = False,0.
-            if self.announced == self.state:
-                self.running = False
-                return self.changed.notify_all()
-        self.tell_state()
-
-# %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a520c
-@patch
-def _run(self:CaptureQueue):
-    "The capture thread: one job after the other"
-    while job := self._next_job():
-        try: self._do(job)
-        except BaseException: self.camera.log.exception('%r goes on, after', self)
-        self._finish(job)
-
-# %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a53f3
-@patch
-def wait_idle(self:CaptureQueue, timeout:float|None=None, # s; `None` waits as long as it takes
-             )->bool:
-    "Wait until nothing is being taken and all is announced; False on timeout"
-    with self.changed: return self.changed.wait_for(lambda: not self.running, timeout)
-
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5223
 @patch
 def close(self:CaptureQueue, patience:float, # s that a picture may take
@@ -354,7 +365,8 @@ def close(self:CaptureQueue, patience:float, # s that a picture may take
     while self.thread.is_alive() and (left := max(soon, self.progress+patience)-clock.monotonic()) > 0:
         self.thread.join(left)
     with self.changed:
-        hangs,self.running = self.running,False
+        hangs = self.running
+        self.running = False
         rest = list(self.jobs) if hangs else ()         # shots that were promised, and will not be taken
         if hangs: self.jobs.clear()
         self.changed.notify_all()
