@@ -5835,6 +5835,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                  'UAV.testing.kit._equals': ('api/testing/kit.html#_equals', 'UAV/testing/kit.py'),
                                  'UAV.testing.kit._fits': ('api/testing/kit.html#_fits', 'UAV/testing/kit.py'),
                                  'UAV.testing.kit._is_free': ('api/testing/kit.html#_is_free', 'UAV/testing/kit.py'),
+                                 'UAV.testing.kit._is_named': ('api/testing/kit.html#_is_named', 'UAV/testing/kit.py'),
+                                 'UAV.testing.kit._passed_between': ('api/testing/kit.html#_passed_between', 'UAV/testing/kit.py'),
                                  'UAV.testing.kit._place': ('api/testing/kit.html#_place', 'UAV/testing/kit.py'),
                                  'UAV.testing.kit._strip_height': ('api/testing/kit.html#_strip_height', 'UAV/testing/kit.py'),
                                  'UAV.testing.kit._times': ('api/testing/kit.html#_times', 'UAV/testing/kit.py'),
