@@ -7162,6 +7162,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                 'UAV.wire.chart._text_width': ('api/wire/chart.html#_text_width', 'UAV/wire/chart.py'),
                                 'UAV.wire.chart._tick_step': ('api/wire/chart.html#_tick_step', 'UAV/wire/chart.py'),
                                 'UAV.wire.chart._time_ruler': ('api/wire/chart.html#_time_ruler', 'UAV/wire/chart.py'),
+                                'UAV.wire.chart._time_unit': ('api/wire/chart.html#_time_unit', 'UAV/wire/chart.py'),
                                 'UAV.wire.chart._value': ('api/wire/chart.html#_value', 'UAV/wire/chart.py'),
                                 'UAV.wire.chart.element': ('api/wire/chart.html#element', 'UAV/wire/chart.py'),
                                 'UAV.wire.chart.one_line': ('api/wire/chart.html#one_line', 'UAV/wire/chart.py'),
