@@ -67,6 +67,223 @@ class GSTCamera(_LiveCamera):
     _coded = property(lambda self: bool(self.encoder and not self.recipe.encoder),
         doc="Does the source itself give H.264 or H.265?")
 
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #50aa6dd7
+@patch
+def _prepare(self:GSTCamera, pipeline):
+    "Take what a new pipeline gives; called on the keeper's thread"
+    self.controls.again(pipeline)
+    pipeline.on_sample('uav_frames', self._on_frame)
+    with self.newest.changed: pipeline.open_valve('uav_frames_valve', self.newest.open)
+    if self.encoder: self.encoder.prepare(pipeline)
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #70ec494e
+@patch
+def _on_frame(self:GSTCamera, data, width, height, rate, taken):
+    "Called on GStreamer's thread"
+    before = self.information.resolution_h,self.information.resolution_v
+    if before != (width,height): self.information = replace(self.information, resolution_h=width, resolution_v=height)
+    if rate: self.frame_rate = rate
+    time_utc = clock.time()-clock.monotonic()+taken
+    self.newest.put(Frame(_as_image(data, width, height), self.newest.number+1, time_utc))
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #2509c764
+@patch
+def _on_problem(self:GSTCamera, problem:str|None):
+    "The source has a problem, or has it no longer; called by the keeper"
+    self.newest.wake()
+    if problem is None: self.controls.again(self.keeper.pipeline)       # a device has its channels now
+    if self.newest.newest is not None: self.set_fault(problem and f'{self.information.model}: {problem}')
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #6f5258e6
+@patch
+def _begin(self:GSTCamera):
+    "Start, and wait for the first frame; raises `CameraError`"
+    self.keeper.start()
+    try:
+        frame = self.next_frame(timeout=self.open_timeout)
+        self.controls.find(self.keeper.pipeline)
+    except BaseException:
+        self.close()
+        raise
+    self.declared = [*self.declared, *self.controls.declared]
+    if self.encoder: self.encoder.expect(frame)
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #38d25435
+class _AskedFrame(NewestFrame):
+    "The newest frame of a source that makes frames while one asks"
+    def __init__(self):
+        super().__init__()
+        self.open,self.asked,self.waiting = False,0.,0          # is the valve open? when did one ask? how many wait?
+
+    def next(self, after:int, timeout:float, fails=lambda: None)->Frame|None:
+        with self.changed: self.waiting += 1
+        try: return super().next(after, timeout, fails)
+        finally:
+            with self.changed: self.waiting,self.asked = self.waiting-1,clock.monotonic()
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #c2b2daad
+@patch
+def _ask(self:GSTCamera)->int:
+    "Have frames made, for a while; the number of the last frame that is too old"
+    newest,pipeline = self.newest,self.keeper.pipeline
+    with newest.changed:
+        newest.asked = clock.monotonic()
+        if newest.open: return -1
+        newest.open,old = True,newest.number
+        if pipeline: pipeline.open_valve('uav_frames_valve', at_key=self._coded)
+    if pipeline and self._coded: pipeline.ask_key()
+    return old
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #d9b62b9c
+@patch
+def _on_beat(self:GSTCamera):
+    "Close the valve when none has asked for a while; the keeper calls it"
+    newest = self.newest
+    with newest.changed:
+        if not newest.open or newest.waiting or clock.monotonic()-newest.asked < self._lease: return
+        newest.open = False
+        self.keeper.pipeline.open_valve('uav_frames_valve', False)
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #628e9272
+@patch
+def next_frame(self:GSTCamera,
+    after:int=-1, # The number of the last frame seen
+    timeout:float|None=None, # s; `None`: `read_timeout`, or `open_timeout` when a key frame must come first
+)->Frame:
+    "Wait for a frame later than `after`; raises `CameraError` when none comes"
+    newest,keeper = self.newest,self.keeper
+    if timeout is None: timeout = self.open_timeout if self._coded else self.read_timeout
+    frame = newest.next(max(after, self._ask()), timeout, lambda: keeper.problem)
+    if newest.over: raise CameraError(newest.over)
+    if frame and not keeper.problem: return frame
+    raise CameraError(f'{self.information.model}: {keeper.problem or f"no frame for {timeout:g} s"}')
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #9d7d017f
+class _PipelineEncoder(PassThrough):
+    "The access units of a camera's pipeline"
+    def __init__(self, camera, codec:str):
+        super().__init__(codec, camera.information.model)
+        self.camera,self.wish,self.made = camera,None,0     # the bitrate as asked for, and as it is
+
+    def run(self, on):
+        if pipeline := self.camera.keeper.pipeline: pipeline.open_valve('uav_units_valve', on)
+
+    def ask_key(self):
+        if pipeline := self.camera.keeper.pipeline: pipeline.ask_key()
+
+    def set_bitrate(self, bitrate):
+        if pipeline := self.camera.keeper.pipeline: pipeline.bitrate = bitrate
+        self.wish = self.made = bitrate
+
+    def prepare(self, pipeline):
+        "Take what a new pipeline gives"
+        if self.wish: pipeline.bitrate = self.wish
+        self.made = pipeline.bitrate
+        pipeline.on_sample('uav_units', self._on_unit)
+        pipeline.open_valve('uav_units_valve', bool(self.sinks))
+
+    def _on_unit(self, data, width, height, rate, taken):
+        "Called on GStreamer's thread"
+        self.push(data, taken, width=width, height=height, rate=rate or self.rate, bitrate=self.made)
+
+    def expect(self, frame:Frame):
+        "Say what the units will be like, before the first one: as large as `frame`"
+        height,width = frame.image.shape[:2]
+        self.expected = VideoFormat(self.codec, width, height, self.camera.frame_rate, self.made)
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #4a8b0a51
+@patch
+def make_encoder(self:GSTCamera, codec:str, size:tuple|None, rate:float, bitrate:int|None):
+    "Return the pipeline's encoder if it fits, else one of our frames"
+    ours,resolution = self.encoder,(self.information.resolution_h,self.information.resolution_v)
+    if ours is None or codec != ours.codec or size not in (None, resolution):
+        return Camera.make_encoder(self, codec, size, rate, bitrate)
+    if bitrate:
+        with suppress(ValueError): ours.bitrate = bitrate       # a camera on the network has its own mind
+    return ours
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #c9f1a965
+class _Keeper:
+    "Keeps a pipeline running, on a thread of its own"
+    def __init__(self, line:str, owner, name:str):
+        store_attr()
+        self.pipeline,self.problem = None,None          # `problem`: why nothing comes now
+        self.closing,self.thread = clock.Event(),None
+
+    def __repr__(self): return f'{type(self).__name__} of {self.name}: {self.problem or "all is well"}'
+
+    def _note(self, problem:str|None):
+        "Note a problem, or that there is none any more; the owner gets the changes"
+        changed,self.problem = bool(problem) != bool(self.problem),problem
+        if changed: self.owner._on_problem(problem)
+
+    def close(self, timeout:float)->bool:
+        "End the pipeline and the thread; false when that takes more than `timeout` s. May be called twice"
+        self.closing.set()
+        if pipeline := self.pipeline: pipeline.wake()
+        return _has_ended(self.thread, timeout)
+
+    def start(self): self.thread = _begin_thread(self._run, f'gst {self.name}')
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #0dd9bcb6
+@patch
+def _watch(self:_Keeper, pipeline)->str|None:
+    "Wait until the pipeline has ended, or should: why; `None` when we are closed"
+    began,owner = clock.monotonic(),self.owner
+    while not self.closing.is_set():
+        if problem := pipeline.problem(owner.read_timeout/4): return f'it has stopped: {problem}'
+        limit = owner.read_timeout if pipeline.arrived else owner.open_timeout
+        silent = clock.monotonic()-(pipeline.arrived or began)
+        if silent > 3*limit: return f'nothing has come for {3*limit:g} s'
+        if silent > limit: self._note(f'nothing has come for {limit:g} s')
+        elif pipeline.arrived: self._note(None)
+        owner._on_beat()
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #0eb6f80f
+@patch
+def _live(self:_Keeper, pipeline)->str|None:
+    "One life of a pipeline, which is stopped in any case: why it ended"
+    def came():             # the problem is over, if there was one
+        if self.problem: pipeline.wake()
+    try:
+        self.owner._prepare(pipeline)
+        pipeline.watch(came)
+        pipeline.start()
+        return self._watch(pipeline)
+    except CameraError as e: return f'it cannot be opened: {e}'
+    except Exception as e:
+        self.owner.log.exception('%r', self)
+        return str(e)
+    finally:
+        stopped = pipeline.stop(self.owner.close_timeout/2)
+        if not stopped: self.owner.log.error('%r: it does not stop; it is left alone', self)
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #50a8d3c4
+@patch
+def _after(self:_Keeper, problem:str|None, wait:float)->float:
+    "Report why a pipeline ended; return the seconds until the next one, when the last pause was `wait`"
+    pipeline,first = self.pipeline,self.owner.first_retry
+    if self.closing.is_set(): return 0.
+    if pipeline.arrived and pipeline.film: return min(first, .05)
+    self._note(problem)
+    return first if pipeline.arrived else min(2*wait, self.owner.last_retry)
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #5ae5dbf4
+@patch
+def _run(self:_Keeper):
+    wait = self.owner.first_retry
+    while not self.closing.is_set():
+        self.pipeline = GSTPipeline(self.line, self.name)
+        wait = self._after(self._live(self.pipeline), wait)
+        self.closing.wait(wait)
+    self.pipeline = None            # its sockets close with it
+
+# %% ../../nbs/api/cameras/15_gst_cam.ipynb #bfa520cb
+@patch
+def apply_parameter(self:GSTCamera, name:str, value)->dict|None:
+    "Set it in the pipeline; raises `CameraError` while the source doesn't run"
+    if any(p.name == name for p in self.controls.declared): return self.controls.set(self.keeper.pipeline, name, value)
+
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #104d2078
 _kinds = dict(gboolean='bool', gint='int32', guint='uint32', gint64='int64', guint64='uint64',
               gfloat='float', gdouble='float')
@@ -154,7 +371,7 @@ def _balance(self:_GSTControls, pipeline, name:str, value:int)->int:
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #18eac149
 @patch
 def _try(self:_GSTControls, pipeline, values:dict):
-    "Set these; what the pipeline does not have yet, or not any more, is passed over"
+    "Set these; pass over those that the pipeline doesn't have"
     for name in list(self.made):
         with suppress(CameraError): self.set(pipeline, name, values[name])
 
@@ -162,220 +379,3 @@ def _try(self:_GSTControls, pipeline, values:dict):
 def again(self:_GSTControls, pipeline): self._try(pipeline, self.made)
 @patch
 def leave(self:_GSTControls, pipeline): self._try(pipeline, {p.name: p.default for p in self.declared})
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #c9f1a965
-class _Keeper:
-    "Keeps a pipeline running, on a thread of its own"
-    def __init__(self, line:str, owner, name:str):
-        store_attr()
-        self.pipeline,self.problem = None,None          # `problem`: why nothing comes now
-        self.closing,self.thread = clock.Event(),None
-
-    def __repr__(self): return f'{type(self).__name__} of {self.name}: {self.problem or "all is well"}'
-
-    def _note(self, problem:str|None):
-        "Note a problem, or that there is none any more; the owner hears of changes"
-        changed,self.problem = bool(problem) != bool(self.problem),problem
-        if changed: self.owner._on_problem(problem)
-
-    def close(self, timeout:float)->bool:
-        "End the pipeline and the thread; false when that takes more than `timeout` s. May be called twice"
-        self.closing.set()
-        if pipeline := self.pipeline: pipeline.wake()
-        return _has_ended(self.thread, timeout)
-
-    def start(self): self.thread = _begin_thread(self._run, f'gst {self.name}')
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #0dd9bcb6
-@patch
-def _watch(self:_Keeper, pipeline)->str|None:
-    "Wait until the pipeline has ended, or should: why; `None` when we are closed"
-    began,owner = clock.monotonic(),self.owner
-    while not self.closing.is_set():
-        if problem := pipeline.problem(owner.read_timeout/4): return f'it has stopped: {problem}'
-        limit = owner.read_timeout if pipeline.arrived else owner.open_timeout
-        silent = clock.monotonic()-(pipeline.arrived or began)
-        if silent > 3*limit: return f'nothing has come for {3*limit:g} s'
-        if silent > limit: self._note(f'nothing has come for {limit:g} s')
-        elif pipeline.arrived: self._note(None)
-        owner._on_beat()
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #0eb6f80f
-@patch
-def _live(self:_Keeper, pipeline)->str|None:
-    "One life of a pipeline, which is stopped in any case: why it ended"
-    def came():             # the problem is over, if there was one
-        if self.problem: pipeline.wake()
-    try:
-        self.owner._prepare(pipeline)
-        pipeline.watch(came)
-        pipeline.start()
-        return self._watch(pipeline)
-    except CameraError as e: return f'it cannot be opened: {e}'
-    except Exception as e:
-        self.owner.log.exception('%r', self)
-        return str(e)
-    finally:
-        stopped = pipeline.stop(self.owner.close_timeout/2)
-        if not stopped: self.owner.log.error('%r: it does not stop; it is left alone', self)
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #50a8d3c4
-@patch
-def _after(self:_Keeper, problem:str|None, wait:float)->float:
-    "Tell why a pipeline ended; the seconds until the next one, when the last pause was `wait`"
-    pipeline,first = self.pipeline,self.owner.first_retry
-    if self.closing.is_set(): return 0.
-    if pipeline.arrived and pipeline.film: return min(first, .05)
-    self._note(problem)
-    return first if pipeline.arrived else min(2*wait, self.owner.last_retry)
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #5ae5dbf4
-@patch
-def _run(self:_Keeper):
-    wait = self.owner.first_retry
-    while not self.closing.is_set():
-        self.pipeline = GSTPipeline(self.line, self.name)
-        wait = self._after(self._live(self.pipeline), wait)
-        self.closing.wait(wait)
-    self.pipeline = None            # its sockets close with it
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #38d25435
-class _AskedFrame(NewestFrame):
-    "The newest frame of a source that makes frames while one asks"
-    def __init__(self):
-        super().__init__()
-        self.open,self.asked,self.waiting = False,0.,0          # is the valve open? when did one ask? how many wait?
-
-    def next(self, after:int, timeout:float, fails=lambda: None)->Frame|None:
-        with self.changed: self.waiting += 1
-        try: return super().next(after, timeout, fails)
-        finally:
-            with self.changed: self.waiting,self.asked = self.waiting-1,clock.monotonic()
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #50aa6dd7
-@patch
-def _prepare(self:GSTCamera, pipeline):
-    "Take what a new pipeline gives; called on the keeper's thread"
-    self.controls.again(pipeline)
-    pipeline.on_sample('uav_frames', self._on_frame)
-    with self.newest.changed: pipeline.open_valve('uav_frames_valve', self.newest.open)
-    if self.encoder: self.encoder.prepare(pipeline)
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #70ec494e
-@patch
-def _on_frame(self:GSTCamera, data, width, height, rate, taken):
-    "Called on GStreamer's thread"
-    before = self.information.resolution_h,self.information.resolution_v
-    if before != (width,height): self.information = replace(self.information, resolution_h=width, resolution_v=height)
-    if rate: self.frame_rate = rate
-    time_utc = clock.time()-clock.monotonic()+taken
-    self.newest.put(Frame(_as_image(data, width, height), self.newest.number+1, time_utc))
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #c2b2daad
-@patch
-def _ask(self:GSTCamera)->int:
-    "Have frames made, for a while; the number of the last frame that is too old"
-    newest,pipeline = self.newest,self.keeper.pipeline
-    with newest.changed:
-        newest.asked = clock.monotonic()
-        if newest.open: return -1
-        newest.open,old = True,newest.number
-        if pipeline: pipeline.open_valve('uav_frames_valve', at_key=self._coded)
-    if pipeline and self._coded: pipeline.ask_key()
-    return old
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #d9b62b9c
-@patch
-def _on_beat(self:GSTCamera):
-    "Close the valve when none has asked for a while; the keeper calls it"
-    newest = self.newest
-    with newest.changed:
-        if not newest.open or newest.waiting or clock.monotonic()-newest.asked < self._lease: return
-        newest.open = False
-        self.keeper.pipeline.open_valve('uav_frames_valve', False)
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #628e9272
-@patch
-def next_frame(self:GSTCamera,
-    after:int=-1, # The number of the last frame seen
-    timeout:float|None=None, # s; `None`: `read_timeout`, or `open_timeout` when a key frame must come first
-)->Frame:
-    "Wait for a frame later than `after`; raises `CameraError` when none comes"
-    newest,keeper = self.newest,self.keeper
-    if timeout is None: timeout = self.open_timeout if self._coded else self.read_timeout
-    frame = newest.next(max(after, self._ask()), timeout, lambda: keeper.problem)
-    if newest.over: raise CameraError(newest.over)
-    if frame and not keeper.problem: return frame
-    raise CameraError(f'{self.information.model}: {keeper.problem or f"no frame for {timeout:g} s"}')
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #6f5258e6
-@patch
-def _begin(self:GSTCamera):
-    "Start, and wait for the first frame; raises `CameraError`"
-    self.keeper.start()
-    try:
-        frame = self.next_frame(timeout=self.open_timeout)
-        self.controls.find(self.keeper.pipeline)
-    except BaseException:
-        self.close()
-        raise
-    self.declared = [*self.declared, *self.controls.declared]
-    if self.encoder: self.encoder.expect(frame)
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #2509c764
-@patch
-def _on_problem(self:GSTCamera, problem:str|None):
-    "The source has a problem, or has it no longer; called by the keeper"
-    self.newest.wake()
-    if problem is None: self.controls.again(self.keeper.pipeline)       # a device has its channels now
-    if self.newest.newest is not None: self.set_fault(problem and f'{self.information.model}: {problem}')
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #bfa520cb
-@patch
-def apply_parameter(self:GSTCamera, name:str, value)->dict|None:
-    "Set it in the pipeline; raises `CameraError` while the source doesn't run"
-    if any(p.name == name for p in self.controls.declared): return self.controls.set(self.keeper.pipeline, name, value)
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #9d7d017f
-class _PipelineEncoder(PassThrough):
-    "The access units of a camera's pipeline"
-    def __init__(self, camera, codec:str):
-        super().__init__(codec, camera.information.model)
-        self.camera,self.wish,self.made = camera,None,0     # the bitrate as asked for, and as it is
-
-    def run(self, on):
-        if pipeline := self.camera.keeper.pipeline: pipeline.open_valve('uav_units_valve', on)
-
-    def ask_key(self):
-        if pipeline := self.camera.keeper.pipeline: pipeline.ask_key()
-
-    def set_bitrate(self, bitrate):
-        if pipeline := self.camera.keeper.pipeline: pipeline.bitrate = bitrate
-        self.wish = self.made = bitrate
-
-    def prepare(self, pipeline):
-        "Take what a new pipeline gives"
-        if self.wish: pipeline.bitrate = self.wish
-        self.made = pipeline.bitrate
-        pipeline.on_sample('uav_units', self._on_unit)
-        pipeline.open_valve('uav_units_valve', bool(self.sinks))
-
-    def _on_unit(self, data, width, height, rate, taken):
-        "Called on GStreamer's thread"
-        self.push(data, taken, width=width, height=height, rate=rate or self.rate, bitrate=self.made)
-
-    def expect(self, frame:Frame):
-        "Say what the units will be like, before the first one: as large as `frame`"
-        height,width = frame.image.shape[:2]
-        self.expected = VideoFormat(self.codec, width, height, self.camera.frame_rate, self.made)
-
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #4a8b0a51
-@patch
-def make_encoder(self:GSTCamera, codec:str, size:tuple|None, rate:float, bitrate:int|None):
-    "Return the pipeline's encoder if it fits, else one of our frames"
-    ours,resolution = self.encoder,(self.information.resolution_h,self.information.resolution_v)
-    if ours is None or codec != ours.codec or size not in (None, resolution):
-        return Camera.make_encoder(self, codec, size, rate, bitrate)
-    if bitrate:
-        with suppress(ValueError): ours.bitrate = bitrate       # a camera on the network has its own mind
-    return ours

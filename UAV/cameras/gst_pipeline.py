@@ -19,57 +19,207 @@ from ..utils.lazy import np
 from ..utils.threads import _begin_thread, _has_ended
 
 # %% auto #0
-__all__ = ['system_folders', 'apt_line', 'packages', 'GStreamerMissing', 'load_gst', 'config_file', 'gst', 'GSTPipeline']
+__all__ = ['packages', 'system_folders', 'apt_line', 'GSTPipeline', 'config_file', 'load_gst', 'GStreamerMissing', 'gst']
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #1594ebea
-_version = f'{sys.version_info.major}.{sys.version_info.minor}'
-system_folders = ['/usr/lib/python3/dist-packages',                     # Debian, Ubuntu, Raspberry Pi OS, JetPack
-                  f'/usr/lib64/python{_version}/site-packages',         # Fedora
-                  f'/usr/lib/python{_version}/site-packages']           # Arch
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #62301187
+class GSTPipeline:
+    "A GStreamer pipeline; raises `CameraError` when its line makes no sense"
+    def __init__(self, line:str, # For `gst_parse_launch`
+                 name:str='pipeline'): # For people
+        self.Gst,self.name = gst(),name
+        try: self.pipeline = self.Gst.parse_launch(line)
+        except Exception as e: raise CameraError(_in_words(getattr(e, 'message', str(e)))) from None
+        self.bus,self.live = self.pipeline.get_bus(),True
+        self.arrived,self.ended = None,False        # when the source gave something last; is it at its end?
+        self.film,self._calls = False,[]            # has it a length, as a file does? who calls us?
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #134365a6
-def _gi_folder(folders=None)->Path|None:
-    "The folder with a `gi` that was compiled for this Python; `None` when there is none. Usual are `system_folders`"
-    compiled = f'gi/_gi{sysconfig.get_config_var("EXT_SUFFIX")}'
-    folders = map(Path, system_folders if folders is None else folders)
-    return next((folder for folder in folders if (folder/compiled).exists()), None)
+    def __repr__(self): return f'GSTPipeline {self.name}'
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #c216fbfe
-class _SystemGi:
-    "Finds `gi`, and nothing else, among the packages of the system"
-    @staticmethod
-    def find_spec(name, path=None, target=None):
-        "For Python's `import gi`: where the system has it; `None` when it has none"
-        if name != 'gi' or (folder := _gi_folder()) is None: return None
-        return PathFinder.find_spec(name, [str(folder)])
+    def element(self, name:str):
+        "The element of this name, `None` when there is none"
+        return self.pipeline.get_by_name(name)
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #2a46b510
-apt_line = ('sudo apt-get install -y --no-install-recommends python3-gi gir1.2-gstreamer-1.0 '
-            'gir1.2-gst-plugins-base-1.0 gstreamer1.0-tools gstreamer1.0-plugins-base gstreamer1.0-plugins-good '
-            'gstreamer1.0-plugins-ugly gstreamer1.0-plugins-bad gstreamer1.0-libav')
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #919343cb
+@patch
+def start(self:GSTPipeline):
+    "Open the source, and begin; raises `CameraError`"
+    Gst,pacer = self.Gst,self.element('uav_clock')
+    begun = self.pipeline.set_state(Gst.State.PAUSED)
+    self.live = begun == Gst.StateChangeReturn.NO_PREROLL
+    if pacer and not self.live: pacer.set_property('sync', True)
+    if begun != Gst.StateChangeReturn.FAILURE: begun = self.pipeline.set_state(Gst.State.PLAYING)
+    if begun == Gst.StateChangeReturn.FAILURE: raise CameraError(self.problem(timeout=.1) or 'it does not start')
 
-class GStreamerMissing(ImportError): "GStreamer, or its binding for this Python, is not installed"
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #b1bacf02
+@patch
+def problem(self:GSTPipeline, timeout:float, # s
+           )->str|None:
+    "Wait for a message that says that it is over, and tell it; `None` on timeout, and after `wake`"
+    kind = self.Gst.MessageType
+    message = self.bus.timed_pop_filtered(int(timeout*1e9), kind.ERROR|kind.EOS|kind.APPLICATION)
+    if message and message.type == kind.ERROR: return _in_words(message.parse_error()[0].message)
+    self.ended = self.ended or bool(message and message.type == kind.EOS)
+    if not self.ended: return None
+    self.film = not self.live and self.pipeline.query_duration(self.Gst.Format.TIME)[1] > 0
+    return 'the stream has ended'
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #00726eb3
-def _what_is_missing(folders=None)->str:
-    "A sentence about what is missing, with the line that installs it"
-    folders = [Path(folder) for folder in (system_folders if folders is None else folders)]
-    compiled = [file.name.split('.')[1] for folder in folders for file in folder.glob('gi/_gi.*')]
-    if _gi_folder(folders) or not compiled: return f'GStreamer is not installed. On Debian and Ubuntu: {apt_line}'
-    return (f'the system has the GStreamer binding for {", ".join(compiled)}, and this is Python {_version}: make the '
-            "virtual environment with the system's python3, or pip install 'PyGObject<3.51', which compiles it")
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #a6bd2b8c
+@patch
+def wake(self:GSTPipeline):
+    "End the waiting of `problem`"
+    Gst = self.Gst
+    self.bus.post(Gst.Message.new_application(self.pipeline, Gst.Structure.new_empty('wake')))
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #c81c7a09
-def load_gst():
-    "GStreamer's module `Gst`, ready for use; raises `GStreamerMissing`"
-    if _SystemGi not in sys.meta_path: sys.meta_path.append(_SystemGi)
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #e647396a
+_given_up = []              # pipelines that did not stop
+
+@patch
+def stop(self:GSTPipeline, timeout:float=3., # s
+        )->bool:
+    "End it; false when it does not come to an end in time, and goes without us"
+    ending = _begin_thread(lambda: self.pipeline.set_state(self.Gst.State.NULL), f'stop {self.name}')
+    if not _has_ended(ending, timeout):
+        _given_up.append(self.pipeline)
+        return False
+    while self._calls:
+        forget,number = self._calls.pop()
+        forget(number)
+    return True
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #d93801a2
+@patch
+def on_sample(self:GSTPipeline, name:str, # Of an appsink
+              f): # Called as `f(data, width, height, rate, taken)`; `taken` in monotonic s
+    "Call `f` with each buffer that comes to an appsink"
+    sink = self.element(name)
+    self._calls.append((sink.disconnect, sink.connect('new-sample', self._sample, f)))
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #7e0501b2
+@patch
+def _sample(self:GSTPipeline, sink, f):
     try:
-        import gi
-        gi.require_version('Gst', '1.0')
-        from gi.repository import Gst
-    except (ImportError, ValueError) as e: raise GStreamerMissing(_what_is_missing()) from e
-    Gst.init(None)
-    return Gst
+        if sample := sink.emit('pull-sample'):
+            buffer = sample.get_buffer()
+            f(buffer.extract_dup(0, buffer.get_size()), *_size(sample), self._taken(sample))
+    except Exception: get_logger('video').exception('%r: a buffer was lost', self)
+    return self.Gst.FlowReturn.OK
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #53874e26
+def _size(sample)->tuple:
+    "Width, height, and frames in a second, or 0"
+    caps = sample.get_caps().get_structure(0)
+    known,over,under = caps.get_fraction('framerate')
+    return caps.get_value('width') or 0,caps.get_value('height') or 0,over/under if known and under else 0.
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #4bea48fb
+@patch
+def _taken(self:GSTPipeline, sample)->float:
+    "When the buffer was captured, monotonic s; now, when that cannot be so"
+    now,Gst,buffer = clock.monotonic(),self.Gst,sample.get_buffer()
+    source = self.pipeline.get_clock()
+    if not (self.live and source and buffer.pts != Gst.CLOCK_TIME_NONE): return now
+    running = sample.get_segment().to_running_time(Gst.Format.TIME, buffer.pts)
+    age = (source.get_time()-self.pipeline.get_base_time()-running)/1e9
+    return now-age if 0 <= age < 2 else now
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #2f1f30f1
+def _as_image(data:bytes, width:int, height:int):
+    "The array height x width x 3 of a frame"
+    return np.frombuffer(data, np.uint8).reshape(height, -1)[:,:width*3].reshape(height, width, 3).copy()
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #13946a60
+@patch
+def watch(self:GSTPipeline, f=None): # Called with each buffer of the source
+    "Note in `arrived` when the source gives something, and in `ended` when it is at its end"
+    kinds,end = self.Gst.PadProbeType,self.Gst.EventType.EOS
+    def came(pad, info):
+        self.arrived = clock.monotonic()
+        if f: f()
+        return self.Gst.PadProbeReturn.OK
+    def event(pad, info):
+        if info.get_event().type == end:
+            self.ended = True
+            self.wake()
+        return self.Gst.PadProbeReturn.OK
+    pad = self.element('uav_clock').get_static_pad('src')
+    for kind,call in ((kinds.BUFFER|kinds.BUFFER_LIST, came), (kinds.EVENT_DOWNSTREAM, event)):
+        self._calls.append((pad.remove_probe, pad.add_probe(kind, call)))
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #10b3b9b8
+@patch
+def open_valve(self:GSTPipeline, name:str, # Of a valve
+               on:bool=True, # Open, or closed?
+               at_key:bool=False): # Only with the next key frame?
+    "Open a branch, or close it"
+    Gst,valve = self.Gst,self.element(name)
+    def until_key(pad, info):
+        delta = info.get_buffer().has_flags(Gst.BufferFlags.DELTA_UNIT)
+        return Gst.PadProbeReturn.DROP if delta else Gst.PadProbeReturn.REMOVE
+    if on and at_key and valve.get_property('drop'):
+        valve.get_static_pad('src').add_probe(Gst.PadProbeType.BUFFER, until_key)
+    valve.set_property('drop', not on)
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #85ca797c
+@patch
+def ask_key(self:GSTPipeline, name:str='uav_units'):
+    "Ask for a key frame at an appsink; an encoder makes one, a camera may"
+    Gst,sink = self.Gst,self.element(name)
+    wish = 'GstForceKeyUnit, running-time=(guint64)18446744073709551615, all-headers=(boolean)true, count=(uint)1'
+    sink.send_event(Gst.Event.new_custom(Gst.EventType.CUSTOM_UPSTREAM, Gst.Structure.new_from_string(wish)))
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #1270fb82
+_kilobits = 'x264enc','x265enc','nvh264enc','nvh265enc','vah264enc','vah265enc','vaapih264enc','vaapih265enc'
+_bits = 'nvv4l2h264enc','nvv4l2h265enc','openh264enc'
+_bitrate_units = dict.fromkeys(_kilobits, 1000) | dict.fromkeys(_bits, 1)         # bit/s, by element
+
+@patch
+def encoder(self:GSTPipeline)->tuple:
+    "The element with a bitrate, and its unit in bit/s; `(None, 1)` when there is none"
+    named = ((element, element.get_factory().get_name()) for element in self.pipeline.children)
+    return next(((element, _bitrate_units[name]) for element,name in named if name in _bitrate_units), (None,1))
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #26005456
+@patch(as_prop=True)
+def bitrate(self:GSTPipeline)->int:
+    "The encoder's bitrate, bit/s; 0 when unknown"
+    element,unit = self.encoder()
+    return element.get_property('bitrate')*unit if element else 0
+
+@patch(set_prop=True)
+def bitrate(self:GSTPipeline, bitrate:int):
+    element,unit = self.encoder()
+    if element is None: raise ValueError(f'{self!r} has no encoder whose bitrate we could change')
+    element.set_property('bitrate', max(1, round(bitrate/unit)))
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #58cef4d8
+packages = {
+    'libgstreamer1.0-0': 'capsfilter clocksync fakesink fakesrc filesink filesrc identity queue tee valve',
+    'gstreamer1.0-plugins-base': '''appsink appsrc decodebin decodebin3 playbin tcpclientsrc tcpserversink
+        uridecodebin videoconvert videorate videoscale videotestsrc''',
+    'gstreamer1.0-plugins-good': '''avidemux jpegdec jpegenc matroskademux matroskamux mp4mux multifilesink
+        multifilesrc multipartdemux qtdemux qtmux rtph264depay rtph264pay rtph265depay rtph265pay rtpjitterbuffer
+        rtspsrc souphttpsrc splitmuxsink udpsink udpsrc v4l2convert v4l2h264dec v4l2h264enc v4l2sink v4l2src
+        videocrop videoflip''',
+    'gstreamer1.0-plugins-ugly': 'x264enc',
+    'gstreamer1.0-plugins-bad': '''h264parse h265parse intervideosink intervideosrc jpegparse mpegtsmux openh264dec
+        openh264enc rtmpsrc srtsink srtsrc tsdemux x265enc''',
+    'gstreamer1.0-x': 'textoverlay timeoverlay',
+    'gstreamer1.0-libav': 'avdec_h264 avdec_h265 avdec_mjpeg',
+    'gstreamer1.0-libcamera': 'libcamerasrc',
+    "NVIDIA's JetPack": '''nvarguscamerasrc nvjpegdec nvjpegenc nvv4l2camerasrc nvv4l2decoder nvv4l2h264enc
+        nvv4l2h265enc nvvidconv'''}
+
+def _package_of(element:str)->str|None:
+    "The package that has the element; `None` when we do not know"
+    return next((package for package,names in packages.items() if element in names.split()), None)
+
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #f59d1c85
+def _in_words(message:str)->str:
+    "Format GStreamer's error, with a missing element's package, without passwords"
+    message = re.sub(r'(?<=://)[^/\s]*@', '', message.strip().rstrip('.'))
+    missing = re.search(r'no element "([^"]+)"', message)
+    package = missing and _package_of(missing[1])
+    return f'{message}: it comes with {package}' if package else message
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #7f981628
 def config_file(name:str, # Path of a TOML file, or the name of one that comes with the package
@@ -147,8 +297,12 @@ class _Recipe:
         codec = gives if encoded else encodes
         parse = f'{codec}parse config-interval=-1' if parser else ''
         units = f'video/x-{codec},stream-format=byte-stream,alignment=au'
-        if encoded: source,to_frames,to_units,most = [self.source, parse, units],self.frames or decoder,[],30
-        else: source,to_frames,to_units,most = [self.source],self.frames,[self.encoder, parse, units],2
+        if encoded:
+            source,most = [self.source, parse, units],_queued_units
+            to_frames,to_units = self.frames or decoder,[]
+        else:
+            source,most = [self.source],_queued_frames
+            to_frames,to_units = self.frames,[self.encoder, parse, units]
         if gives == 'jpeg': source.append('jpegdec')
         head = ' ! '.join(filter(None, [*source, 'clocksync name=uav_clock sync=false', 'tee name=uav_tee']))
         lines = [head, _branch('frames', most, to_frames, _frames_end)]
@@ -171,6 +325,7 @@ def _recipe_of(sections:dict)->_Recipe:
                    position=given.get('camera_position', {}), parameters=given.get('parameters', {}))
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #59a70293
+_queued_frames,_queued_units = 2,30          # buffers in the queue of a branch
 _appsink = 'appsink name={} emit-signals=true sync=false async=false'
 _frames_end = 'videoconvert ! video/x-raw,format=BGR ! '+_appsink.format('uav_frames')+' max-buffers=1 drop=true'
 _units_end = _appsink.format('uav_units')
@@ -179,47 +334,6 @@ def _branch(name:str, most:int, *elements)->str:
     "A branch of the tee that holds nothing up"
     queue = f'queue leaky=downstream max-size-buffers={most} max-size-bytes=0 max-size-time=0'
     return ' ! '.join([f'uav_tee. ! valve name=uav_{name}_valve drop=true ! {queue}', *filter(None, elements)])
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #58cef4d8
-packages = {
-    'libgstreamer1.0-0': 'capsfilter clocksync fakesink fakesrc filesink filesrc identity queue tee valve',
-    'gstreamer1.0-plugins-base': '''appsink appsrc decodebin decodebin3 playbin tcpclientsrc tcpserversink
-        uridecodebin videoconvert videorate videoscale videotestsrc''',
-    'gstreamer1.0-plugins-good': '''avidemux jpegdec jpegenc matroskademux matroskamux mp4mux multifilesink
-        multifilesrc multipartdemux qtdemux qtmux rtph264depay rtph264pay rtph265depay rtph265pay rtpjitterbuffer
-        rtspsrc souphttpsrc splitmuxsink udpsink udpsrc v4l2convert v4l2h264dec v4l2h264enc v4l2sink v4l2src
-        videocrop videoflip''',
-    'gstreamer1.0-plugins-ugly': 'x264enc',
-    'gstreamer1.0-plugins-bad': '''h264parse h265parse intervideosink intervideosrc jpegparse mpegtsmux openh264dec
-        openh264enc rtmpsrc srtsink srtsrc tsdemux x265enc''',
-    'gstreamer1.0-x': 'textoverlay timeoverlay',
-    'gstreamer1.0-libav': 'avdec_h264 avdec_h265 avdec_mjpeg',
-    'gstreamer1.0-libcamera': 'libcamerasrc',
-    "NVIDIA's JetPack": '''nvarguscamerasrc nvjpegdec nvjpegenc nvv4l2camerasrc nvv4l2decoder nvv4l2h264enc
-        nvv4l2h265enc nvvidconv'''}
-
-def _package_of(element:str)->str|None:
-    "The package that has the element; `None` when we do not know"
-    return next((package for package,names in packages.items() if element in names.split()), None)
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #b3dcde17
-def gst():
-    "GStreamer's module `Gst`; raises `CameraError` when it is not installed"
-    try: Gst = load_gst()
-    except GStreamerMissing as e: raise CameraError(str(e)) from None
-    with suppress(ImportError, ValueError):
-        import gi
-        gi.require_version('GstVideo', '1.0')
-        from gi.repository import GstVideo      # noqa: F401  before the first element: later its interfaces have no methods
-    return Gst
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #f59d1c85
-def _in_words(message:str)->str:
-    "Format GStreamer's error, with a missing element's package, without passwords"
-    message = re.sub(r'(?<=://)[^/\s]*@', '', message.strip().rstrip('.'))
-    missing = re.search(r'no element "([^"]+)"', message)
-    package = missing and _package_of(missing[1])
-    return f'{message}: it comes with {package}' if package else message
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #88d7e2d2
 _kinds = {'video/x-h264': 'h264', 'video/x-h265': 'h265', 'image/jpeg': 'jpeg'}
@@ -248,171 +362,63 @@ def _whole_line(recipe:_Recipe)->tuple:
     decoder = next((line for name,line in known.items() if source in name and find(name)), 'decodebin')
     return recipe.line(source, encodes, decoder, parser=bool(encodes and find(f'{encodes}parse'))),encodes
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #62301187
-class GSTPipeline:
-    "A GStreamer pipeline; raises `CameraError` when its line makes no sense"
-    def __init__(self, line:str, # For `gst_parse_launch`
-                 name:str='pipeline'): # For people
-        self.Gst,self.name = gst(),name
-        try: self.pipeline = self.Gst.parse_launch(line)
-        except Exception as e: raise CameraError(_in_words(getattr(e, 'message', str(e)))) from None
-        self.bus,self.live = self.pipeline.get_bus(),True
-        self.arrived,self.ended = None,False        # when the source gave something last; is it at its end?
-        self.film,self._calls = False,[]            # has it a length, as a file does? who calls us?
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #1594ebea
+_version = f'{sys.version_info.major}.{sys.version_info.minor}'
+system_folders = ['/usr/lib/python3/dist-packages',                     # Debian, Ubuntu, Raspberry Pi OS, JetPack
+                  f'/usr/lib64/python{_version}/site-packages',         # Fedora
+                  f'/usr/lib/python{_version}/site-packages']           # Arch
 
-    def __repr__(self): return f'GSTPipeline {self.name}'
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #134365a6
+def _gi_folder(folders=None)->Path|None:
+    "The folder with a `gi` that was compiled for this Python; `None` when there is none. Usual are `system_folders`"
+    compiled = f'gi/_gi{sysconfig.get_config_var("EXT_SUFFIX")}'
+    folders = map(Path, system_folders if folders is None else folders)
+    return next((folder for folder in folders if (folder/compiled).exists()), None)
 
-    def element(self, name:str):
-        "The element of this name, `None` when there is none"
-        return self.pipeline.get_by_name(name)
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #c216fbfe
+class _SystemGi:
+    "Finds `gi`, and nothing else, among the packages of the system"
+    @staticmethod
+    def find_spec(name, path=None, target=None):
+        "For Python's `import gi`: where the system has it; `None` when it has none"
+        if name != 'gi' or (folder := _gi_folder()) is None: return None
+        return PathFinder.find_spec(name, [str(folder)])
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #919343cb
-@patch
-def start(self:GSTPipeline):
-    "Open the source, and begin; raises `CameraError`"
-    Gst,clock = self.Gst,self.element('uav_clock')
-    begun = self.pipeline.set_state(Gst.State.PAUSED)
-    self.live = begun == Gst.StateChangeReturn.NO_PREROLL
-    if clock and not self.live: clock.set_property('sync', True)
-    if begun != Gst.StateChangeReturn.FAILURE: begun = self.pipeline.set_state(Gst.State.PLAYING)
-    if begun == Gst.StateChangeReturn.FAILURE: raise CameraError(self.problem(timeout=.1) or 'it does not start')
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #b1bacf02
-@patch
-def problem(self:GSTPipeline, timeout:float, # s
-           )->str|None:
-    "Wait for a message that says that it is over, and tell it; `None` on timeout, and after `wake`"
-    kind = self.Gst.MessageType
-    message = self.bus.timed_pop_filtered(int(timeout*1e9), kind.ERROR|kind.EOS|kind.APPLICATION)
-    if message and message.type == kind.ERROR: return _in_words(message.parse_error()[0].message)
-    self.ended = self.ended or bool(message and message.type == kind.EOS)
-    if not self.ended: return None
-    self.film = not self.live and self.pipeline.query_duration(self.Gst.Format.TIME)[1] > 0
-    return 'the stream has ended'
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #a6bd2b8c
-@patch
-def wake(self:GSTPipeline):
-    "End the waiting of `problem`"
-    Gst = self.Gst
-    self.bus.post(Gst.Message.new_application(self.pipeline, Gst.Structure.new_empty('wake')))
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #13946a60
-@patch
-def watch(self:GSTPipeline, f=None): # Called with each buffer of the source
-    "Note in `arrived` when the source gives something, and in `ended` when it is at its end"
-    kinds,end = self.Gst.PadProbeType,self.Gst.EventType.EOS
-    def came(pad, info):
-        self.arrived = clock.monotonic()
-        if f: f()
-        return self.Gst.PadProbeReturn.OK
-    def event(pad, info):
-        if info.get_event().type == end:
-            self.ended = True
-            self.wake()
-        return self.Gst.PadProbeReturn.OK
-    pad = self.element('uav_clock').get_static_pad('src')
-    for kind,call in ((kinds.BUFFER|kinds.BUFFER_LIST, came), (kinds.EVENT_DOWNSTREAM, event)):
-        self._calls.append((pad.remove_probe, pad.add_probe(kind, call)))
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #e647396a
-_given_up = []              # pipelines that did not stop
-
-@patch
-def stop(self:GSTPipeline, timeout:float=3., # s
-        )->bool:
-    "End it; false when it does not come to an end in time, and goes without us"
-    ending = _begin_thread(lambda: self.pipeline.set_state(self.Gst.State.NULL), f'stop {self.name}')
-    if not _has_ended(ending, timeout):
-        _given_up.append(self.pipeline)
-        return False
-    while self._calls:
-        forget,number = self._calls.pop()
-        forget(number)
-    return True
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #d93801a2
-@patch
-def on_sample(self:GSTPipeline, name:str, # Of an appsink
-              f): # Called as `f(data, width, height, rate, taken)`; `taken` in monotonic s
-    "Call `f` with each buffer that comes to an appsink"
-    sink = self.element(name)
-    self._calls.append((sink.disconnect, sink.connect('new-sample', self._sample, f)))
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #7e0501b2
-@patch
-def _sample(self:GSTPipeline, sink, f):
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #c81c7a09
+def load_gst():
+    "GStreamer's module `Gst`, ready for use; raises `GStreamerMissing`"
+    if _SystemGi not in sys.meta_path: sys.meta_path.append(_SystemGi)
     try:
-        if sample := sink.emit('pull-sample'):
-            buffer = sample.get_buffer()
-            f(buffer.extract_dup(0, buffer.get_size()), *_size(sample), self._taken(sample))
-    except Exception: get_logger('video').exception('%r: a buffer was lost', self)
-    return self.Gst.FlowReturn.OK
+        import gi
+        gi.require_version('Gst', '1.0')
+        from gi.repository import Gst
+    except (ImportError, ValueError) as e: raise GStreamerMissing(_what_is_missing()) from e
+    Gst.init(None)
+    return Gst
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #53874e26
-def _size(sample)->tuple:
-    "Width, height, and frames in a second, or 0"
-    caps = sample.get_caps().get_structure(0)
-    known,over,under = caps.get_fraction('framerate')
-    return caps.get_value('width') or 0,caps.get_value('height') or 0,over/under if known and under else 0.
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #2a46b510
+apt_line = ('sudo apt-get install -y --no-install-recommends python3-gi gir1.2-gstreamer-1.0 '
+            'gir1.2-gst-plugins-base-1.0 gstreamer1.0-tools gstreamer1.0-plugins-base gstreamer1.0-plugins-good '
+            'gstreamer1.0-plugins-ugly gstreamer1.0-plugins-bad gstreamer1.0-libav')
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #4bea48fb
-@patch
-def _taken(self:GSTPipeline, sample)->float:
-    "When the buffer was captured, monotonic s; now, when that cannot be so"
-    now,Gst,buffer = clock.monotonic(),self.Gst,sample.get_buffer()
-    source = self.pipeline.get_clock()
-    if not (self.live and source and buffer.pts != Gst.CLOCK_TIME_NONE): return now
-    running = sample.get_segment().to_running_time(Gst.Format.TIME, buffer.pts)
-    age = (source.get_time()-self.pipeline.get_base_time()-running)/1e9
-    return now-age if 0 <= age < 2 else now
+class GStreamerMissing(ImportError): "GStreamer, or its binding for this Python, is not installed"
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #2f1f30f1
-def _as_image(data:bytes, width:int, height:int):
-    "The array height x width x 3 of a frame"
-    return np.frombuffer(data, np.uint8).reshape(height, -1)[:,:width*3].reshape(height, width, 3).copy()
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #00726eb3
+def _what_is_missing(folders=None)->str:
+    "A sentence about what is missing, with the line that installs it"
+    folders = [Path(folder) for folder in (system_folders if folders is None else folders)]
+    compiled = [file.name.split('.')[1] for folder in folders for file in folder.glob('gi/_gi.*')]
+    if _gi_folder(folders) or not compiled: return f'GStreamer is not installed. On Debian and Ubuntu: {apt_line}'
+    return (f'the system has the GStreamer binding for {", ".join(compiled)}, and this is Python {_version}: make the '
+            "virtual environment with the system's python3, or pip install 'PyGObject<3.51', which compiles it")
 
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #10b3b9b8
-@patch
-def open_valve(self:GSTPipeline, name:str, # Of a valve
-               on:bool=True, # Open, or closed?
-               at_key:bool=False): # Only with the next key frame?
-    "Open a branch, or close it"
-    Gst,valve = self.Gst,self.element(name)
-    def until_key(pad, info):
-        delta = info.get_buffer().has_flags(Gst.BufferFlags.DELTA_UNIT)
-        return Gst.PadProbeReturn.DROP if delta else Gst.PadProbeReturn.REMOVE
-    if on and at_key and valve.get_property('drop'):
-        valve.get_static_pad('src').add_probe(Gst.PadProbeType.BUFFER, until_key)
-    valve.set_property('drop', not on)
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #85ca797c
-@patch
-def ask_key(self:GSTPipeline, name:str='uav_units'):
-    "Ask for a key frame at an appsink; an encoder makes one, a camera may"
-    Gst,sink = self.Gst,self.element(name)
-    wish = 'GstForceKeyUnit, running-time=(guint64)18446744073709551615, all-headers=(boolean)true, count=(uint)1'
-    sink.send_event(Gst.Event.new_custom(Gst.EventType.CUSTOM_UPSTREAM, Gst.Structure.new_from_string(wish)))
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #1270fb82
-_kilobits = 'x264enc','x265enc','nvh264enc','nvh265enc','vah264enc','vah265enc','vaapih264enc','vaapih265enc'
-_units = dict.fromkeys(_kilobits, 1000) | dict.fromkeys(('nvv4l2h264enc','nvv4l2h265enc','openh264enc'), 1)
-
-@patch
-def encoder(self:GSTPipeline)->tuple:
-    "The element with a bitrate, and its unit in bit/s; `(None, 1)` when there is none"
-    named = ((element, element.get_factory().get_name()) for element in self.pipeline.children)
-    return next(((element, _units[name]) for element,name in named if name in _units), (None,1))
-
-# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #26005456
-@patch(as_prop=True)
-def bitrate(self:GSTPipeline)->int:
-    "The encoder's bitrate, bit/s; 0 when unknown"
-    element,unit = self.encoder()
-    return element.get_property('bitrate')*unit if element else 0
-
-@patch(set_prop=True)
-def bitrate(self:GSTPipeline, bitrate:int):
-    element,unit = self.encoder()
-    if element is None: raise ValueError(f'{self!r} has no encoder whose bitrate we could change')
-    element.set_property('bitrate', max(1, round(bitrate/unit)))
+# %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #b3dcde17
+def gst():
+    "GStreamer's module `Gst`; raises `CameraError` when it is not installed"
+    try: Gst = load_gst()
+    except GStreamerMissing as e: raise CameraError(str(e)) from None
+    with suppress(ImportError, ValueError):
+        import gi
+        gi.require_version('GstVideo', '1.0')
+        from gi.repository import GstVideo      # noqa: F401  before the first element: later its interfaces have no methods
+    return Gst

@@ -22,47 +22,15 @@ from .values import *
 from ..utils import clock, clock as _clock
 from ..utils.lazy import cv2, np
 
-# %% ../../nbs/api/cameras/12_sim.ipynb #8e02a583
-usual_shutter,usual_iso = .016667,100
-_all_ = ['usual_shutter', 'usual_iso']
-
-def _stops_of(shutter:float, iso:float)->float:
-    "How many stops lighter a picture is than it should be, with this exposure time (s) and sensitivity"
-    return math.log2(shutter/usual_shutter * iso/usual_iso)
-
 # %% ../../nbs/api/cameras/12_sim.ipynb #62781f39
+usual_shutter,usual_iso = .016667,100
 _shutters = {f'1/{n}': round(1/n, 6) for n in (8,15,30,60,125,250,500,1000,2000)}    # MAVSDK knows no more decimals
 _isos = {str(n): n for n in (100,200,400,800,1600,3200)}
-
-# %% ../../nbs/api/cameras/12_sim.ipynb #e38b777d
-def _auto_exposure(ev:float)->dict:
-    "The parameters that an automatic exposure chooses"
-    def error(shutter): return abs(_stops_of(shutter, usual_iso)-ev)
-    return {'CAM_SHUTTERSPD': min(_shutters.values(), key=error), 'CAM_ISO': usual_iso}
-
-# %% ../../nbs/api/cameras/12_sim.ipynb #1a6c5c6e
-_gamma = 2.2
+_colours = 'Normal','Black and white','Sepia','Vivid'
 _neutral = 1.,1.,1.
-
-@lru_cache(maxsize=64)
-def _tone_table(stops:float, gains:tuple=_neutral):
-    "A palette's colours for 256 values, BGR: 1 x 256 x 3"
-    factors = (2**stops*np.array(gains, float))**(1/_gamma)
-    return np.clip(np.arange(256)[:,None]*factors + .5, 0, 255).astype(np.uint8)[None]
-
-# %% ../../nbs/api/cameras/12_sim.ipynb #f6151ce4
 white_gains = {'Auto': _neutral, 'Incandescent': (1.9,1.,.55), 'Fluorescent': (1.45,.95,.8),
                'Daylight': _neutral, 'Cloudy': (.75,1.,1.25)}     # of blue, green and red light
-_all_ = ['white_gains']
-
-# %% ../../nbs/api/cameras/12_sim.ipynb #475b1c6b
-_colours = 'Normal','Black and white','Sepia','Vivid'
-
-@lru_cache
-def _colour_matrices()->dict:
-    "From blue, green and red to the same, by the name of the colour mode"
-    grey = np.array([(.114,.587,.299)]*3)       # what blue, green and red add to the brightness
-    return dict(zip(_colours, (None, grey, np.array([[.55],[.82],[1.05]])*grey, 1.6*np.eye(3)-.6*grey)))
+_all_ = ['usual_shutter', 'usual_iso', 'white_gains']
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #15afec35
 def _menu(names)->dict: return {name: number for number,name in enumerate(names)}
@@ -80,19 +48,6 @@ sim_parameters = [
     Parameter('CAM_PHOTORES', 'int32', 0, 'Size of a photo', _menu(['Full','Half','Quarter'])),
     Parameter('CAM_PHOTOQUAL', 'int32', 95, 'JPEG quality of a photo', low=10, high=100, step=1, unit='%')]
 _all_ = ['sim_parameters']
-
-# %% ../../nbs/api/cameras/12_sim.ipynb #4a5aab65
-def _light(values)->float:
-    "How many stops lighter the picture is than it should be"
-    return _stops_of(values['CAM_SHUTTERSPD'], values['CAM_ISO']) if values['CAM_EXPMODE'] else values['CAM_EV']
-
-# %% ../../nbs/api/cameras/12_sim.ipynb #5184aba6
-def _develop(image, values):
-    "The picture as the parameters want it; the same object when they want nothing"
-    stops,gains = _light(values),list(white_gains.values())[values['CAM_WBMODE']]
-    if stops or gains != _neutral: image = cv2.LUT(image, _tone_table(stops, gains))
-    colours = _colours[values['CAM_COLORMODE']]
-    return image if colours == 'Normal' else cv2.transform(image, _colour_matrices()[colours])
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #5c0a5603
 def _sim_information(model:str, width:int, height:int)->CameraInformation:
@@ -261,6 +216,46 @@ def locate(image, # BGR or grey picture
     turn,shift = cv2.solvePnPRefineLM(places, pixels, K, None, turn, shift)
     R = cv2.Rodrigues(turn)[0]          # from the world to x right, y down, z forward
     return tuple((-R.T @ shift).ravel()), R[[2,0,1]].T
+
+# %% ../../nbs/api/cameras/12_sim.ipynb #8e02a583
+def _stops_of(shutter:float, iso:float)->float:
+    "How many stops lighter a picture is than it should be, with this exposure time (s) and sensitivity"
+    return math.log2(shutter/usual_shutter * iso/usual_iso)
+
+# %% ../../nbs/api/cameras/12_sim.ipynb #e38b777d
+def _auto_exposure(ev:float)->dict:
+    "The parameters that an automatic exposure chooses"
+    def error(shutter): return abs(_stops_of(shutter, usual_iso)-ev)
+    return {'CAM_SHUTTERSPD': min(_shutters.values(), key=error), 'CAM_ISO': usual_iso}
+
+# %% ../../nbs/api/cameras/12_sim.ipynb #1a6c5c6e
+_gamma = 2.2
+
+@lru_cache(maxsize=64)
+def _tone_table(stops:float, gains:tuple=_neutral):
+    "A palette's colours for 256 values, BGR: 1 x 256 x 3"
+    factors = (2**stops*np.array(gains, float))**(1/_gamma)
+    return np.clip(np.arange(256)[:,None]*factors + .5, 0, 255).astype(np.uint8)[None]
+
+# %% ../../nbs/api/cameras/12_sim.ipynb #475b1c6b
+@lru_cache
+def _colour_matrices()->dict:
+    "From blue, green and red to the same, by the name of the colour mode"
+    grey = np.array([(.114,.587,.299)]*3)       # what blue, green and red add to the brightness
+    return dict(zip(_colours, (None, grey, np.array([[.55],[.82],[1.05]])*grey, 1.6*np.eye(3)-.6*grey)))
+
+# %% ../../nbs/api/cameras/12_sim.ipynb #4a5aab65
+def _light(values)->float:
+    "How many stops lighter the picture is than it should be"
+    return _stops_of(values['CAM_SHUTTERSPD'], values['CAM_ISO']) if values['CAM_EXPMODE'] else values['CAM_EV']
+
+# %% ../../nbs/api/cameras/12_sim.ipynb #5184aba6
+def _develop(image, values):
+    "The picture as the parameters want it; the same object when they want nothing"
+    stops,gains = _light(values),list(white_gains.values())[values['CAM_WBMODE']]
+    if stops or gains != _neutral: image = cv2.LUT(image, _tone_table(stops, gains))
+    colours = _colours[values['CAM_COLORMODE']]
+    return image if colours == 'Normal' else cv2.transform(image, _colour_matrices()[colours])
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #9840d2f1
 coldest,per_level = -20.,.4       # °C at level 0, and °C from one level to the next

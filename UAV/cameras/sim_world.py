@@ -7,12 +7,71 @@ __all__ = ['SimWorld', 'sim_world']
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5502
 import math
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 
 from fastcore.basics import patch
 from .lens import View, rotation
 from ..utils import clock
 from ..utils.lazy import cv2, np
+
+# %% ../../nbs/api/cameras/11_sim_world.ipynb #7e80d3fa
+class SimWorld:
+    "Flat ground with AprilTags at known places, a sky, and a car"
+    tile_m = 120.     # m, one ground tile
+    car_radius,car_speed = 45.,6.     # m and m/s
+    haze,sky,family = (205,200,190),(190,130,70),'36h11'
+    boards = range(12)      # numbers of the tags that stand
+
+    def __init__(self, seed:int=0): # The same seed gives the same world
+        self.seed,self._stills = seed,_Stills()
+
+    def __setattr__(self, name, value):
+        super().__setattr__(name, value)
+        vars(self)['_as_set'] = object()        # `_still`: pictures of another sky or ground don't fit any more
+
+    def __delattr__(self, name):
+        super().__delattr__(name)
+        vars(self)['_as_set'] = object()
+
+    def __repr__(self): return f'SimWorld(seed={self.seed}), {len(self.tags)} tags'
+
+    @cached_property
+    def tile(self):
+        "The ground's texture, BGR, painted when it is first asked for"
+        return _ground_tile(self.seed)
+
+    @cached_property
+    def far_tile(self):
+        "The tile as it looks from afar: 64 x 64"
+        return cv2.resize(self.tile, (64,64), interpolation=cv2.INTER_AREA)
+
+    @cached_property
+    def tags(self):
+        "Corners (4 x 3, top left first and clockwise) of each tag, by its number"
+        boards = [_standing_tag(bearing, 150., 24.) for bearing in range(0, 360, 30)]
+        large = [_lying_tag(n, e, 4.) for n in range(-150, 151, 30) for e in range(-150, 151, 30)]
+        small = [_lying_tag(n, e, 1.) for n in range(-80, 81, 10) for e in range(-80, 81, 10) if n%30 or e%30]
+        return dict(enumerate(map(np.array, boards+large+small)))
+
+    @cached_property
+    def middles(self):
+        "Number, middle and diagonal (m) of all tags, as arrays; delete it after adding a tag"
+        corners = np.array(list(self.tags.values()))
+        return np.array(list(self.tags)), corners.mean(1), np.linalg.norm(corners[:,0]-corners[:,2], axis=1)
+
+# %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5518
+@lru_cache(maxsize=4)
+def sim_world(seed:int=0)->SimWorld:
+    "The world of `seed`; made once"
+    return SimWorld(seed)
+
+# %% ../../nbs/api/cameras/11_sim_world.ipynb #3cd0511c
+@patch
+def car(self:SimWorld, t:float, # s
+       )->tuple:
+    "North and east of the car, m, and where it heads, degrees"
+    a = t*self.car_speed/self.car_radius
+    return self.car_radius*math.cos(a), self.car_radius*math.sin(a), math.degrees(a)%360+90
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5506
 def _wrapping_noise(seed:int, size:int):
@@ -58,97 +117,6 @@ def _standing_tag(bearing, distance, size):
     def at(right, up): return distance*c - right*s, distance*s + right*c, -up
     return [at(-size/2, size*1.2), at(size/2, size*1.2), at(size/2, size*.2), at(-size/2, size*.2)]
 
-# %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5531
-class _Stills:
-    "Copies of the pictures that were asked for twice; the longest unused is dropped first"
-    def __init__(self, most:int=32, # Keys, with or without a picture
-                 most_bytes:int=64_000_000): # Of all pictures together; two of 4K
-        self.most,self.most_bytes,self._pictures,self._lock = most,most_bytes,{},clock.Lock()
-
-    nbytes = property(lambda self: sum(p.nbytes for p in self._pictures.values() if p is not None),
-        doc="Size of all pictures together")
-
-    def _put(self, key, picture):
-        "Make this the last one used; `None`: asked for once"
-        self._pictures.pop(key, None)
-        self._pictures[key] = picture
-        while len(self._pictures) > self.most or self.nbytes > self.most_bytes:
-            del self._pictures[next(iter(self._pictures))]
-
-    def get(self, key, # All that the picture depends on
-            draw): # Returns a new picture; it is called without the lock, so threads draw at the same time
-        "Return the picture of `key`; it is the caller's own, to draw into"
-        with self._lock:
-            asked_before,kept = key in self._pictures,self._pictures.get(key)
-            self._put(key, kept)
-        if kept is not None: return kept.copy()
-        picture = draw()
-        if not asked_before or picture.nbytes>self.most_bytes: return picture
-        copy = picture.copy()
-        if self._lock.acquire(False):       # without a wait: what is kept must not change the order of simulated threads
-            try: self._put(key, copy)
-            finally: self._lock.release()
-        return picture
-
-# %% ../../nbs/api/cameras/11_sim_world.ipynb #7e80d3fa
-class SimWorld:
-    "Flat ground with AprilTags at known places, a sky, and a car"
-    tile_m = 120.     # m, one ground tile
-    car_radius,car_speed = 45.,6.     # m and m/s
-    haze,sky,family = (205,200,190),(190,130,70),'36h11'
-    boards = range(12)      # numbers of the tags that stand
-
-    def __init__(self, seed:int=0): # The same seed gives the same world
-        self.seed,self._stills = seed,_Stills()
-
-    def __setattr__(self, name, value):
-        super().__setattr__(name, value)
-        vars(self)['_as_set'] = object()        # another sky or ground: none of the kept pictures is right now
-
-    def __delattr__(self, name):
-        super().__delattr__(name)
-        vars(self)['_as_set'] = object()
-
-    def __repr__(self): return f'SimWorld(seed={self.seed}), {len(self.tags)} tags'
-
-    @cached_property
-    def tile(self):
-        "The ground's texture, BGR, painted when it is first asked for"
-        return _ground_tile(self.seed)
-
-    @cached_property
-    def far_tile(self):
-        "The tile as it looks from afar: 64 x 64"
-        return cv2.resize(self.tile, (64,64), interpolation=cv2.INTER_AREA)
-
-    @cached_property
-    def tags(self):
-        "Corners (4 x 3, top left first and clockwise) of each tag, by its number"
-        boards = [_standing_tag(bearing, 150., 24.) for bearing in range(0, 360, 30)]
-        large = [_lying_tag(n, e, 4.) for n in range(-150, 151, 30) for e in range(-150, 151, 30)]
-        small = [_lying_tag(n, e, 1.) for n in range(-80, 81, 10) for e in range(-80, 81, 10) if n%30 or e%30]
-        return dict(enumerate(map(np.array, boards+large+small)))
-
-    @cached_property
-    def middles(self):
-        "Number, middle and diagonal (m) of all tags, as arrays"
-        corners = np.array(list(self.tags.values()))
-        return np.array(list(self.tags)), corners.mean(1), np.linalg.norm(corners[:,0]-corners[:,2], axis=1)
-
-# %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5518
-@lru_cache(maxsize=4)
-def sim_world(seed:int=0)->SimWorld:
-    "The world of `seed`; made once"
-    return SimWorld(seed)
-
-# %% ../../nbs/api/cameras/11_sim_world.ipynb #3cd0511c
-@patch
-def car(self:SimWorld, t:float, # s
-       )->tuple:
-    "North and east of the car, m, and where it heads, degrees"
-    a = t*self.car_speed/self.car_radius
-    return self.car_radius*math.cos(a), self.car_radius*math.sin(a), math.degrees(a)%360+90
-
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5507
 _half_pixel = [[1,0,.5], [0,1,.5], [0,0,1]]      # a pixel's coordinates are those of its middle
 
@@ -179,17 +147,27 @@ def _blend(upper, lower, weight):
 def _plain(size:tuple, colour:tuple): return np.full((size[1], size[0], 3), colour, np.uint8)
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a550a
+_end_of_sight = 3000.       # m; the ground farther away is all haze
+_fading = 400.              # m; by this steepness, ground nearer than 1/(1/3000+1/400) = 353 m is clear
+
+@patch
+def _near_and_far(self:SimWorld, view, inverse):
+    "The ground: `tile`, and `far_tile` where a pixel covers more than 4 of its own"
+    texel = 4*self.tile_m/len(self.tile)        # m
+    covered = 1/(np.maximum(inverse, 1e-6)**2*(view.f*view.above*texel))         # by a pixel, in units of `texel`
+    return _blend(partial(self._ground, view, self.tile), partial(self._ground, view, self.far_tile), 2-covered)
+
+@patch
+def _air(self:SimWorld, view, inverse):
+    "The sky, with haze at the horizon"
+    return _blend(partial(_plain, view.size, self.sky), partial(_plain, view.size, self.haze), -2*view.above*inverse)
+
 @patch
 def _strip(self:SimWorld, view):
     "Ground, haze and sky of some rows"
     inverse = _inverse_depth(view)
-    texel = 4*self.tile_m/len(self.tile)       # m that a pixel may cover
-    coarse = 1/(np.maximum(inverse, 1e-6)**2*(view.f*view.above*texel))      # how much more it covers
-    def plain(colour): return lambda: _plain(view.size, colour)
-    def filled(tile): return lambda: self._ground(view, tile)
-    def ground(): return _blend(filled(self.tile), filled(self.far_tile), 2-coarse)
-    def air(): return _blend(plain(self.sky), plain(self.haze), -2*view.above*inverse)
-    return _blend(ground, air, (inverse-1/3000)*400)         # the ground ends in haze at 3 km
+    clear = (inverse-1/_end_of_sight)*_fading
+    return _blend(partial(self._near_and_far, view, inverse), partial(self._air, view, inverse), clear)
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a551e
 @patch
@@ -287,19 +265,6 @@ def _draw_car(self:SimWorld, image, view, t):
         sixteenths = np.round(pixels*16).astype(np.int32)         # `shift=4`: four bits after the point
         cv2.fillConvexPoly(image, sixteenths, (30,40,shade), cv2.LINE_AA, shift=4)
 
-# %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5533
-@patch
-def _still(self:SimWorld, view, numbers):
-    "A picture of the ground and of the tags of `numbers`, to draw into"
-    self.tile.flags.writeable = self.far_tile.flags.writeable = False
-    seen_from = type(view), *(np.asarray(value).tobytes() for value in vars(view).values())
-    key = self._as_set, seen_from, tuple((n, self.tags[n].tobytes()) for n in numbers)
-    def draw():
-        image = self.background(view)
-        for n in numbers: self._draw_tag(image, view, n, self.tags[n])
-        return image
-    return self._stills.get(key, draw)
-
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #62629ae5
 @patch
 def render(self:SimWorld, view:View, # From where
@@ -314,3 +279,48 @@ def render(self:SimWorld, view:View, # From where
     for n in boards:
         if n not in behind: self._draw_tag(image, view, n, self.tags[n])
     return image
+
+# %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5531
+class _Stills:
+    "Copies of the pictures that were asked for twice; the longest unused is dropped first"
+    def __init__(self, most:int=32, # Keys, with or without a picture
+                 most_bytes:int=64_000_000): # Of all pictures together; two of 4K
+        self.most,self.most_bytes,self._pictures,self._lock = most,most_bytes,{},clock.Lock()
+
+    nbytes = property(lambda self: sum(p.nbytes for p in self._pictures.values() if p is not None),
+        doc="Size of all pictures together")
+
+    def _put(self, key, picture):
+        "Make this the last one used; `None`: asked for once"
+        self._pictures.pop(key, None)
+        self._pictures[key] = picture
+        while len(self._pictures) > self.most or self.nbytes > self.most_bytes:
+            del self._pictures[next(iter(self._pictures))]
+
+    def get(self, key, # All that the picture depends on
+            draw): # Returns a new picture; it is called without the lock, so threads draw at the same time
+        "Return the picture of `key`; it is the caller's own, to draw into"
+        with self._lock:
+            asked_before,kept = key in self._pictures,self._pictures.get(key)
+            self._put(key, kept)
+        if kept is not None: return kept.copy()
+        picture = draw()
+        if not asked_before or picture.nbytes>self.most_bytes: return picture
+        copy = picture.copy()
+        if self._lock.acquire(False):       # without a wait: what is kept must not change the order of simulated threads
+            try: self._put(key, copy)
+            finally: self._lock.release()
+        return picture
+
+# %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5533
+@patch
+def _still(self:SimWorld, view, numbers):
+    "A picture of the ground and of the tags of `numbers`, to draw into"
+    self.tile.flags.writeable = self.far_tile.flags.writeable = False
+    seen_from = type(view), *(np.asarray(value).tobytes() for value in vars(view).values())
+    key = self._as_set, seen_from, tuple((n, self.tags[n].tobytes()) for n in numbers)
+    def draw():
+        image = self.background(view)
+        for n in numbers: self._draw_tag(image, view, n, self.tags[n])
+        return image
+    return self._stills.get(key, draw)

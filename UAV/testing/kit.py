@@ -17,7 +17,207 @@ from ..utils.geo import metres
 from ..wire.message_log import MessageLog, _once, _pair
 
 # %% auto #0
-__all__ = ['mark', 'read_mark', 'overlap', 'TruthCamera', 'free_port', 'Logged', 'WireLog']
+__all__ = ['WireLog', 'Logged', 'free_port', 'mark', 'read_mark', 'overlap', 'TruthCamera']
+
+# %% ../../nbs/api/testing/00_kit.ipynb #e0a83af2
+class WireLog(MessageLog):
+    "A `MessageLog` for both ends of a link, with assertions"
+    usual = tuple(name for name in MessageLog.usual if name!='FILE_TRANSFER_*')     # a picture is hundreds of them
+    def __init__(self, *args, **kwargs): # Arguments of `MessageLog`
+        self._added = clock.Condition()
+        super().__init__(*args, **kwargs)
+
+    def add(self, frame, sent=None, when=None):
+        super().add(frame, sent, when)
+        with self._added: self._added.notify_all()
+
+    def entries(self, *names)->list:
+        "List the frames as `LogEntry`s; one logged by both ends appears once, as sent"
+        found = super().entries(*names)
+        sent = {e.frame for e in found if e.sent}
+        return [e for e in found if e.sent or e.frame not in sent]
+
+    def __repr__(self):
+        entries = self.entries()
+        return f'WireLog: {len(entries)} frames of {len({e.source for e in entries})} components'
+
+# %% ../../nbs/api/testing/00_kit.ipynb #a260bfb9
+@patch
+def _events(self:WireLog)->list:
+    "List the messages, oldest first, without duplicates and retransmissions"
+    entries = _once(self.entries())
+    _pair(entries)
+    return [e for e in entries if not e.is_command or e.exchange.sends[0] is e]
+
+# %% ../../nbs/api/testing/00_kit.ipynb #524c5b41
+def _times(n:int)->str: return {0:'never', 1:'once', 2:'twice'}.get(n, f'{n} times')
+
+@patch
+def _find(self:WireLog, fits, within:float, done)->list:
+    "List the messages that fit; waits until `done(found)`, `within` seconds at most"
+    end = clock.monotonic()+within
+    with self._added:
+        while not done(found := list(filter(fits, self._events()))) and (left := end-clock.monotonic())>0:
+            self._added.wait(left)
+    return found
+
+# %% ../../nbs/api/testing/00_kit.ipynb #1d91d668
+@patch
+def _fail(self:WireLog, name:str, to, by, fields:dict, how:str):
+    "Raise `AssertionError`, with the newest lines of the log"
+    __tracebackhide__ = True
+    def at(place): return place if isinstance(place, str) else '/'.join(map(str, place))
+    given = ', '.join(f'{field}={value!r}' for field,value in fields.items())
+    what = f'{name}{given and f" with {given}"}{f" by {at(by)}" if by else ""}{f" to {at(to)}" if to else ""}'
+    msg_id,_ = _what(name)
+    lines = self.text(*self.usual, *([name] if msg_id is not None else []), rows=12) or 'nothing'
+    raise AssertionError(f'{what} {how}. The newest messages:\n{lines}')
+
+# %% ../../nbs/api/testing/00_kit.ipynb #28ee9935
+@patch
+def has(self:WireLog, name:str, # Message or command: 'CAMERA_IMAGE_CAPTURED' or 'IMAGE_START_CAPTURE'
+        to:str|tuple|None=None, # Target, like '1/100'; `None`: any
+        by:str|tuple|None=None, # Source; `None`: any
+        times:int|None=None, # Exact count; `None`: one or more
+        within:float=0., # Seconds to wait, for messages without ack; blocks the loop of an `async` test
+        **fields # Fields of the message, such as `param3=1`
+       )->list: # `LogEntry`s; that of a command has its `exchange`
+    "Return the messages sent; raises `AssertionError` if there are none, or not so many `times`"
+    __tracebackhide__ = True
+    if times==0: return self.lacks(name, to, by, within, **fields)
+    found = self._find(_fits(name, to, by, fields), within, lambda found: len(found)>=(times or 1))
+    if found and times in (None,len(found)): return found
+    self._fail(name, to, by, fields, f'passed {_times(len(found))}, not {_times(times)}' if found else 'never passed')
+
+# %% ../../nbs/api/testing/00_kit.ipynb #921d249c
+@patch
+def lacks(self:WireLog, name:str, # Message or command
+          to:str|tuple|None=None, # Target; `None`: any
+          by:str|tuple|None=None, # Source; `None`: any
+          within:float=0., # Seconds to wait for it
+          **fields # Fields of the message
+         )->list: # Always empty
+    "Return `[]`; raises `AssertionError` if it was sent"
+    __tracebackhide__ = True
+    found = self._find(_fits(name, to, by, fields), within, bool)
+    if found: self._fail(name, to, by, fields, f'passed {_times(len(found))}')
+    return found
+
+# %% ../../nbs/api/testing/00_kit.ipynb #2806467d
+@patch
+def in_order(self:WireLog,
+    *names:str, # Messages and commands
+)->list: # A `LogEntry` per name
+    "Return the first message of each name after the one before; raises `AssertionError`"
+    __tracebackhide__ = True
+    events,found = iter(self._events()),[]
+    for name,fits in [(name, _fits(name)) for name in names]:
+        found.append(next(filter(fits, events), None))
+        if found[-1]: continue
+        after = f' after {names[len(found)-2]}' if len(found)>1 else ''
+        self._fail(name, None, None, {}, f'never passed{after}')
+    return found
+
+# %% ../../nbs/api/testing/00_kit.ipynb #b5ff76ac
+def _what(name:str)->tuple:
+    "Return `(message id or None, command or None)` of a name; raises `ValueError` for an unknown name"
+    ids = {c.msgname: i for i,c in mavlink.mavlink_map.items()}
+    commands = {e.name: i for i,e in mavlink.enums['MAV_CMD'].items()}
+    if name in ids or name in commands: return ids.get(name),commands.get(name)
+    if f'MAV_CMD_{name}' in commands: return None,commands[f'MAV_CMD_{name}']
+    raise ValueError(f'{name!r} is no message and no command of the dialect')
+
+# %% ../../nbs/api/testing/00_kit.ipynb #03bd2c5c
+def _place(which:str, value)->tuple|None:
+    "Return an address given as '1/100' or (1, 100); raises `ValueError`"
+    if value is None: return None
+    try: system,component = map(int, value.split('/') if isinstance(value, str) else value)
+    except (TypeError,ValueError): raise ValueError(f"{which} is {value!r}: write '1/100' or (1, 100)") from None
+    return system,component
+
+# %% ../../nbs/api/testing/00_kit.ipynb #36f51fc5
+def _equals(value, wanted)->bool:
+    "True if a field has the value; floats have the precision of the wire"
+    if not all(isinstance(v, (int,float)) for v in (value,wanted)): return value==wanted
+    if math.isnan(wanted): return math.isnan(value)
+    return math.isclose(value, wanted, rel_tol=1e-6)
+
+# %% ../../nbs/api/testing/00_kit.ipynb #8381b6f7
+_command_fields = {*mavlink.MAVLink_command_long_message.fieldnames, *mavlink.MAVLink_command_int_message.fieldnames}
+
+def _is_named(entry, msg_id:int|None, command:int|None)->bool:
+    "True if it is this command, in either form, or else this message"
+    if command is None: return entry.msg_id==msg_id
+    return entry.is_command and entry.message.command==command
+
+def _passed_between(entry, by:tuple|None, to:tuple|None)->bool:
+    "True if it went from `by` to `to`; `None`: any"
+    return by in (None,entry.source) and to in (None,entry.target)
+
+def _fits(name:str, to=None, by=None, fields=None):
+    "Return a function that is true of the wanted `LogEntry`s; raises `ValueError`"
+    (msg_id,command),to,by = _what(name),_place('to', to),_place('by', by)
+    has = _command_fields if msg_id is None else set(mavlink.mavlink_map[msg_id].fieldnames)
+    wrong = sorted(set(fields or ())-has)
+    if wrong: raise ValueError(f'{name} has no field {wrong[0]!r}: write one of {", ".join(sorted(has))}')
+    if to and 'target_system' not in has: raise ValueError(f'{name} is for all: leave out `to`')
+    def fits(entry):
+        if not _is_named(entry, msg_id, command) or not _passed_between(entry, by, to): return False
+        return all(_equals(getattr(entry.message, field, None), value) for field,value in (fields or {}).items())
+    return fits
+
+# %% ../../nbs/api/testing/00_kit.ipynb #6b0f58bc
+class Logged(Closes, logging.Handler):
+    "Captured records of a logger, until `close` or the end of a `with`"
+    def __init__(self, logger:str|logging.Logger='UAV', # Logger or its name, with all below it
+                 level:int=logging.NOTSET): # Lowest level to store
+        super().__init__(level)
+        self.logger = logging.getLogger(logger) if isinstance(logger, str) else logger
+        self.records,self._added = [],clock.Condition()
+        self._propagated,self.logger.propagate = self.logger.propagate,False
+        self.logger.addHandler(self)
+
+    def close(self):
+        self.logger.removeHandler(self)
+        self.logger.propagate = self._propagated
+        super().close()
+
+    def emit(self, record):
+        "Store a record; called by `logging`"
+        with self._added:
+            self.records.append(record)
+            self._added.notify_all()
+
+# %% ../../nbs/api/testing/00_kit.ipynb #d659095a
+@patch
+def lines(self:Logged, name:str='', # Name of one logger; empty: all
+         )->list:
+    "Return the messages so far"
+    return [r.getMessage() for r in self.records if name in ('',r.name)]
+
+# %% ../../nbs/api/testing/00_kit.ipynb #10dc9d95
+@patch
+def until(self:Logged, words:str, # Part of the message
+          name:str='', # Name of its logger; empty: any
+          timeout:float=30.): # Seconds
+    "Wait for a message with these `words`; raises `TimeoutError`"
+    with self._added:
+        if self._added.wait_for(lambda: any(words in line for line in self.lines(name)), timeout): return
+    raise TimeoutError(f'not logged: {words}')
+
+# %% ../../nbs/api/testing/00_kit.ipynb #96c3160b
+def _is_free(port:int)->bool:
+    "True if a port is free for UDP and TCP"
+    for kind in (socket.SOCK_DGRAM, socket.SOCK_STREAM):
+        with socket.socket(socket.AF_INET, kind) as sock:
+            try: sock.bind(('', port))
+            except OSError: return False
+    return True
+
+# %% ../../nbs/api/testing/00_kit.ipynb #5413957a
+def free_port()->int:
+    "Return an unused port of this machine, for programs that cannot choose one"
+    return next(port for port in random.SystemRandom().sample(range(20_000, 32_000), 1000) if _is_free(port))
 
 # %% ../../nbs/api/testing/00_kit.ipynb #876ec78e
 _columns,_rows = 32,3
@@ -116,194 +316,3 @@ def beside_car(self:TruthCamera, place, # A `Pose`
     "Return the distance of a place from the middle of the car, m"
     north,east = metres(*self.origin[:2], place.lat, place.lon)
     return math.dist((north,east), self.world.car(number/self.frame_rate)[:2])
-
-# %% ../../nbs/api/testing/00_kit.ipynb #96c3160b
-def _is_free(port:int)->bool:
-    "True if a port is free for UDP and TCP"
-    for kind in (socket.SOCK_DGRAM, socket.SOCK_STREAM):
-        with socket.socket(socket.AF_INET, kind) as sock:
-            try: sock.bind(('', port))
-            except OSError: return False
-    return True
-
-# %% ../../nbs/api/testing/00_kit.ipynb #5413957a
-def free_port()->int:
-    "Return an unused port of this machine, for programs that cannot choose one"
-    return next(port for port in random.SystemRandom().sample(range(20_000, 32_000), 1000) if _is_free(port))
-
-# %% ../../nbs/api/testing/00_kit.ipynb #6b0f58bc
-class Logged(Closes, logging.Handler):
-    "Captured records of a logger, until `close` or the end of a `with`"
-    def __init__(self, logger:str|logging.Logger='UAV', # Logger or its name, with all below it
-                 level:int=logging.NOTSET): # Lowest level to store
-        super().__init__(level)
-        self.logger = logging.getLogger(logger) if isinstance(logger, str) else logger
-        self.records,self._news = [],clock.Condition()
-        self._propagated,self.logger.propagate = self.logger.propagate,False
-        self.logger.addHandler(self)
-
-    def close(self):
-        self.logger.removeHandler(self)
-        self.logger.propagate = self._propagated
-        super().close()
-
-    def emit(self, record):
-        "Store a record; called by `logging`"
-        with self._news:
-            self.records.append(record)
-            self._news.notify_all()
-
-# %% ../../nbs/api/testing/00_kit.ipynb #d659095a
-@patch
-def lines(self:Logged, name:str='', # Name of one logger; empty: all
-         )->list:
-    "Return the messages so far"
-    return [r.getMessage() for r in self.records if name in ('',r.name)]
-
-# %% ../../nbs/api/testing/00_kit.ipynb #10dc9d95
-@patch
-def until(self:Logged, words:str, # Part of the message
-          name:str='', # Name of its logger; empty: any
-          timeout:float=30.): # Seconds
-    "Wait for a message with these `words`; raises `TimeoutError`"
-    with self._news:
-        if self._news.wait_for(lambda: any(words in line for line in self.lines(name)), timeout): return
-    raise TimeoutError(f'not logged: {words}')
-
-# %% ../../nbs/api/testing/00_kit.ipynb #e0a83af2
-class WireLog(MessageLog):
-    "A `MessageLog` for both ends of a link, with assertions"
-    usual = tuple(name for name in MessageLog.usual if name!='FILE_TRANSFER_*')     # a picture is hundreds of them
-    def __init__(self, *args, **kwargs): # Arguments of `MessageLog`
-        self._news = clock.Condition()
-        super().__init__(*args, **kwargs)
-
-    def add(self, frame, sent=None, when=None):
-        super().add(frame, sent, when)
-        with self._news: self._news.notify_all()
-
-    def entries(self, *names)->list:
-        "List the frames as `LogEntry`s; one logged by both ends appears once, as sent"
-        found = super().entries(*names)
-        sent = {e.frame for e in found if e.sent}
-        return [e for e in found if e.sent or e.frame not in sent]
-
-    def __repr__(self):
-        entries = self.entries()
-        return f'WireLog: {len(entries)} frames of {len({e.source for e in entries})} components'
-
-# %% ../../nbs/api/testing/00_kit.ipynb #a260bfb9
-@patch
-def _events(self:WireLog)->list:
-    "List the messages, oldest first, without duplicates and retransmissions"
-    entries = _once(self.entries())
-    _pair(entries)
-    return [e for e in entries if not e.is_command or e.exchange.sends[0] is e]
-
-# %% ../../nbs/api/testing/00_kit.ipynb #b5ff76ac
-def _what(name:str)->tuple:
-    "Return `(message id or None, command or None)` of a name; raises `ValueError` for an unknown name"
-    ids = {c.msgname: i for i,c in mavlink.mavlink_map.items()}
-    commands = {e.name: i for i,e in mavlink.enums['MAV_CMD'].items()}
-    if name in ids or name in commands: return ids.get(name),commands.get(name)
-    if f'MAV_CMD_{name}' in commands: return None,commands[f'MAV_CMD_{name}']
-    raise ValueError(f'{name!r} is no message and no command of the dialect')
-
-# %% ../../nbs/api/testing/00_kit.ipynb #03bd2c5c
-def _place(which:str, value)->tuple|None:
-    "Return an address given as '1/100' or (1, 100); raises `ValueError`"
-    if value is None: return None
-    try: system,component = map(int, value.split('/') if isinstance(value, str) else value)
-    except (TypeError,ValueError): raise ValueError(f"{which} is {value!r}: write '1/100' or (1, 100)") from None
-    return system,component
-
-# %% ../../nbs/api/testing/00_kit.ipynb #36f51fc5
-_command_fields = {*mavlink.MAVLink_command_long_message.fieldnames, *mavlink.MAVLink_command_int_message.fieldnames}
-
-def _equals(value, wanted)->bool:
-    "True if a field has the value; floats have the precision of the wire"
-    if not all(isinstance(v, (int,float)) for v in (value,wanted)): return value==wanted
-    return math.isclose(value, wanted, rel_tol=1e-6) or value!=value and wanted!=wanted
-
-# %% ../../nbs/api/testing/00_kit.ipynb #8381b6f7
-def _fits(name:str, to=None, by=None, fields=None):
-    "Return a function that is true of the wanted `LogEntry`s; raises `ValueError`"
-    (msg_id,command),to,by = _what(name),_place('to', to),_place('by', by)
-    has = _command_fields if msg_id is None else set(mavlink.mavlink_map[msg_id].fieldnames)
-    wrong = sorted(set(fields or ())-has)
-    if wrong: raise ValueError(f'{name} has no field {wrong[0]!r}: write one of {", ".join(sorted(has))}')
-    if to and 'target_system' not in has: raise ValueError(f'{name} is for all: leave out `to`')
-    def fits(e):
-        if e.msg_id!=msg_id if command is None else not e.is_command or e.message.command!=command: return False
-        if to not in (None,e.target) or by not in (None,e.source): return False
-        return all(_equals(getattr(e.message, field, None), value) for field,value in (fields or {}).items())
-    return fits
-
-# %% ../../nbs/api/testing/00_kit.ipynb #524c5b41
-def _times(n:int)->str: return {0:'never', 1:'once', 2:'twice'}.get(n, f'{n} times')
-
-@patch
-def _find(self:WireLog, fits, within:float, done)->list:
-    "List the messages that fit; waits until `done(found)`, `within` seconds at most"
-    end = clock.monotonic()+within
-    with self._news:
-        while not done(found := list(filter(fits, self._events()))) and (left := end-clock.monotonic())>0:
-            self._news.wait(left)
-    return found
-
-# %% ../../nbs/api/testing/00_kit.ipynb #1d91d668
-@patch
-def _fail(self:WireLog, name:str, to, by, fields:dict, how:str):
-    "Raise `AssertionError`, with the newest lines of the log"
-    __tracebackhide__ = True
-    def at(place): return place if isinstance(place, str) else '/'.join(map(str, place))
-    given = ', '.join(f'{field}={value!r}' for field,value in fields.items())
-    what = f'{name}{given and f" with {given}"}{f" by {at(by)}" if by else ""}{f" to {at(to)}" if to else ""}'
-    msg_id,_ = _what(name)
-    lines = self.text(*self.usual, *([name] if msg_id is not None else []), rows=12) or 'nothing'
-    raise AssertionError(f'{what} {how}. The newest messages:\n{lines}')
-
-# %% ../../nbs/api/testing/00_kit.ipynb #28ee9935
-@patch
-def has(self:WireLog, name:str, # Message or command: 'CAMERA_IMAGE_CAPTURED' or 'IMAGE_START_CAPTURE'
-        to:str|tuple|None=None, # Target, like '1/100'; `None`: any
-        by:str|tuple|None=None, # Source; `None`: any
-        times:int|None=None, # Exact count; `None`: one or more
-        within:float=0., # Seconds to wait, for messages without ack; blocks the loop of an `async` test
-        **fields # Fields of the message, such as `param3=1`
-       )->list: # `LogEntry`s; that of a command has its `exchange`
-    "Return the messages sent; raises `AssertionError` if there are none, or not so many `times`"
-    __tracebackhide__ = True
-    if times==0: return self.lacks(name, to, by, within, **fields)
-    found = self._find(_fits(name, to, by, fields), within, lambda found: len(found)>=(times or 1))
-    if found and times in (None,len(found)): return found
-    self._fail(name, to, by, fields, f'passed {_times(len(found))}, not {_times(times)}' if found else 'never passed')
-
-# %% ../../nbs/api/testing/00_kit.ipynb #921d249c
-@patch
-def lacks(self:WireLog, name:str, # Message or command
-          to:str|tuple|None=None, # Target; `None`: any
-          by:str|tuple|None=None, # Source; `None`: any
-          within:float=0., # Seconds to wait for it
-          **fields # Fields of the message
-         )->list: # Always empty
-    "Return `[]`; raises `AssertionError` if it was sent"
-    __tracebackhide__ = True
-    found = self._find(_fits(name, to, by, fields), within, bool)
-    if found: self._fail(name, to, by, fields, f'passed {_times(len(found))}')
-    return found
-
-# %% ../../nbs/api/testing/00_kit.ipynb #2806467d
-@patch
-def in_order(self:WireLog,
-    *names:str, # Messages and commands
-)->list: # A `LogEntry` per name
-    "Return the first message of each name after the one before; raises `AssertionError`"
-    __tracebackhide__ = True
-    events,found = iter(self._events()),[]
-    for name,fits in [(name, _fits(name)) for name in names]:
-        found.append(next(filter(fits, events), None))
-        if found[-1]: continue
-        after = f' after {names[len(found)-2]}' if len(found)>1 else ''
-        self._fail(name, None, None, {}, f'never passed{after}')
-    return found

@@ -11,9 +11,287 @@ import textwrap
 from fastcore.basics import patch, store_attr
 
 # %% auto #0
-__all__ = ['letter_height', 'letter_width', 'dark_pages', 'colours', 'row_height', 'first_row', 'least_gap', 'margin', 'head_top',
-           'head_height', 'head_padding', 'bar_width', 'bar_step', 'number_column', 'time_column', 'legend_line',
-           'element', 'path', 'text', 'one_line', 'Drawing', 'Chart']
+__all__ = ['row_height', 'first_row', 'least_gap', 'margin', 'head_top', 'head_height', 'head_padding', 'bar_width', 'bar_step',
+           'number_column', 'time_column', 'legend_line', 'colours', 'letter_height', 'letter_width', 'dark_pages',
+           'Chart', 'element', 'path', 'text', 'one_line', 'Drawing']
+
+# %% ../../nbs/api/wire/06_chart.ipynb #e3122ba1
+class _Line:
+    "A row of the story in its place; 1 is the first. A missing answer has no `number` of its own"
+    middle = 0.                 # pixels to the middle of its words
+    def __init__(self, row, place:int, number:int, words:str, start, ends:list, after:float):
+        store_attr()            # from the lane `start` to the lanes `ends`, `after` so many s from the first line
+
+    @property
+    def y(self)->int: return first_row+(self.place-1)*row_height
+    @property
+    def reach(self)->list: return sorted(lane.index for lane in [self.start,*self.ends])
+
+    @property
+    def gap(self)->int:
+        "The words stand right of the lane with this index"
+        here,reach = self.start.index,self.reach
+        if self.row.missing: return self.ends[-1].index-(self.ends[-1].index>here)
+        goes_right = reach[-1]>here and (reach[0]==here or not self.row.is_for_all)
+        return here if goes_right or here==0 else here-1
+
+# %% ../../nbs/api/wire/06_chart.ipynb #b1ab968f
+def _lines_of(rows:list, lanes:dict)->list:
+    "Each of `rows` in its place"
+    lines,number = [],0
+    for place,(before,row) in enumerate(zip([None,*rows], rows), 1):
+        number += not row.missing
+        lane,after = lanes[row.source],row.first.time-rows[0].first.time
+        lines.append(_Line(row, place, number, row.words(before), lane, row.reached(lanes), after))
+    return lines
+
+# %% ../../nbs/api/wire/06_chart.ipynb #172bed00
+class _Bar:
+    "A command under way, on the lane that answers it, from the place of the line that asks, or 0, to the line `end`"
+    depth = 0                   # how many bars stand left of it
+    def __init__(self, lane, first:int, end:_Line): store_attr()
+    def is_beside(self, lane, first:int, last:int)->bool:
+        return self.lane is lane and self.first<=last and first<=self.end.place
+
+# %% ../../nbs/api/wire/06_chart.ipynb #e6700f0b
+def _bars_of(lines:list)->list:
+    "A `_Bar` for each component that answers, or should have answered, a command"
+    bars,by_exchange = [],{}
+    for line in lines:
+        if line.row.exchange: by_exchange.setdefault(id(line.row.exchange), []).append(line)
+    for parts in by_exchange.values():
+        asked = min((line.place for line in parts if line.row.first.is_command), default=0)
+        last = {}               # the last answer of each lane: `(lane, line)`
+        for line in parts:
+            if line.row.missing: answering = line.ends
+            elif line.row.first.is_ack: answering = [line.start]
+            else: continue
+            for lane in answering: last[lane.index] = lane,line
+        bars += [_Bar(lane, asked, line) for lane,line in last.values()]
+    for n,bar in enumerate(bars):
+        taken = {other.depth for other in bars[:n] if other.is_beside(bar.lane, bar.first, bar.end.place)}
+        bar.depth = min(set(range(len(taken)+1))-taken)
+    return bars
+
+# %% ../../nbs/api/wire/06_chart.ipynb #e5e962fe
+row_height,first_row = 26,86        # from one arrow to the next, and from the top to the first
+least_gap,margin = 120,16           # between two lanes at least, and beside words
+head_top,head_height,head_padding = 10,42,24     # the box with a lane's name; the padding is for both sides
+bar_width,bar_step = 8,7            # of the bars on a lane, and from one to the next beside it
+number_column,time_column = 44,110  # left of the lanes: numbers, or the ruler
+legend_line = 18
+_rules = {' g:hover>.band':'opacity:.08', ' .band':'fill:currentColor;opacity:0'}      # the row under the mouse
+
+# %% ../../nbs/api/wire/06_chart.ipynb #c860973a
+class Chart:
+    "Messages between components, as SVG; shows itself in a notebook"
+    def __init__(self, rows:list, # The story, line by line, as a message log gives it
+                 lanes:dict, # `{(system, component): lane}`, from left to right
+                 times:bool=False, # Draw a ruler of seconds as well
+                 earlier:int=0, # How many messages before them are left out
+                 not_drawn=None): # `{name: count}` of other messages
+        self.times,self.lanes = times,lanes
+        self.lines = _lines_of(rows, lanes)
+        self.bars = _bars_of(self.lines)
+        self.width,self.bottom = self._place_lanes(),first_row+len(rows)*row_height
+        self.notes = self._make_notes(earlier, not_drawn or {})
+
+    def __repr__(self): return f'Chart: {len(self.lines)} rows, {len(self.lanes)} lanes'
+    def _repr_svg_(self)->str: return self.svg
+    def _repr_html_(self)->str: return self.drawing._repr_html_()
+    def save(self, file): "Write the picture as an `.svg`"; self.drawing.save(file)
+
+    def _make_notes(self, many:int, not_drawn:dict)->list:
+        "Notes on omitted messages and on signs"
+        notes = [f'{many} earlier messages are left out.'] if many else []
+        if any('↻' in line.words for line in self.lines): notes.append('↻ retransmission')
+        if not_drawn: notes.append('Not drawn: '+', '.join(f'{name} ×{n}' for name,n in sorted(not_drawn.items())))
+        elif not self.lines: notes.append('No messages.')
+        letters = int((self.width-2*margin)/_text_width('x'))
+        return [part for note in notes for part in textwrap.wrap(note, letters)]
+
+    def _beside_bars(self, lane, place:int, way:int)->int:
+        "How far from the middle of `lane` an arrow on its left (-1) or right (1) ends"
+        depths = [bar.depth for bar in self.bars if bar.is_beside(lane, place, place)]
+        if not depths: return 0
+        return 5+bar_step*max(depths) if way>0 else 5-bar_step*min(depths)
+
+# %% ../../nbs/api/wire/06_chart.ipynb #acc36c98
+def _head_width(lane)->float: return max(_text_width(lane.name), _text_width(lane.below))+head_padding
+
+# %% ../../nbs/api/wire/06_chart.ipynb #916551df
+@patch
+def _place_lanes(self:Chart)->int:
+    "Find the lanes' places, and those of the words between them; returns the width of the picture"
+    lanes = list(self.lanes.values())
+    heads = [_head_width(lane) for lane in lanes]
+    gaps = [max((a+b)/2+20, least_gap) for a,b in zip(heads, heads[1:])]+[w/2+margin for w in heads[-1:]]
+    bars = [max((bar_step*bar.depth+5 for bar in self.bars if bar.lane is lane), default=0) for lane in lanes]
+    for line in self.lines:
+        cross = 44 if line.row.missing else 0           # the cross and the dashes before it
+        gaps[line.gap] = max(gaps[line.gap], _text_width(line.words)+2*margin+bars[line.gap]+cross)
+    x = (time_column if self.times else number_column)+(heads[0]/2 if lanes else 0)
+    for lane,gap in zip(lanes, gaps):
+        lane.x = round(x)
+        x += gap
+    for line in self.lines: line.middle = lanes[line.gap].x+(gaps[line.gap]+bars[line.gap])/2
+    return round(max(x, 420))
+
+# %% ../../nbs/api/wire/06_chart.ipynb #9816368a
+colours = {
+    'paper': ('#ffffff','#161b22'),
+    'ink': ('#1f2933','#e3e9f0'),                       # names of lanes
+    'soft': ('#5b6673','#8f9baa'),                      # numbers, ruler and legend
+    'line': ('#c9d1d9','#444e59'),                      # lanes
+    'message': ('#4c6178','#9fb2c8'),                   # from here on: the kinds of rows
+    'accepted': ('#14804a','#4cc38a'),
+    'denied or unsupported': ('#a3308c','#e58fd3'),
+    'temporarily rejected': ('#a35f00','#eba94d'),
+    'failed': ('#c42b37','#ff8a8a'),
+    'in progress': ('#1b6ec2','#6db3f8'),
+    'no answer': ('#1f2933','#e3e9f0')}
+_in_legend = 'accepted','denied or unsupported','temporarily rejected','failed','in progress','no answer'
+
+# %% ../../nbs/api/wire/06_chart.ipynb #d41c7dd8
+def _solid_arrow(x0, x1, y, way, weight=2, dashes=None)->str:
+    head = path(f'M{x1} {y}l{-way*9} -4v8z', cls='solid')
+    return path(f'M{x0} {y}H{x1-way*7}', stroke_width=weight, stroke_dasharray=dashes)+head
+
+# %% ../../nbs/api/wire/06_chart.ipynb #15c0bc3d
+def _open_arrow(x0, x1, y, way)->str:
+    return path(f'M{x0} {y}H{x1}M{x1-way*7} {y-4}L{x1} {y}L{x1-way*7} {y+4}', stroke_width=1.5)
+
+def _crossed_out(x, y, way, words)->str:
+    "Dashes that come out of `x` against `way`, a cross, and `words` behind it"
+    dashes = path(f'M{x} {y}h{-way*24}', stroke_dasharray='2 3')
+    mark = path(f'M{x-way*32-4} {y-4}l8 8m0 -8l-8 8', cls='failed', stroke_width=2)
+    return dashes+text(x-way*42, y+4, words, 'bold', *(['end'] if way>0 else []))+mark
+
+# %% ../../nbs/api/wire/06_chart.ipynb #6a1c15bd
+@patch
+def _draw_arrow(self:Chart, line:_Line, end)->str:
+    way = 1 if end.index>line.start.index else -1
+    y,row = line.y,line.row
+    x0 = line.start.x+way*self._beside_bars(line.start, line.place, way)
+    x1 = end.x-way*self._beside_bars(end, line.place, -way)
+    if row.missing: return _crossed_out(x1, y, way, line.words)
+    if row.first.is_ack: return _open_arrow(x0, x1, y, way)
+    return _solid_arrow(x0, x1, y, way, 2 if row.exchange else 1.2, '7 4' if row.first.is_retransmission else None)
+
+# %% ../../nbs/api/wire/06_chart.ipynb #416e2eb2
+@patch
+def _draw_line(self:Chart, line:_Line)->str:
+    lanes,row = list(self.lanes.values()),line.row
+    when = f'after {line.after:.6f} s\n' if self.times and not row.missing else ''
+    tip = element('title', escape(when+row.tip(self.times)))
+    band = element('rect', cls='band', y=line.y-17, width=self.width, height=row_height)
+    ends = [lanes[index] for index in sorted({line.reach[0],line.reach[-1]}-{line.start.index})]
+    drawn = [tip, band, *(self._draw_arrow(line, end) for end in ends)]
+    if not row.missing:
+        dots = [line.start, *line.ends] if row.is_for_all else line.ends
+        drawn += [element('circle', cx=lane.x, cy=line.y, r=3, cls='solid') for lane in dots if lane not in ends]
+        if not self.times: drawn.append(text(30, line.y+4, str(line.number), 'soft', 'end'))
+        drawn.append(text(line.middle, line.y-6, one_line(line.words, 200), 'middle'))
+    return element('g', *drawn, cls=_css_class(row.kind))
+
+# %% ../../nbs/api/wire/06_chart.ipynb #fc164cbc
+@patch
+def _draw_lane(self:Chart, lane)->str:
+    dashes = '2 4' if lane.silent else None
+    tip = element('title', 'never heard' if lane.silent else 'ours' if lane.ours else 'heard')
+    width = _head_width(lane)
+    box = element('rect', cls='line', x=lane.x-width/2, y=head_top, width=width, height=head_height, rx=7,
+                  fill='currentColor', fill_opacity=.45*lane.ours, stroke='currentColor', stroke_dasharray=dashes)
+    name = text(lane.x, head_top+18, lane.name, 'ink', 'middle', 'bold', 'plain')
+    below = text(lane.x, head_top+34, lane.below, 'ink', 'middle', 'plain')
+    down = path(f'M{lane.x} {head_top+head_height}V{self.bottom-8}', stroke_dasharray=dashes)
+    return element('g', tip, box, name, below)+element('g', down, cls='line')
+
+# %% ../../nbs/api/wire/06_chart.ipynb #3f7c59ad
+@patch
+def _draw_bar(self:Chart, bar:_Bar)->str:
+    top = first_row+(bar.first-1)*row_height-3 if bar.first else head_top+head_height+4
+    x,row = bar.lane.x-bar_width//2+bar_step*bar.depth,bar.end.row
+    look = dict(fill='currentColor')
+    if row.missing: look = dict(fill='none', stroke='currentColor', stroke_dasharray='2 3')
+    return element('rect', cls=_css_class(row.kind), x=x, y=top, width=bar_width, height=bar.end.y+3-top, rx=3, **look)
+
+# %% ../../nbs/api/wire/06_chart.ipynb #198fe87f
+@patch
+def _draw_legend(self:Chart)->tuple:
+    "The elements, and where they end"
+    found,x,y = [],margin,self.bottom+10
+    shown = {line.row.kind for line in self.lines}
+    for kind in (k for k in _in_legend if k in shown):
+        if x>margin and x+_text_width(kind)+margin>self.width: x,y = margin,y+legend_line
+        found.append(element('rect', cls=f'solid {_css_class(kind)}', x=x, y=y-9, width=10, height=10, rx=3))
+        found.append(text(x+16, y, kind, 'soft'))
+        x = round(x+_text_width(kind)+34)
+    for note in self.notes:
+        found.append(text(margin, y+20, note, 'soft'))
+        y += legend_line
+    below = 16 if self.notes else 12
+    return found,y+below
+
+# %% ../../nbs/api/wire/06_chart.ipynb #4fabe7e3
+def _tick_step(span:float, pixels:float, apart:int=34)->float:
+    "Seconds from one tick to the next, `apart` pixels at least: 1, 2 or 5 of a power of ten"
+    return next(s for s in (m*10**k for k in range(-6,99) for m in (1,2,5)) if pixels*s>=apart*span)
+
+# %% ../../nbs/api/wire/06_chart.ipynb #5ab08f50
+def _time_unit(span:float)->tuple:
+    "Name of the unit for a time of `span` seconds, and how many of them are a second"
+    if span>=1: return 's',1
+    if span>=1e-3: return 'ms',1e3
+    return 'µs',1e6
+
+def _time_ruler(span:float, top:float, bottom:float, colour:str='soft')->str:
+    "A ruler of `span` seconds at the left edge, 58 pixels wide"
+    unit,scale = _time_unit(span)
+    step = _tick_step(span, bottom-top)
+    def at(t): return round(top+(bottom-top)*t/span, 1)
+    times = [n*step for n in range(int(span/step+1e-9)+1)]
+    ticks = [path(f'M56 {at(t)}h-5')+text(46, at(t)+4, f'{t*scale:.6g}', 'end') for t in times]
+    return element('g', path(f'M58 {top}V{bottom}'), *ticks, text(46, top-16, unit, 'end'), cls=colour)
+
+# %% ../../nbs/api/wire/06_chart.ipynb #e70201af
+@patch
+def _draw_ruler(self:Chart)->list:
+    if not self.times or not self.lines: return []
+    top,bottom = self.lines[0].y,max(self.lines[-1].y, self.lines[0].y+1)
+    span = max([*(line.after for line in self.lines),1e-6])
+    def at(line): return round(top+(bottom-top)*max(line.after, 0)/span, 1)
+    threads = [path(f'M60 {at(line)}L88 {line.y}h8', stroke_width=.7) for line in self.lines if not line.row.missing]
+    return [_time_ruler(span, top, bottom), element('g', *threads, cls='soft')]
+
+# %% ../../nbs/api/wire/06_chart.ipynb #d2304f4b
+@patch(as_prop=True)
+def drawing(self:Chart)->Drawing:
+    "The picture"
+    legend,height = self._draw_legend()
+    inside = [*map(self._draw_lane, self.lanes.values()), *self._draw_ruler(), *map(self._draw_bar, self.bars),
+              *map(self._draw_line, self.lines), *legend]
+    return Drawing('wire', colours, self.width, height, *inside, rules=_rules)
+
+# %% ../../nbs/api/wire/06_chart.ipynb #95664914
+@patch(as_prop=True)
+def svg(self:Chart)->str: "The picture as text"; return self.drawing.svg
+
+# %% ../../nbs/api/wire/06_chart.ipynb #2a4f310e
+@patch
+def __str__(self:Chart):
+    "A line of text for each row: seconds since the first one, from whom, to whom, and the words"
+    def who(address):
+        number = '/'.join(str(n) if n else 'all' for n in address)
+        return f'{self.lanes[address].name} {number}' if address in self.lanes else number if any(address) else 'all'
+    ends = [(who(line.row.source), who(line.row.target)) for line in self.lines]
+    wide = max((len(name) for both in ends for name in both), default=0)
+    rows = []
+    for line,(source,target) in zip(self.lines, ends):
+        when,arrow = f'{line.after:.3f}','→'
+        if line.row.missing: when,arrow,source,target = '','✗',target,source
+        rows.append(f'{when:>8}  {source:{wide}} {arrow} {target:{wide}}  {one_line(line.words, 200)}')
+    return '\n'.join([*rows, *self.notes])
 
 # %% ../../nbs/api/wire/06_chart.ipynb #d8e67597
 def _name(attribute:str)->str: return 'class' if attribute=='cls' else attribute.replace('_','-')
@@ -122,268 +400,3 @@ class Drawing:
     def save(self, file): # An `.svg`
         "Write it"
         Path(file).write_text(self.svg, encoding='utf-8')
-
-# %% ../../nbs/api/wire/06_chart.ipynb #9816368a
-colours = {
-    'paper': ('#ffffff','#161b22'),
-    'ink': ('#1f2933','#e3e9f0'),                       # names of lanes
-    'soft': ('#5b6673','#8f9baa'),                      # numbers, ruler and legend
-    'line': ('#c9d1d9','#444e59'),                      # lanes
-    'message': ('#4c6178','#9fb2c8'),                   # from here on: the kinds of rows
-    'accepted': ('#14804a','#4cc38a'),
-    'denied or unsupported': ('#a3308c','#e58fd3'),
-    'temporarily rejected': ('#a35f00','#eba94d'),
-    'failed': ('#c42b37','#ff8a8a'),
-    'in progress': ('#1b6ec2','#6db3f8'),
-    'no answer': ('#1f2933','#e3e9f0')}
-_in_legend = 'accepted','denied or unsupported','temporarily rejected','failed','in progress','no answer'
-
-# %% ../../nbs/api/wire/06_chart.ipynb #e5e962fe
-row_height,first_row = 26,86        # from one arrow to the next, and from the top to the first
-least_gap,margin = 120,16           # between two lanes at least, and beside words
-head_top,head_height,head_padding = 10,42,24     # the box with a lane's name; the padding is for both sides
-bar_width,bar_step = 8,7            # of the bars on a lane, and from one to the next beside it
-number_column,time_column = 44,110  # left of the lanes: numbers, or the ruler
-legend_line = 18
-_rules = {' g:hover>.band':'opacity:.08', ' .band':'fill:currentColor;opacity:0'}      # the row under the mouse
-
-# %% ../../nbs/api/wire/06_chart.ipynb #d41c7dd8
-def _solid_arrow(x0, x1, y, way, weight=2, dashes=None)->str:
-    head = path(f'M{x1} {y}l{-way*9} -4v8z', cls='solid')
-    return path(f'M{x0} {y}H{x1-way*7}', stroke_width=weight, stroke_dasharray=dashes)+head
-
-# %% ../../nbs/api/wire/06_chart.ipynb #15c0bc3d
-def _open_arrow(x0, x1, y, way)->str:
-    return path(f'M{x0} {y}H{x1}M{x1-way*7} {y-4}L{x1} {y}L{x1-way*7} {y+4}', stroke_width=1.5)
-
-def _crossed_out(x, y, way, words)->str:
-    "Dashes that come out of `x` against `way`, a cross, and `words` behind it"
-    dashes = path(f'M{x} {y}h{-way*24}', stroke_dasharray='2 3')
-    mark = path(f'M{x-way*32-4} {y-4}l8 8m0 -8l-8 8', cls='failed', stroke_width=2)
-    return dashes+text(x-way*42, y+4, words, 'bold', *(['end'] if way>0 else []))+mark
-
-# %% ../../nbs/api/wire/06_chart.ipynb #4fabe7e3
-def _tick_step(span:float, pixels:float, apart:int=34)->float:
-    "Seconds from one tick to the next, `apart` pixels at least: 1, 2 or 5 of a power of ten"
-    return next(s for s in (m*10**k for k in range(-6,99) for m in (1,2,5)) if pixels*s>=apart*span)
-
-# %% ../../nbs/api/wire/06_chart.ipynb #5ab08f50
-def _time_ruler(span:float, top:float, bottom:float, colour:str='soft')->str:
-    "A ruler of `span` seconds at the left edge, 58 pixels wide"
-    (scale,unit),step = (1,'s') if span>=1 else (1e3,'ms') if span>=1e-3 else (1e6,'µs'),_tick_step(span, bottom-top)
-    def at(t): return round(top+(bottom-top)*t/span, 1)
-    times = [n*step for n in range(int(span/step+1e-9)+1)]
-    ticks = [path(f'M56 {at(t)}h-5')+text(46, at(t)+4, f'{t*scale:.6g}', 'end') for t in times]
-    return element('g', path(f'M58 {top}V{bottom}'), *ticks, text(46, top-16, unit, 'end'), cls=colour)
-
-# %% ../../nbs/api/wire/06_chart.ipynb #e3122ba1
-class _Line:
-    "A row of the story in its place; 1 is the first. A missing answer has no `number` of its own"
-    middle = 0.                 # pixels to the middle of its words
-    def __init__(self, row, place:int, number:int, words:str, start, ends:list, after:float):
-        store_attr()            # from the lane `start` to the lanes `ends`, `after` so many s from the first line
-
-    @property
-    def y(self)->int: return first_row+(self.place-1)*row_height
-    @property
-    def reach(self)->list: return sorted(lane.index for lane in [self.start,*self.ends])
-
-    @property
-    def gap(self)->int:
-        "The words stand right of the lane with this index"
-        here,reach = self.start.index,self.reach
-        if self.row.missing: return self.ends[-1].index-(self.ends[-1].index>here)
-        goes_right = reach[-1]>here and (reach[0]==here or not self.row.is_for_all)
-        return here if goes_right or here==0 else here-1
-
-# %% ../../nbs/api/wire/06_chart.ipynb #b1ab968f
-def _lines_of(rows:list, lanes:dict)->list:
-    "Each of `rows` in its place"
-    lines,number = [],0
-    for place,(before,row) in enumerate(zip([None,*rows], rows), 1):
-        number += not row.missing
-        lane,after = lanes[row.source],row.first.time-rows[0].first.time
-        lines.append(_Line(row, place, number, row.words(before), lane, row.reached(lanes), after))
-    return lines
-
-# %% ../../nbs/api/wire/06_chart.ipynb #172bed00
-class _Bar:
-    "A command under way, on the lane that answers it, from the place of the line that asks, or 0, to the line `end`"
-    depth = 0                   # how many bars stand left of it
-    def __init__(self, lane, first:int, end:_Line): store_attr()
-    def is_beside(self, lane, first:int, last:int)->bool:
-        return self.lane is lane and self.first<=last and first<=self.end.place
-
-# %% ../../nbs/api/wire/06_chart.ipynb #e6700f0b
-def _bars_of(lines:list)->list:
-    "A `_Bar` for each component that answers, or should have answered, a command"
-    bars,by_exchange = [],{}
-    for line in lines:
-        if line.row.exchange: by_exchange.setdefault(id(line.row.exchange), []).append(line)
-    for parts in by_exchange.values():
-        asked = min((line.place for line in parts if line.row.first.is_command), default=0)
-        answers = [line for line in parts if line.row.missing or line.row.first.is_ack]
-        last = {lane.index:(lane,line) for line in answers for lane in ([line.start],line.ends)[line.row.missing]}
-        bars += [_Bar(lane, asked, line) for lane,line in last.values()]
-    for n,bar in enumerate(bars):
-        taken = {other.depth for other in bars[:n] if other.is_beside(bar.lane, bar.first, bar.end.place)}
-        bar.depth = min(set(range(len(taken)+1))-taken)
-    return bars
-
-# %% ../../nbs/api/wire/06_chart.ipynb #c860973a
-class Chart:
-    "Messages between components, as SVG; shows itself in a notebook"
-    def __init__(self, rows:list, # The story, line by line, as a message log tells it
-                 lanes:dict, # `{(system, component): lane}`, from left to right
-                 times:bool=False, # Draw a ruler of seconds as well
-                 earlier:int=0, # How many messages before them are left out
-                 not_drawn=None): # `{name: count}` of other messages
-        self.times,self.lanes = times,lanes
-        self.lines = _lines_of(rows, lanes)
-        self.bars = _bars_of(self.lines)
-        self.width,self.bottom = self._place_lanes(),first_row+len(rows)*row_height
-        self.notes = self._make_notes(earlier, not_drawn or {})
-
-    def __repr__(self): return f'Chart: {len(self.lines)} rows, {len(self.lanes)} lanes'
-    def _repr_svg_(self)->str: return self.svg
-    def _repr_html_(self)->str: return self.drawing._repr_html_()
-    def save(self, file): "Write the picture as an `.svg`"; self.drawing.save(file)
-
-    def _make_notes(self, many:int, not_drawn:dict)->list:
-        "Notes on omitted messages and on signs"
-        notes = [f'{many} earlier messages are left out.']*bool(many)
-        if any('↻' in line.words for line in self.lines): notes.append('↻ retransmission')
-        if not_drawn: notes.append('Not drawn: '+', '.join(f'{name} ×{n}' for name,n in sorted(not_drawn.items())))
-        elif not self.lines: notes.append('No messages.')
-        letters = int((self.width-2*margin)/_text_width('x'))
-        return [part for note in notes for part in textwrap.wrap(note, letters)]
-
-    def _beside_bars(self, lane, place:int, way:int)->int:
-        "How far from the middle of `lane` an arrow on its left (-1) or right (1) ends"
-        depths = [bar.depth for bar in self.bars if bar.is_beside(lane, place, place)]
-        if not depths: return 0
-        return 5+bar_step*max(depths) if way>0 else 5-bar_step*min(depths)
-
-# %% ../../nbs/api/wire/06_chart.ipynb #acc36c98
-def _head_width(lane)->float: return max(_text_width(lane.name), _text_width(lane.below))+head_padding
-
-# %% ../../nbs/api/wire/06_chart.ipynb #916551df
-@patch
-def _place_lanes(self:Chart)->int:
-    "Find the lanes' places, and those of the words between them; returns the width of the picture"
-    lanes = list(self.lanes.values())
-    heads = [_head_width(lane) for lane in lanes]
-    gaps = [max((a+b)/2+20, least_gap) for a,b in zip(heads, heads[1:])]+[w/2+margin for w in heads[-1:]]
-    bars = [max((bar_step*bar.depth+5 for bar in self.bars if bar.lane is lane), default=0) for lane in lanes]
-    for line in self.lines:
-        cross = 44*line.row.missing         # and the dashes before it
-        gaps[line.gap] = max(gaps[line.gap], _text_width(line.words)+2*margin+bars[line.gap]+cross)
-    x = (time_column if self.times else number_column)+(heads[0]/2 if lanes else 0)
-    for lane,gap in zip(lanes, gaps):
-        lane.x = round(x)
-        x += gap
-    for line in self.lines: line.middle = lanes[line.gap].x+(gaps[line.gap]+bars[line.gap])/2
-    return round(max(x, 420))
-
-# %% ../../nbs/api/wire/06_chart.ipynb #6a1c15bd
-@patch
-def _draw_arrow(self:Chart, line:_Line, end)->str:
-    way,y,row = (1 if end.index>line.start.index else -1),line.y,line.row
-    x0 = line.start.x+way*self._beside_bars(line.start, line.place, way)
-    x1 = end.x-way*self._beside_bars(end, line.place, -way)
-    if row.missing: return _crossed_out(x1, y, way, line.words)
-    if row.first.is_ack: return _open_arrow(x0, x1, y, way)
-    return _solid_arrow(x0, x1, y, way, 2 if row.exchange else 1.2, '7 4' if row.first.is_retransmission else None)
-
-# %% ../../nbs/api/wire/06_chart.ipynb #416e2eb2
-@patch
-def _draw_line(self:Chart, line:_Line)->str:
-    lanes,row = list(self.lanes.values()),line.row
-    when = f'after {line.after:.6f} s\n' if self.times and not row.missing else ''
-    tip = element('title', escape(when+row.tip(self.times)))
-    band = element('rect', cls='band', y=line.y-17, width=self.width, height=row_height)
-    ends = [lanes[index] for index in sorted({line.reach[0],line.reach[-1]}-{line.start.index})]
-    drawn = [tip, band, *(self._draw_arrow(line, end) for end in ends)]
-    if not row.missing:
-        across = [*[line.start]*row.is_for_all, *line.ends]
-        drawn += [element('circle', cx=lane.x, cy=line.y, r=3, cls='solid') for lane in across if lane not in ends]
-        if not self.times: drawn.append(text(30, line.y+4, str(line.number), 'soft', 'end'))
-        drawn.append(text(line.middle, line.y-6, one_line(line.words, 200), 'middle'))
-    return element('g', *drawn, cls=_css_class(row.kind))
-
-# %% ../../nbs/api/wire/06_chart.ipynb #fc164cbc
-@patch
-def _draw_lane(self:Chart, lane)->str:
-    dashes = '2 4' if lane.silent else None
-    tip = element('title', 'never heard' if lane.silent else 'ours' if lane.ours else 'heard')
-    width = _head_width(lane)
-    box = element('rect', cls='line', x=lane.x-width/2, y=head_top, width=width, height=head_height, rx=7,
-                  fill='currentColor', fill_opacity=.45*lane.ours, stroke='currentColor', stroke_dasharray=dashes)
-    name = text(lane.x, head_top+18, lane.name, 'ink', 'middle', 'bold', 'plain')
-    below = text(lane.x, head_top+34, lane.below, 'ink', 'middle', 'plain')
-    down = path(f'M{lane.x} {head_top+head_height}V{self.bottom-8}', stroke_dasharray=dashes)
-    return element('g', tip, box, name, below)+element('g', down, cls='line')
-
-# %% ../../nbs/api/wire/06_chart.ipynb #3f7c59ad
-@patch
-def _draw_bar(self:Chart, bar:_Bar)->str:
-    top = first_row+(bar.first-1)*row_height-3 if bar.first else head_top+head_height+4
-    x,row = bar.lane.x-bar_width//2+bar_step*bar.depth,bar.end.row
-    look = dict(fill='currentColor')
-    if row.missing: look = dict(fill='none', stroke='currentColor', stroke_dasharray='2 3')
-    return element('rect', cls=_css_class(row.kind), x=x, y=top, width=bar_width, height=bar.end.y+3-top, rx=3, **look)
-
-# %% ../../nbs/api/wire/06_chart.ipynb #198fe87f
-@patch
-def _draw_legend(self:Chart)->tuple:
-    "The elements, and where they end"
-    found,x,y = [],margin,self.bottom+10
-    shown = {line.row.kind for line in self.lines}
-    for kind in (k for k in _in_legend if k in shown):
-        if x>margin and x+_text_width(kind)+margin>self.width: x,y = margin,y+legend_line
-        found.append(element('rect', cls=f'solid {_css_class(kind)}', x=x, y=y-9, width=10, height=10, rx=3))
-        found.append(text(x+16, y, kind, 'soft'))
-        x = round(x+_text_width(kind)+34)
-    for note in self.notes:
-        found.append(text(margin, y+20, note, 'soft'))
-        y += legend_line
-    return found,y+12+4*bool(self.notes)
-
-# %% ../../nbs/api/wire/06_chart.ipynb #e70201af
-@patch
-def _draw_ruler(self:Chart)->list:
-    if not self.times or not self.lines: return []
-    top,bottom = self.lines[0].y,max(self.lines[-1].y, self.lines[0].y+1)
-    span = max([*(line.after for line in self.lines),1e-6])
-    def at(line): return round(top+(bottom-top)*max(line.after, 0)/span, 1)
-    threads = [path(f'M60 {at(line)}L88 {line.y}h8', stroke_width=.7) for line in self.lines if not line.row.missing]
-    return [_time_ruler(span, top, bottom), element('g', *threads, cls='soft')]
-
-# %% ../../nbs/api/wire/06_chart.ipynb #d2304f4b
-@patch(as_prop=True)
-def drawing(self:Chart)->Drawing:
-    "The picture"
-    legend,height = self._draw_legend()
-    inside = [*map(self._draw_lane, self.lanes.values()), *self._draw_ruler(), *map(self._draw_bar, self.bars),
-              *map(self._draw_line, self.lines), *legend]
-    return Drawing('wire', colours, self.width, height, *inside, rules=_rules)
-
-# %% ../../nbs/api/wire/06_chart.ipynb #95664914
-@patch(as_prop=True)
-def svg(self:Chart)->str: "The picture as text"; return self.drawing.svg
-
-# %% ../../nbs/api/wire/06_chart.ipynb #2a4f310e
-@patch
-def __str__(self:Chart):
-    "A line of text for each row: seconds since the first one, from whom, to whom, and the words"
-    def who(address):
-        number = '/'.join(str(n) if n else 'all' for n in address)
-        return f'{self.lanes[address].name} {number}' if address in self.lanes else number if any(address) else 'all'
-    ends = [(who(line.row.source), who(line.row.target)) for line in self.lines]
-    wide = max((len(name) for both in ends for name in both), default=0)
-    rows = []
-    for line,(source,target) in zip(self.lines, ends):
-        when,arrow = f'{line.after:.3f}','→'
-        if line.row.missing: when,arrow,source,target = '','✗',target,source
-        rows.append(f'{when:>8}  {source:{wide}} {arrow} {target:{wide}}  {one_line(line.words, 200)}')
-    return '\n'.join([*rows, *self.notes])
