@@ -789,6 +789,7 @@ def step(self:_OnvifClient):
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #c2d51f1b
 @patch
 def _run(self:_OnvifClient):
+    self._thread = clock.current_thread()       # it may send before `start` has it
     while not self._closing:
         try: self.step()
         except Exception: self.log.exception('%r', self)
