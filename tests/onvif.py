@@ -22,7 +22,7 @@ from UAV.utils.lazy import cv2
 from UAV.video.rtsp_server import RTSPServer
 
 # %% auto #0
-__all__ = ['Fault', 'OnvifDevice', 'DirectLine', 'OnvifSimulator', 'with_picture']
+__all__ = ['Fault', 'OnvifDevice', 'DirectClient', 'OnvifSimulator', 'with_picture']
 
 # %% onvif.ipynb #bbd0d9be
 _tptz = 'http://www.onvif.org/ver10/tptz/'
@@ -291,7 +291,7 @@ def do_GotoPreset(self:OnvifDevice, request):
     self.aim(*self.presets[token][1])
 
 # %% onvif.ipynb #286b4222
-class DirectLine(_OnvifClient):
+class DirectClient(_OnvifClient):
     "From an `Onvif` to an `OnvifDevice` in the same process, without a thread: call `step`"
     def __init__(self, device, **kwargs):
         super().__init__('192.0.2.1', user=device.user, password=device.password, clock=device.clock, **kwargs)

@@ -6,7 +6,7 @@
 from __future__ import annotations
 from base64 import b64encode
 from calendar import timegm
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from urllib.parse import quote, urlsplit, urlunsplit
 from xml.etree import ElementTree
@@ -18,7 +18,7 @@ from ..cameras.url_camera import URLCamera
 from ..cameras.values import CameraError, Frame, Still
 from .values import *
 from ..logging import get_logger
-from ..utils import clock, clock as _clock
+from ..utils import clock
 from ..utils.devices import DeviceURL
 from ..utils.values import inside
 from ..utils.sockets import url_host, ask_web, Deadline, web_path
@@ -28,7 +28,348 @@ from .driver import GimbalDriver
 from ..utils.threads import _begin_thread
 
 # %% auto #0
-__all__ = ['OnvifCamera', 'Onvif']
+__all__ = ['Onvif', 'OnvifCamera']
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #94d18996
+class Onvif(GimbalDriver):
+    "A pan-tilt camera that supports ONVIF; `camera` takes its pictures"
+    locks = ()
+    fresh = 3.          # s that an angle waits for a lost connection
+    repeat = 1.         # s after which a turning camera gets its order again; without that it stands after two of them
+    gain = 1.5          # degrees a second for each degree that is missing
+    stands_late = True  # it turns on until `Stop` has arrived, so where it stands isn't where it was seen last
+    def __init__(self, host:str='', port:int|None=None, # `None`: 80
+                 user:str='', password:str='',
+                 pan:tuple|None=None, # Degrees to the right at the ends of its pan; `None`: as it reports, or -180, 180
+                 tilt:tuple|None=None, # Degrees up at the ends of its tilt; `None`: as it reports, or -90, 0
+                 speeds:tuple=(60.,40.), # Of pan and tilt at full speed, degrees a second, unless it reports them
+                 clock=clock.now, client=None, # In tests: gives seconds; has connected
+                 basic:bool=False, # May the password go in plain text, when the camera asks for that?
+                 **storage): # `folder`, `quota` and `storages` of its camera
+        if client is None:
+            client = _OnvifClient(host, port, user, password, basic=basic)
+            client.connect()
+        if not client.turns: raise GimbalError(f'{client!r} cannot turn: Onvif.open makes a camera of it')
+        self.client,self.camera,self.speeds = client,None,speeds
+        self._choose_spaces(pan, tilt)
+        self.information = GimbalInformation(client.maker, client.model, firmware_version=client.firmware,
+            roll=None, pitch=tuple(sorted(self.tilt)), yaw=tuple(sorted(self.pan)))
+        super().__init__(clock)
+        self._seen = dict.fromkeys(('pitch','yaw'), (NAN, 0.)),clock()      # angle and rate of each axis; when
+        self._sent = None                           # velocities sent last, and when, s
+        self._asked = -math.inf                     # when an angle was asked for, s
+        self.hold_still()
+        client.received = lambda: self._receive()
+        client.changed = lambda: self._on_outage()
+        if client.stream: self.camera = OnvifCamera(client, **storage)
+        client.step()           # so it has a position
+        client.start()
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #d08ff17b
+@patch
+def _choose_spaces(self:Onvif, pan:tuple|None, tilt:tuple|None):
+    "Choose units and ranges; raises `ValueError`"
+    spaces = self.client.spaces
+    self._position = next(iter(spaces['position']), None)
+    self._velocity = next(iter(spaces['velocity']), None)
+    in_degrees = self._position and self._position.in_degrees
+    self.pan = pan or (self._position.x if in_degrees else (-180.,180.))
+    self.tilt = tilt or (self._position.y if in_degrees else (-90.,0.))
+    speeds = self.speeds
+    if self.pan[0]==self.pan[1] or self.tilt[0]==self.tilt[1] or not min(speeds)>0:
+        raise ValueError(f'pan and tilt need two different ends and speeds above 0, not {pan}, {tilt} and {speeds}')
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #0dabe146
+@patch(as_prop=True)
+def fault(self:Onvif)->str|None:
+    "Return a sentence when the device doesn't answer; `None`: it works"
+    silent = self.client.clock()-self.client.answered
+    return self.client.error or (f'{self.client!r}: no answer for {silent:.0f} s' if silent>3 else None)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #b8bf41dc
+@patch
+def _angle(self:Onvif, axis:str)->float:
+    "Return the angle of an axis now, degrees"
+    (angle,rate),then = self._seen[0][axis],self._seen[1]
+    if not known(angle): return NAN
+    on = rate*min(self.clock()-then, .3) if getattr(self.setpoint, axis).turning else 0.
+    return self.information.limited(axis, angle+on)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #16e33852
+@patch
+def attitude(self:Onvif)->GimbalAttitude:
+    "Return where it points, by its last answer"
+    with self._lock:
+        goals = dict(pitch=self.setpoint.pitch.angle, yaw=self.setpoint.yaw.angle)
+        return self.attitude_of(0., self._angle('pitch'), self._angle('yaw'), goals=goals)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #fb9290e2
+@patch
+def _stop(self:Onvif)->str:
+    "Return the request that ends all turning"
+    self._sent = None
+    self._seen = {axis: (angle, 0.) for axis,(angle,rate) in self._seen[0].items()},self._seen[1]
+    return self.client.ptz('Stop', '<tptz:PanTilt>true</tptz:PanTilt><tptz:Zoom>false</tptz:Zoom>')
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #afde749d
+def _vector(x:float, y:float, uri:str)->str: return f'<tt:PanTilt x="{x:.5f}" y="{y:.5f}" space="{escape(uri)}"/>'
+
+@patch
+def _go(self:Onvif, setpoint:Setpoint)->str:
+    "Return the request that moves it to the angles of `setpoint`"
+    pan,tilt,space = setpoint.yaw.angle,setpoint.pitch.angle,self._position
+    x = _between(self.information.limited('yaw', pan), self.pan, space.x)
+    y = _between(self.information.limited('pitch', tilt), self.tilt, space.y)
+    return self.client.ptz('AbsoluteMove', f'<tptz:Position>{_vector(x, y, space.uri)}</tptz:Position>')
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #aa33b27c
+@patch
+def _rate(self:Onvif, axis:str, target:Axis)->float:
+    "Return the rate for an axis now, degrees a second"
+    angle = self.information.limited(axis, target.angle) if known(target.angle) else NAN
+    return self.rate_toward(target, angle-self._angle(axis))
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #b077ad1f
+@patch
+def _turn(self:Onvif, rates:tuple)->str:
+    "Return the request that turns pan and tilt, degrees a second"
+    space,units = self._velocity,[]
+    for rate,ends,degrees,speed in zip(rates, (space.x, space.y), (self.pan, self.tilt), self.speeds):
+        value = math.copysign(rate, rate*(degrees[1]-degrees[0]))
+        units.append(min(max(value if space.in_degrees else value/speed*ends[1], ends[0]), ends[1]))
+    lasts = f'<tptz:Timeout>PT{2*self.repeat:g}S</tptz:Timeout>'
+    return self.client.ptz('ContinuousMove', f'<tptz:Velocity>{_vector(*units, space.uri)}</tptz:Velocity>', lasts)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #2f490814
+@patch
+def _moves_at_once(self:Onvif, setpoint:Setpoint)->bool:
+    "True if one AbsoluteMove is enough for `setpoint`"
+    targets = setpoint.pitch,setpoint.yaw
+    led = self._velocity and any(target.rate>0 or target.rate<0 for target in targets)      # an angle at a rate
+    return self._position is not None and not led and all(known(target.angle) for target in targets)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #1936bbbe
+@patch
+def _steer(self:Onvif, setpoint:Setpoint):
+    "Turn at the rates that `setpoint` asks for at this moment"
+    if self._moves_at_once(setpoint): return
+    rates,now = (self._rate('yaw', setpoint.yaw), self._rate('pitch', setpoint.pitch)),self.clock()
+    if not any(rates):
+        if self._sent: self.client.post('move', self._stop(), at_once=True)
+    elif not self._sent or rates!=self._sent[0] or now-self._sent[1]>=self.repeat:
+        self.client.post('move', self._turn(rates))
+        self._sent = rates,now
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #6688d174
+@patch
+def _receive(self:Onvif):
+    "Take over the newest position"
+    (x,y,_,uri),spaces = self.client.status,self.client.spaces['position'] or [_Space()]
+    space = next((s for s in spaces if s.uri==uri), spaces[-1])         # the generic one, if it doesn't say
+    now = dict(pitch=_between(y, space.y, self.tilt), yaw=_between(x, space.x, self.pan))
+    with self._lock:
+        (before,then),t = self._seen,self.clock()
+        past = max(t-then, .01)
+        rates = {axis: wrap(angle-before[axis][0])/past for axis,angle in now.items()}
+        self._seen = {axis: (now[axis], rate if known(rate) else 0.) for axis,rate in rates.items()},t
+        if not self.closed: self._steer(self.setpoint)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #64f5d8c5
+@patch
+def drive(self:Onvif, setpoint:Setpoint):
+    "Begin to move; raises `GimbalError` for what the camera cannot, and `ValueError` for roll"
+    self.refuse_roll(setpoint)
+    to_angle = any(known(target.angle) for target in (setpoint.pitch, setpoint.yaw))
+    if self._velocity is None and not self._moves_at_once(setpoint) and setpoint.turning:
+        raise GimbalError(f'{self.information.model} goes to angles only: it has no ContinuousMove')
+    if to_angle and not self._moves_at_once(setpoint) and not known(self._angle('yaw')):
+        raise GimbalError(f'{self.information.model} does not report where it points: give it rates')
+    self._asked = self.clock()
+    if self._moves_at_once(setpoint):
+        self._sent = None
+        self.client.post('move', self._go(setpoint))
+    else: self._steer(setpoint)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #153bac7f
+@patch
+def presets(self:Onvif)->dict:
+    "Return the camera's presets, `{name: token}`; raises `GimbalError`"
+    found = self.client.ask(self.client.ptz('GetPresets')).findall('{*}Preset')
+    return {_text(preset, 'Name') or preset.get('token'): preset.get('token') for preset in found}
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #c3f07356
+@patch
+def set_preset(self:Onvif, name:str): # A new one, or one of `presets()`
+    "Have the camera keep where it points now; raises `GimbalError`"
+    token = self.presets().get(name)
+    again = f'<tptz:PresetToken>{escape(token)}</tptz:PresetToken>' if token else ''
+    self.client.ask(self.client.ptz('SetPreset', f'<tptz:PresetName>{escape(name)}</tptz:PresetName>', again))
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #d3f0e76a
+@patch
+def go_to_preset(self:Onvif, name:str): # One of `presets()`
+    "Point where a preset says; raises `ValueError` and `GimbalError`"
+    presets = self.presets()
+    token = presets[one_of('preset', name, presets)]
+    with self._lock:
+        if self.closed: raise GimbalError(f'{self!r} is closed')
+        self.hold_still()
+        self._sent = None
+        self.client.post('move', self.client.ptz('GotoPreset', f'<tptz:PresetToken>{escape(token)}</tptz:PresetToken>'))
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #f27a4c9c
+@patch
+def _on_outage(self:Onvif):
+    "Stop turning and drop old targets, when the camera stops answering or answers again"
+    with self._lock:
+        if self.client.error and not self.setpoint.turning or self.closed: return
+        goes = known(self.setpoint.pitch.angle) or known(self.setpoint.yaw.angle)
+        late = self.clock()-self._asked>self.fresh
+        if self.setpoint.turning or not goes or late:
+            self.hold_still()
+            return self.client.post('move', self._stop(), at_once=True)
+        self._sent = None
+        if self._moves_at_once(self.setpoint): self.client.post('move', self._go(self.setpoint))
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #02a615d4
+@patch
+def close(self:Onvif):
+    "Stop turning, and let go of the camera; may be called twice"
+    first = not self.closed
+    GimbalDriver.close(self)
+    if first: self.client.post('move', self._stop(), at_once=True)
+    if self.camera is not None: self.camera.close()
+    self.client.close()
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #579b13f3
+def _pair(text:str)->tuple:
+    "Read two numbers; raises `ValueError`"
+    try: first,second = map(float, text.split(','))
+    except ValueError: raise ValueError(f'{text!r} must be two numbers, such as ?pan=-170,170') from None
+    return first,second
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #aec1ccdd
+@patch(cls_method=True)
+def open(cls:Onvif, url:DeviceURL, # onvif://USER:PASSWORD@HOST[:PORT], options `pan`, `tilt`, `speeds` and `basic`
+         **storage): # `folder`, `quota` and `storages` of its camera
+    "Open an `Onvif`, or an `OnvifCamera` that can't turn; raises `ValueError`, `GimbalError`, `CameraError`"
+    if not url.host: raise ValueError(f'{url!r} has no host: write onvif://USER:PASSWORD@HOST')
+    basic = one_of('basic', url.option('basic', 'no'), ('yes','no'))=='yes'
+    options = {one_of('option', name, ('pan','tilt','speeds','basic')): text for name,text in url.options}
+    pairs = {name: _pair(text) for name,text in options.items() if name!='basic'}
+    client = _OnvifClient(url.host, url.port, url.user, url.password, basic=basic)
+    client.connect()
+    if client.turns: return cls(client=client, **pairs, **storage)
+    return OnvifCamera(client, alone=True, **storage)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #d3214f47
+_degrees = 'SphericalPositionSpaceDegrees','VelocitySpaceDegrees'       # how the names of these spaces end
+
+@dataclass(frozen=True)
+class _Space:
+    "A unit of positions or speeds"
+    uri:str=''
+    x:tuple=(-1.,1.) # Least and greatest value; of pan, or zoom
+    y:tuple=(-1.,1.) # Of tilt
+
+    @property
+    def in_degrees(self)->bool: return self.uri.endswith(_degrees)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #907a2776
+def _ends(element, name:str)->tuple:
+    "Return the least and the greatest value of a range"
+    try: low,high = (float(_text(element, f'{name}/{end}')) for end in ('Min','Max'))
+    except ValueError: return -1.,1.
+    return (low,high) if -math.inf<low<high<math.inf else (-1.,1.)
+
+def _spaces(answer, kind:str)->list:
+    "Return all spaces of a kind, those in degrees first"
+    found = answer.findall(f'.//{{*}}{kind}')
+    spaces = [_Space(_text(s, 'URI'), _ends(s, 'XRange'), _ends(s, 'YRange')) for s in found]
+    return sorted(spaces, key=lambda s: not s.in_degrees)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #6e3cc141
+def _between(value:float, ends:tuple, others:tuple)->float:
+    "Map `value` linearly, from between `ends` to between `others`"
+    (low,high),(first,last) = ends,others
+    return first+(value-low)/(high-low)*(last-first)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #f8c5ea90
+class OnvifCamera(URLCamera):
+    "The camera of an ONVIF device; `Onvif` has one, and `Onvif.open` returns one that can't turn"
+    def __init__(self, client, # As `Onvif` has it
+                 alone:bool=False, # Does it close the client?
+                 **storage): # `folder`, `quota` and `storages`, as for `Camera`
+        store_attr('client,alone')
+        self._numbers = itertools.count()       # of its stills
+        if not client.stream: raise CameraError(f'{client!r} has no video by RTSP')
+        who = f'{quote(client.user, "")}:{quote(client.password, "")}@' if client.user else ''
+        parts = urlsplit(client.stream)
+        url = urlunsplit(parts._replace(netloc=who+parts.netloc.rpartition('@')[2]))
+        super().__init__(url, 20., model=client.model, vendor=client.maker, **storage)       # s: some wake up late
+        if client.spaces['zoom']: self.lens = _Zoom(client, client.spaces['zoom'][0])
+        else: self.set_camera_zoom = None
+        if alone and client.moves:
+            client.step()         # so it has a zoom
+            client.start()
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #2de9ef23
+@patch
+def read_still(self:OnvifCamera)->Frame:
+    "Return the camera's own JPEG, or a frame of its video when it has none"
+    taken,jpeg = clock.time(),b''
+    try: jpeg = self.client.load(self.client.still) if self.client.still else b''
+    except GimbalError as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
+    try: return Still(decode_picture(jpeg, fit=True), next(self._numbers), taken, jpeg=jpeg)
+    except ValueError as e:
+        if jpeg: self.log.warning('the snapshot is refused, so a frame of the video is taken: %s', e)
+    return URLCamera.read_still(self)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #26b07a62
+@patch
+def close(self:OnvifCamera):
+    "Close the camera, and the client if nobody else has it; may be called twice"
+    URLCamera.close(self)
+    if self.alone: self.client.close()
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #517993fb
+@patch
+def set_camera_zoom(self:OnvifCamera, kind:str, # 'range', 'step' or 'continuous'
+                    value:float): # %, steps of 10 %, or -1..1 of full speed
+    "Zoom one of three ways; raises `ValueError`"
+    one_of('kind', kind, ('range','step','continuous'))
+    value = inside(kind, value, *dict(range=(0,100), continuous=(-1,1)).get(kind, (-99,99)))
+    if kind=='step': value = (self.lens.percent if known(self.lens.percent) else 0.)+10*value
+    (self.lens.move if kind=='continuous' else self.lens.go)(value)
+    self.announce(self.settings())
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #a9fcc3ca
+class _Zoom:
+    "The zoom of an ONVIF camera"
+    focal_length = NAN
+    def __init__(self, client, space):
+        self.client,self.space = client,space
+        self.goal = None            # % that was ordered
+
+    @property
+    def percent(self)->float:
+        "0..100 % of the range"
+        return _between(self.client.status[2], self.space.x, (0.,100.)) if self.goal is None else self.goal
+
+    def go(self, percent:float):
+        "Zoom to there"
+        self.goal = min(max(percent, 0.), 100.)
+        zoom = f'<tt:Zoom x="{_between(self.goal, (0.,100.), self.space.x):.4f}"/>'
+        self.client.post('zoom', self.client.ptz('AbsoluteMove', f'<tptz:Position>{zoom}</tptz:Position>'))
+
+    def reset(self): self.go(0.)
+
+    def move(self, rate:float):
+        "Zoom on, at -1 to 1 of full speed"
+        self.goal = None
+        on = self.client.ptz('ContinuousMove', f'<tptz:Velocity><tt:Zoom x="{rate:.3f}"/></tptz:Velocity>')
+        off = self.client.ptz('Stop', '<tptz:PanTilt>false</tptz:PanTilt>', '<tptz:Zoom>true</tptz:Zoom>')
+        self.client.post('zoom', on if rate else off, at_once=not rate)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #1e3f1317
 _oasis = 'http://docs.oasis-open.org/wss/2004/01/oasis-200401-wss-'
@@ -103,59 +444,81 @@ def _answer(data:bytes)->ElementTree.Element:
     if re.search('not ?authorized|FailedAuthentication', fault, re.I): raise _Unauthorized(fault)
     raise _Refused(_text(body[0], 'Text') or _text(body[0], 'faultstring') or 'no reason given')
 
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #d3214f47
-_degrees = 'SphericalPositionSpaceDegrees','VelocitySpaceDegrees'       # how the names of these spaces end
-
-@dataclass(frozen=True)
-class _Space:
-    "A unit of positions or speeds"
-    uri:str=''
-    x:tuple=(-1.,1.) # Least and greatest value; of pan, or zoom
-    y:tuple=(-1.,1.) # Of tilt
-
-    @property
-    def in_degrees(self)->bool: return self.uri.endswith(_degrees)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #907a2776
-def _ends(element, name:str)->tuple:
-    "Return the least and the greatest value of a range"
-    try: low,high = (float(_text(element, f'{name}/{end}')) for end in ('Min','Max'))
-    except ValueError: return -1.,1.
-    return (low,high) if -math.inf<low<high<math.inf else (-1.,1.)
-
-def _spaces(answer, kind:str)->list:
-    "Return all spaces of a kind, those in degrees first"
-    found = answer.findall(f'.//{{*}}{kind}')
-    spaces = [_Space(_text(s, 'URI'), _ends(s, 'XRange'), _ends(s, 'YRange')) for s in found]
-    return sorted(spaces, key=lambda s: not s.in_degrees)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #6e3cc141
-def _between(value:float, ends:tuple, others:tuple)->float:
-    "Map `value` linearly, from between `ends` to between `others`"
-    (low,high),(first,last) = ends,others
-    return first+(value-low)/(high-low)*(last-first)
-
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #1043ea73
 class _OnvifClient:
     "Speaks with the services of a camera, and has a thread that sends orders and polls"
-    timeout,slowest,most = 2.,8.,16<<20     # s for a whole answer, and for a whole picture; bytes of one
-    fast,slow = .25,1.              # s from poll to poll, while it moves and else
-    patience = 5.                   # s that `close` waits
+    timeout = 2.                # s for a whole answer
+    slowest = 8.                # s for a whole picture
+    most = 16<<20               # bytes of an answer or a picture
+    fast,slow = .25,1.          # s from poll to poll, while it moves and else
+    moves_on = 1.5              # s after an order or a new position in which it counts as moving
+    patience = 5.               # s that `close` waits
     def __init__(self, host:str, port:int|None=None, user:str='', password:str='', clock=clock.now,
                  basic:bool=False): # May the password go in plain text, when the camera asks for that?
         store_attr()
         self.place = url_host(host)+(f':{port}' if port else '')
         self.services = dict(tds=f'http://{self.place}/onvif/device_service')
-        self.log,self.skew = get_logger('onvif'),None       # `skew`: s that its clock is ahead; `None`: not known
-        self.received = self.changed = lambda: None         # called when `status` is new; when `error` comes or goes
-        self.status = NAN,NAN,NAN,''                        # pan, tilt, zoom, space
-        self.error,self.answered = None,clock()             # why it doesn't answer; when it did last
-        self._orders,self._wake,self._closing,self._thread = {},_clock.Condition(),False,None
-        self._due = self._busy = -math.inf                  # when to poll next; until when it may move
-        self.endless = False                                # does it refuse a time-out?
-        self._hurry,self._waits = False,None        # is a stop order posted? the `Deadline` the thread waits for
+        self.log = get_logger('onvif')
+        self.skew = None                        # s that its clock is ahead; `None`: not known
+        self.received = lambda: None            # called when `status` is new
+        self.changed = lambda: None             # called when `error` comes or goes
+        self.status = NAN,NAN,NAN,''            # pan, tilt, zoom, space
+        self.error = None                       # why it doesn't answer
+        self.answered = clock()                 # when it did last
+        self.endless = False                    # does it refuse a time-out?
+        self._orders = _Orders()
+        self._thread,self._closing = None,False
+        self._due = -math.inf                   # when to poll next
+        self._busy = -math.inf                  # until when it may move
 
     def __repr__(self): return f'ONVIF camera at {self.place}'
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #c1de876d
+class _Orders:
+    "Requests that wait for the thread, the newest of each kind; an urgent one interrupts the exchange under way"
+    def __init__(self):
+        self.changed = clock.Condition()
+        self._waiting = {}          # request by kind, in the order they will be sent
+        self._urgent = False        # has an urgent order come since the thread took one?
+        self._under_way = None      # `Deadline` of the exchange that the thread is in
+
+    def __bool__(self)->bool: return bool(self._waiting)
+
+    def add(self, kind:str, request:str, at_once:bool=False): # `at_once`: before all others, and now
+        "Keep a request, in place of one of its kind"
+        with self.changed:
+            if at_once:
+                others = {k: r for k,r in self._waiting.items() if k!=kind}
+                self._waiting = {kind:request, **others}
+                self._urgent = True
+                if self._under_way: self._under_way.give_up()
+            else: self._waiting[kind] = request
+            self.changed.notify_all()
+
+    def take(self)->tuple|None:
+        "Remove and return the kind and the request that come first; `None`: there is none"
+        with self.changed:
+            self._urgent = False
+            if not self._waiting: return None
+            kind = next(iter(self._waiting))
+            return kind,self._waiting.pop(kind)
+
+    def put_back(self, kind:str, request:str):
+        "Keep a request that was interrupted, unless a newer one replaced it"
+        with self.changed: self._waiting.setdefault(kind, request)
+
+# %% ../../nbs/api/gimbals/10_onvif.ipynb #8bbd9c09
+@patch
+@contextmanager
+def interrupt(self:_Orders, deadline:Deadline):
+    "Let an urgent order end the exchange inside the `with` block, which then raises `_GivenUp`"
+    with self.changed: self._under_way = None if self._urgent else deadline
+    if self._urgent: raise _GivenUp('a stop order waits')
+    try: yield
+    except GimbalError:
+        if self._urgent: raise _GivenUp('a stop order waits') from None
+        raise
+    finally: self._under_way = None
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #0ddec017
 def _shown(url:str)->str: return re.sub(r'(://)(?:[^/]*@)?([^/]*)/.*', r'\1\2/…', url, flags=re.DOTALL)  # no password
@@ -169,21 +532,6 @@ def _proof(self:_OnvifClient, url:str, method:str, headers)->str:
         raise GimbalError(f'{self!r} asks for the password in plain text, for all on its network to read: '
                           f'to allow that, write onvif://USER:PASSWORD@{self.place}?basic=yes')
     return proof
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #c1de876d
-@patch
-@contextmanager
-def _deadline(self:_OnvifClient, seconds:float):
-    "A deadline; what the thread sends is given up earlier by a stop order, and `_GivenUp` is raised"
-    with Deadline(seconds) as deadline:
-        if clock.current_thread() is not self._thread: return (yield deadline)
-        with self._wake: self._waits = None if self._hurry else deadline
-        if self._hurry: raise _GivenUp('a stop order waits')
-        try: yield deadline
-        except GimbalError:
-            if self._hurry: raise _GivenUp('a stop order waits') from None
-            raise
-        finally: self._waits = None
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #7f0fd132
 @patch
@@ -199,7 +547,8 @@ def load(self:_OnvifClient, url:str, data:bytes|None=None, # What to POST; `None
         )->bytes:
     "Return the answer, a SOAP Fault's as well; raises `GimbalError`"
     seconds = self.timeout if data else self.slowest
-    with self._deadline(seconds) as deadline:
+    by_thread = clock.current_thread() is self._thread
+    with Deadline(seconds) as deadline, self._orders.interrupt(deadline) if by_thread else nullcontext():
         try: status,reason,headers,answer = self._exchange(deadline, url, data)
         except (OSError, ValueError) as e:
             why = getattr(e, 'strerror', None) or e
@@ -359,14 +708,10 @@ def ptz(self:_OnvifClient, operation:str, # Such as 'Stop'
 @patch
 def post(self:_OnvifClient, kind:str, request:str, at_once:bool=False): # `at_once`: before all others, without waiting
     "Have the thread send a request, in place of one of this kind that waits"
-    with self._wake:
-        self._orders = {kind:request}|{k: r for k,r in self._orders.items() if k!=kind} if at_once \
-            else self._orders|{kind:request}
-        self._busy = self.clock()+1.5
-        self._due = min(self._due, self.clock()+self.fast)
-        self._hurry = self._hurry or at_once
-        if at_once and self._waits: self._waits.give_up()
-        self._wake.notify_all()
+    now = self.clock()
+    self._busy = now+self.moves_on
+    self._due = min(self._due, now+self.fast)
+    self._orders.add(kind, request, at_once)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #12c27fe9
 def _other_words(request:str)->str:
@@ -414,16 +759,10 @@ def _number(element, name:str)->float:
 
 @patch
 def _send_orders(self:_OnvifClient):
-    "Send what was ordered; what a stop order gave up is sent again, unless it was replaced"
-    while True:
-        with self._wake:
-            self._hurry = False
-            if not self._orders: return
-            kind = next(iter(self._orders))
-            request = self._orders.pop(kind)
-        try: self._try(request)
-        except _GivenUp:
-            with self._wake: self._orders.setdefault(kind, request)
+    "Send what was ordered; what a stop order interrupted is sent behind it"
+    while order := self._orders.take():
+        try: self._try(order[1])
+        except _GivenUp: self._orders.put_back(*order)
 
 @patch
 def _poll(self:_OnvifClient, now:float):
@@ -434,9 +773,10 @@ def _poll(self:_OnvifClient, now:float):
         self._due = now+(self.fast if now<self._busy else self.slow)
     if answer is None: return
     place,zoom = (answer.find(f'.//{{*}}Position/{{*}}{name}') for name in ('PanTilt','Zoom'))
-    space,before = '' if place is None else place.get('space', ''),self.status
+    space = '' if place is None else place.get('space', '')
+    before = self.status
     self.status = _number(place, 'x'),_number(place, 'y'),_number(zoom, 'x'),space
-    if place is not None and before!=self.status: self._busy = self.clock()+1.5
+    if place is not None and before!=self.status: self._busy = self.clock()+self.moves_on
     self.received()
 
 @patch
@@ -449,11 +789,12 @@ def step(self:_OnvifClient):
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #c2d51f1b
 @patch
 def _run(self:_OnvifClient):
+    self._thread = clock.current_thread()       # it may send before `start` has it
     while not self._closing:
         try: self.step()
         except Exception: self.log.exception('%r', self)
-        with self._wake:
-            self._wake.wait_for(lambda: self._orders or self._closing, max(self._due-self.clock(), 0.))
+        with self._orders.changed:
+            self._orders.changed.wait_for(lambda: self._orders or self._closing, max(self._due-self.clock(), 0.))
     self._send_orders()
 
 @patch
@@ -464,306 +805,7 @@ def start(self:_OnvifClient):
 @patch
 def close(self:_OnvifClient):
     "Send what waits, and end the thread; may be called twice"
-    with self._wake:
+    with self._orders.changed:
         self._closing = True
-        self._wake.notify_all()
+        self._orders.changed.notify_all()
     if self._thread: self._thread.join(self.patience)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #a9fcc3ca
-class _Zoom:
-    "The zoom of an ONVIF camera"
-    focal_length = NAN
-    def __init__(self, line, space): self.line,self.space,self.goal = line,space,None       # `goal`: % that was ordered
-
-    @property
-    def percent(self)->float:
-        "0..100 % of the range"
-        return _between(self.line.status[2], self.space.x, (0.,100.)) if self.goal is None else self.goal
-
-    def go(self, percent:float):
-        "Zoom to there"
-        self.goal = min(max(percent, 0.), 100.)
-        zoom = f'<tt:Zoom x="{_between(self.goal, (0.,100.), self.space.x):.4f}"/>'
-        self.line.post('zoom', self.line.ptz('AbsoluteMove', f'<tptz:Position>{zoom}</tptz:Position>'))
-
-    def reset(self): self.go(0.)
-
-    def move(self, rate:float):
-        "Zoom on, at -1 to 1 of full speed"
-        self.goal = None
-        on = self.line.ptz('ContinuousMove', f'<tptz:Velocity><tt:Zoom x="{rate:.3f}"/></tptz:Velocity>')
-        off = self.line.ptz('Stop', '<tptz:PanTilt>false</tptz:PanTilt>', '<tptz:Zoom>true</tptz:Zoom>')
-        self.line.post('zoom', on if rate else off, at_once=not rate)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #f8c5ea90
-class OnvifCamera(URLCamera):
-    "The camera of an ONVIF device; `Onvif` has one, and `Onvif.open` returns one that can't turn"
-    def __init__(self, line, # As `Onvif` has it
-                 alone:bool=False, # Does it close the line?
-                 **storage): # `folder`, `quota` and `storages`, as for `Camera`
-        store_attr('line,alone')
-        self._numbers,who = itertools.count(),f'{quote(line.user, "")}:{quote(line.password, "")}@' if line.user else ''
-        if not line.stream: raise CameraError(f'{line!r} has no video by RTSP')
-        parts = urlsplit(line.stream)
-        url = urlunsplit(parts._replace(netloc=who+parts.netloc.rpartition('@')[2]))
-        super().__init__(url, 20., model=line.model, vendor=line.maker, **storage)       # s: some wake up late
-        if line.spaces['zoom']: self.lens = _Zoom(line, line.spaces['zoom'][0])
-        else: self.set_camera_zoom = None
-        if alone and line.moves:
-            line.step()         # so it has a zoom
-            line.start()
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #2de9ef23
-@patch
-def read_still(self:OnvifCamera)->Frame:
-    "Return the camera's own JPEG, or a frame of its video when it has none"
-    taken,jpeg = clock.time(),b''
-    try: jpeg = self.line.load(self.line.still) if self.line.still else b''
-    except GimbalError as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
-    try: return Still(decode_picture(jpeg, fit=True), next(self._numbers), taken, jpeg=jpeg)
-    except ValueError as e:
-        if jpeg: self.log.warning('the snapshot is refused, so a frame of the video is taken: %s', e)
-    return URLCamera.read_still(self)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #517993fb
-@patch
-def set_camera_zoom(self:OnvifCamera, kind:str, # 'range', 'step' or 'continuous'
-                    value:float): # %, steps of 10 %, or -1..1 of full speed
-    "Zoom one of three ways; raises `ValueError`"
-    one_of('kind', kind, ('range','step','continuous'))
-    value = inside(kind, value, *dict(range=(0,100), continuous=(-1,1)).get(kind, (-99,99)))
-    if kind=='step': value = (self.lens.percent if known(self.lens.percent) else 0.)+10*value
-    (self.lens.move if kind=='continuous' else self.lens.go)(value)
-    self.announce(self.settings())
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #26b07a62
-@patch
-def close(self:OnvifCamera):
-    "Close the camera, and the line if nobody else has it; may be called twice"
-    URLCamera.close(self)
-    if self.alone: self.line.close()
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #94d18996
-class Onvif(GimbalDriver):
-    "A pan-tilt camera that supports ONVIF; `camera` takes its pictures"
-    locks = ()
-    fresh = 3.          # s that an angle waits for a lost connection
-    repeat = 1.         # s after which a turning camera gets its order again; without that it stands after two of them
-    gain,stands_late = 1.5,True
-    def __init__(self, host:str='', port:int|None=None, # `None`: 80
-                 user:str='', password:str='',
-                 pan:tuple|None=None, # Degrees to the right at the ends of its pan; `None`: as it reports, or -180, 180
-                 tilt:tuple|None=None, # Degrees up at the ends of its tilt; `None`: as it reports, or -90, 0
-                 speeds:tuple=(60.,40.), # Of pan and tilt at full speed, degrees a second, unless it reports them
-                 clock=clock.now, line=None, # In tests: gives seconds; instead of a `_OnvifClient`
-                 basic:bool=False, # May the password go in plain text, when the camera asks for that?
-                 **storage): # `folder`, `quota` and `storages` of its camera
-        device = line or _OnvifClient(host, port, user, password, basic=basic)
-        if line is None: device.connect()
-        self.line,self.camera,self.speeds = device,None,speeds
-        if not device.turns: raise GimbalError(f'{device!r} cannot turn: Onvif.open makes a camera of it')
-        self._choose_spaces(pan, tilt)
-        self.information = GimbalInformation(device.maker, device.model, firmware_version=device.firmware,
-            roll=None, pitch=tuple(sorted(self.tilt)), yaw=tuple(sorted(self.pan)))
-        super().__init__(clock)
-        self._seen = dict.fromkeys(('pitch','yaw'), (NAN, 0.)),clock()      # angle and rate of each axis; when
-        self._sent,self._asked = None,-math.inf     # velocities sent last, and when, s; when an angle was asked for
-        self.hold_still()
-        device.received,device.changed = lambda: self._receive(),lambda: self._on_line()
-        if device.stream: self.camera = OnvifCamera(device, **storage)
-        device.step()           # so it has a position
-        device.start()
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #d08ff17b
-@patch
-def _choose_spaces(self:Onvif, pan:tuple|None, tilt:tuple|None):
-    "Choose units and ranges; raises `ValueError`"
-    device,speeds = self.line,self.speeds
-    self._position = next(iter(device.spaces['position']), None)
-    self._velocity = next(iter(device.spaces['velocity']), None)
-    in_degrees = self._position and self._position.in_degrees
-    self.pan = pan or (self._position.x if in_degrees else (-180.,180.))
-    self.tilt = tilt or (self._position.y if in_degrees else (-90.,0.))
-    if self.pan[0]==self.pan[1] or self.tilt[0]==self.tilt[1] or not min(speeds)>0:
-        raise ValueError(f'pan and tilt need two different ends and speeds above 0, not {pan}, {tilt} and {speeds}')
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #0dabe146
-@patch(as_prop=True)
-def fault(self:Onvif)->str|None:
-    "Return a sentence when the device doesn't answer; `None`: it works"
-    silent = self.line.clock()-self.line.answered
-    return self.line.error or (f'{self.line!r}: no answer for {silent:.0f} s' if silent>3 else None)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #b8bf41dc
-@patch
-def _angle(self:Onvif, axis:str)->float:
-    "Return the angle of an axis now, degrees"
-    (angle,rate),then = self._seen[0][axis],self._seen[1]
-    if not known(angle): return NAN
-    on = rate*min(self.clock()-then, .3) if getattr(self.setpoint, axis).turning else 0.
-    return self.information.limited(axis, angle+on)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #16e33852
-@patch
-def attitude(self:Onvif)->GimbalAttitude:
-    "Return where it points, by its last answer"
-    with self._lock:
-        goals = dict(pitch=self.setpoint.pitch.angle, yaw=self.setpoint.yaw.angle)
-        return self.attitude_of(0., self._angle('pitch'), self._angle('yaw'), goals=goals)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #fb9290e2
-@patch
-def _stop(self:Onvif)->str:
-    "Return the request that ends all turning"
-    self._sent = None
-    self._seen = {axis: (angle, 0.) for axis,(angle,rate) in self._seen[0].items()},self._seen[1]
-    return self.line.ptz('Stop', '<tptz:PanTilt>true</tptz:PanTilt><tptz:Zoom>false</tptz:Zoom>')
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #afde749d
-def _vector(x:float, y:float, uri:str)->str: return f'<tt:PanTilt x="{x:.5f}" y="{y:.5f}" space="{escape(uri)}"/>'
-
-@patch
-def _go(self:Onvif, setpoint:Setpoint)->str:
-    "Return the request that moves it to the angles of `setpoint`"
-    pan,tilt,space = setpoint.yaw.angle,setpoint.pitch.angle,self._position
-    x = _between(self.information.limited('yaw', pan), self.pan, space.x)
-    y = _between(self.information.limited('pitch', tilt), self.tilt, space.y)
-    return self.line.ptz('AbsoluteMove', f'<tptz:Position>{_vector(x, y, space.uri)}</tptz:Position>')
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #aa33b27c
-@patch
-def _rate(self:Onvif, axis:str, target:Axis)->float:
-    "Return the rate for an axis now, degrees a second"
-    angle = self.information.limited(axis, target.angle) if known(target.angle) else NAN
-    return self.rate_toward(target, angle-self._angle(axis))
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #b077ad1f
-@patch
-def _turn(self:Onvif, rates:tuple)->str:
-    "Return the request that turns pan and tilt, degrees a second"
-    space,units = self._velocity,[]
-    for rate,ends,degrees,speed in zip(rates, (space.x, space.y), (self.pan, self.tilt), self.speeds):
-        value = math.copysign(rate, rate*(degrees[1]-degrees[0]))
-        units.append(min(max(value if space.in_degrees else value/speed*ends[1], ends[0]), ends[1]))
-    lasts = f'<tptz:Timeout>PT{2*self.repeat:g}S</tptz:Timeout>'
-    return self.line.ptz('ContinuousMove', f'<tptz:Velocity>{_vector(*units, space.uri)}</tptz:Velocity>', lasts)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #2f490814
-@patch
-def _moves_at_once(self:Onvif, setpoint:Setpoint)->bool:
-    "True if one AbsoluteMove is enough for `setpoint`"
-    targets = setpoint.pitch,setpoint.yaw
-    led = self._velocity and any(target.rate>0 or target.rate<0 for target in targets)      # an angle at a rate
-    return self._position is not None and not led and all(known(target.angle) for target in targets)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #1936bbbe
-@patch
-def _steer(self:Onvif, setpoint:Setpoint):
-    "Turn at the rates that `setpoint` asks for at this moment"
-    if self._moves_at_once(setpoint): return
-    rates,now = (self._rate('yaw', setpoint.yaw), self._rate('pitch', setpoint.pitch)),self.clock()
-    if not any(rates):
-        if self._sent: self.line.post('move', self._stop(), at_once=True)
-    elif not self._sent or rates!=self._sent[0] or now-self._sent[1]>=self.repeat:
-        self.line.post('move', self._turn(rates))
-        self._sent = rates,now
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #6688d174
-@patch
-def _receive(self:Onvif):
-    "Take over the newest position"
-    (x,y,_,uri),spaces = self.line.status,self.line.spaces['position'] or [_Space()]
-    space = next((s for s in spaces if s.uri==uri), spaces[-1])         # the generic one, if it doesn't say
-    now = dict(pitch=_between(y, space.y, self.tilt), yaw=_between(x, space.x, self.pan))
-    with self._lock:
-        (before,then),t = self._seen,self.clock()
-        past = max(t-then, .01)
-        rates = {axis: wrap(angle-before[axis][0])/past for axis,angle in now.items()}
-        self._seen = {axis: (now[axis], rate if known(rate) else 0.) for axis,rate in rates.items()},t
-        if not self.closed: self._steer(self.setpoint)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #64f5d8c5
-@patch
-def drive(self:Onvif, setpoint:Setpoint):
-    "Begin to move; raises `GimbalError` for what the camera cannot, and `ValueError` for roll"
-    self.refuse_roll(setpoint)
-    to_angle = any(known(target.angle) for target in (setpoint.pitch, setpoint.yaw))
-    if self._velocity is None and not self._moves_at_once(setpoint) and setpoint.turning:
-        raise GimbalError(f'{self.information.model} goes to angles only: it has no ContinuousMove')
-    if to_angle and not self._moves_at_once(setpoint) and not known(self._angle('yaw')):
-        raise GimbalError(f'{self.information.model} does not report where it points: give it rates')
-    self._asked = self.clock()
-    if self._moves_at_once(setpoint):
-        self._sent = None
-        self.line.post('move', self._go(setpoint))
-    else: self._steer(setpoint)
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #153bac7f
-@patch
-def presets(self:Onvif)->dict:
-    "Return the camera's presets, `{name: token}`; raises `GimbalError`"
-    found = self.line.ask(self.line.ptz('GetPresets')).findall('{*}Preset')
-    return {_text(preset, 'Name') or preset.get('token'): preset.get('token') for preset in found}
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #c3f07356
-@patch
-def set_preset(self:Onvif, name:str): # A new one, or one of `presets()`
-    "Have the camera keep where it points now; raises `GimbalError`"
-    token = self.presets().get(name)
-    again = f'<tptz:PresetToken>{escape(token)}</tptz:PresetToken>' if token else ''
-    self.line.ask(self.line.ptz('SetPreset', f'<tptz:PresetName>{escape(name)}</tptz:PresetName>', again))
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #d3f0e76a
-@patch
-def go_to_preset(self:Onvif, name:str): # One of `presets()`
-    "Point where a preset says; raises `ValueError` and `GimbalError`"
-    presets = self.presets()
-    token = presets[one_of('preset', name, presets)]
-    with self._lock:
-        if self.closed: raise GimbalError(f'{self!r} is closed')
-        self.hold_still()
-        self._sent = None
-        self.line.post('move', self.line.ptz('GotoPreset', f'<tptz:PresetToken>{escape(token)}</tptz:PresetToken>'))
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #f27a4c9c
-@patch
-def _on_line(self:Onvif):
-    "Stop turning and drop old targets, when the line is there again or lost"
-    with self._lock:
-        if self.line.error and not self.setpoint.turning or self.closed: return
-        goes = known(self.setpoint.pitch.angle) or known(self.setpoint.yaw.angle)
-        if self.setpoint.turning or not goes or self.clock()-self._asked>self.fresh:
-            self.hold_still()
-            return self.line.post('move', self._stop(), at_once=True)
-        self._sent = None
-        if self._moves_at_once(self.setpoint): self.line.post('move', self._go(self.setpoint))
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #02a615d4
-@patch
-def close(self:Onvif):
-    "Stop turning, and let go of the camera; may be called twice"
-    first = not self.closed
-    GimbalDriver.close(self)
-    if first: self.line.post('move', self._stop(), at_once=True)
-    if self.camera is not None: self.camera.close()
-    self.line.close()
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #579b13f3
-def _pair(text:str)->tuple:
-    "Read two numbers; raises `ValueError`"
-    try: first,second = map(float, text.split(','))
-    except ValueError: raise ValueError(f'{text!r} must be two numbers, such as ?pan=-170,170') from None
-    return first,second
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #aec1ccdd
-@patch(cls_method=True)
-def open(cls:Onvif, url:DeviceURL, # onvif://USER:PASSWORD@HOST[:PORT], options `pan`, `tilt`, `speeds` and `basic`
-         **storage): # `folder`, `quota` and `storages` of its camera
-    "Open an `Onvif`, or an `OnvifCamera` that can't turn; raises `ValueError`, `GimbalError`, `CameraError`"
-    if not url.host: raise ValueError(f'{url!r} has no host: write onvif://USER:PASSWORD@HOST')
-    basic = one_of('basic', url.option('basic', 'no'), ('yes','no'))=='yes'
-    options = {one_of('option', name, ('pan','tilt','speeds','basic')): text for name,text in url.options}
-    pairs = {name: _pair(text) for name,text in options.items() if name!='basic'}
-    device = _OnvifClient(url.host, url.port, url.user, url.password, basic=basic)
-    device.connect()
-    return cls(line=device, **pairs, **storage) if device.turns else OnvifCamera(device, alone=True, **storage)

@@ -166,6 +166,42 @@ async def open(self:_CameraFiles, path:str)->_Fetching:
         raise
     return coming
 
+# %% ../../nbs/api/manager/06_camera_parts.ipynb #e4252f1a
+class _CameraSettings(RowPart):
+    "The settings of a camera, loaded on first use"
+    receives = PARAM_EXT_VALUE,PARAM_EXT_ACK
+    most,table = 100,None           # settings shown; the `RemoteParameters`
+    def status(self)->dict:
+        "Return whether it has settings, and groups of them as plain values; `None` until loaded"
+        info = self.row.received.newest.get(CAMERA_INFORMATION)
+        return dict(settings=self._groups(), has_settings=bool(info and text_of(info.cam_definition_uri)))
+
+    def _groups(self)->list|None:
+        if (table := self.table) is None: return None
+        values = {name:table[name] for name in list(table)[:self.most]}
+        declared = {name:table.declared.get(name, Parameter(name, table.kind(name) or 'float')) for name in values}
+        now = _fitting(declared, values)
+        shown = {name:p for name,p in declared.items() if p.control and not p.writeonly}
+        return [[_setting_object(shown[name], values[name], now) for name in group] for group in _groups_of(shown)]
+
+    @action('settings')
+    async def open(self)->str:
+        "Load the settings from the camera; raises `NoAnswer`"
+        self.table = await self.row.camera.settings.load()
+        return f'{len(self.table)} settings'
+
+    @action('set')
+    async def set(self, name:str, value)->Ack:
+        "Change a setting to a number or a text; raises `ValueError`, `NoAnswer`"
+        if name not in list(self.table or ()): raise ValueError(f'there is no setting {name!r:.40}')
+        if not isinstance(value, bool|int|float|str) or len(str(value))>128: raise ValueError(f'{name} cannot be that')
+        return await self.row.camera.settings.set(name, value)
+
+    @action('reset_settings')
+    async def reset(self)->Ack:
+        "Reset all settings to their defaults"
+        return await self.row.camera.reset()
+
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #ce25cc9e
 def _touches(p:Parameter)->set:
     "Return the names of the parameters that it moves or excludes"
@@ -222,54 +258,6 @@ def _setting_object(p:Parameter, value, now:Parameters|None)->dict:
     return dict(name=p.name, label=(p.description or p.name)[:80], field=_field_of(p), why=why[:80],
                 value=_value_text(p, value)[:128], **limits, unit=p.unit, options=[o.name for o in offered[:100]])
 
-# %% ../../nbs/api/manager/06_camera_parts.ipynb #e4252f1a
-class _CameraSettings(RowPart):
-    "The settings of a camera, loaded on first use"
-    receives = PARAM_EXT_VALUE,PARAM_EXT_ACK
-    most,table = 100,None           # settings shown; the `RemoteParameters`
-    def status(self)->dict:
-        "Return whether it has settings, and groups of them as plain values; `None` until loaded"
-        info = self.row.received.newest.get(CAMERA_INFORMATION)
-        return dict(settings=self._groups(), has_settings=bool(info and text_of(info.cam_definition_uri)))
-
-    def _groups(self)->list|None:
-        if (table := self.table) is None: return None
-        values = {name:table[name] for name in list(table)[:self.most]}
-        declared = {name:table.declared.get(name, Parameter(name, table.kind(name) or 'float')) for name in values}
-        now = _fitting(declared, values)
-        shown = {name:p for name,p in declared.items() if p.control and not p.writeonly}
-        return [[_setting_object(shown[name], values[name], now) for name in group] for group in _groups_of(shown)]
-
-    @action('settings')
-    async def open(self)->str:
-        "Load the settings from the camera; raises `NoAnswer`"
-        self.table = await self.row.camera.settings.load()
-        return f'{len(self.table)} settings'
-
-    @action('set')
-    async def set(self, name:str, value)->Ack:
-        "Change a setting to a number or a text; raises `ValueError`, `NoAnswer`"
-        if name not in list(self.table or ()): raise ValueError(f'there is no setting {name!r:.40}')
-        if not isinstance(value, bool|int|float|str) or len(str(value))>128: raise ValueError(f'{name} cannot be that')
-        return await self.row.camera.settings.set(name, value)
-
-    @action('reset_settings')
-    async def reset(self)->Ack:
-        "Reset all settings to their defaults"
-        return await self.row.camera.reset()
-
-# %% ../../nbs/api/manager/06_camera_parts.ipynb #02c7cb20
-def _target_of(msg, ratio:float=4/3)->dict|None:
-    "Return state and rectangle, in parts of a picture `ratio` times as wide as high; `None` if unknown"
-    now = tracking_of(msg)
-    if now.status=='idle': return None
-    sides = now.rectangle
-    if sides is None and now.point:
-        (x,y),r = now.point,now.radius if known(now.radius) and now.radius>0 else .03
-        sides = x-r,y-r*ratio,x+r,y+r*ratio
-    if sides is None or not all(-1<side<2 for side in sides): return None
-    return dict(status=now.status, **dict(zip(('left','top','right','bottom'), sides)))
-
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #8070e0d5
 class _CameraTracking(RowPart):
     "The tracking target of a camera"
@@ -315,38 +303,17 @@ async def untrack(self:_CameraTracking)->Ack:
     "Stop tracking"
     return await self.row.camera.tracking.stop()
 
-# %% ../../nbs/api/manager/06_camera_parts.ipynb #cbb011e3
-def _file_name(name:str, began:float, part:int=0)->str:
-    "Return the file name of a recording begun `began` s since 1970; each change of the stream starts a new part"
-    plain = re.sub('[^A-Za-z0-9]+', '_', name)[:40].strip('_') or 'camera'
-    at = clock.strftime('%Y-%m-%d_%H-%M-%S', clock.localtime(began))
-    return f'{at}_{plain}{f"_{part+1}" if part else ""}.mp4'
-
-# %% ../../nbs/api/manager/06_camera_parts.ipynb #c601e8b1
-class _HereRecorder(Recorder):
-    "A recorder of the received stream; calls `wake` after its first picture, and when it ends by itself"
-    sets = b''              # parameter sets of the newest key frame, as a byte stream
-    def __init__(self, name:str, stream, folder, reserve:float=100., wake=lambda: None):
-        self.began,self.name_of,self.folder = clock.time(),name,Path(folder)
-        self.stream,self.wake = stream,wake
-        super().__init__(self.path_of, segment=3600., reserve=reserve, on_end=lambda _: wake())     # MiB to keep free
-
-    def path_of(self, part:int)->Path:
-        "Return an unused file name for part `part`, from 0"
-        paths = (self.folder/_file_name(self.name_of, self.began, n) for n in count(part))
-        return next(path for path in paths if not path.exists())
-
-    def put(self, unit):
-        "Queue a unit, and return at once"
-        s,rate = self.stream,self.stream.rate if self.stream.rate>0 else 25.
-        if unit.key: self.sets = byte_stream(dict.fromkeys(parameter_sets(unit.data, unit.format.codec))) or self.sets
-        form = replace(unit.format, width=s.width, height=s.height, rate=rate, bitrate=s.bitrate, headers=self.sets)
-        Recorder.put(self, replace(unit, format=form))
-
-    def send(self, unit):
-        "Write a picture; raises `OSError`, which ends the recording"
-        Recorder.send(self, unit)
-        if self.wake and len(self.videos)==1: self.wake,_ = None,self.wake()
+# %% ../../nbs/api/manager/06_camera_parts.ipynb #02c7cb20
+def _target_of(msg, ratio:float=4/3)->dict|None:
+    "Return state and rectangle, in parts of a picture `ratio` times as wide as high; `None` if unknown"
+    now = tracking_of(msg)
+    if now.status=='idle': return None
+    sides = now.rectangle
+    if sides is None and now.point:
+        (x,y),r = now.point,now.radius if known(now.radius) and now.radius>0 else .03
+        sides = x-r,y-r*ratio,x+r,y+r*ratio
+    if sides is None or not all(-1<side<2 for side in sides): return None
+    return dict(status=now.status, **dict(zip(('left','top','right','bottom'), sides)))
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #d880c23b
 class _RecordHere(RowPart):
@@ -385,6 +352,39 @@ class _RecordHere(RowPart):
         await self.close()
         raise NoAnswer(f'no picture came for {self.patience:g} s: {row.preview.state[1]}'.rstrip(': '))
 
+# %% ../../nbs/api/manager/06_camera_parts.ipynb #cbb011e3
+def _file_name(name:str, began:float, part:int=0)->str:
+    "Return the file name of a recording begun `began` s since 1970; each change of the stream starts a new part"
+    plain = re.sub('[^A-Za-z0-9]+', '_', name)[:40].strip('_') or 'camera'
+    at = clock.strftime('%Y-%m-%d_%H-%M-%S', clock.localtime(began))
+    return f'{at}_{plain}{f"_{part+1}" if part else ""}.mp4'
+
+# %% ../../nbs/api/manager/06_camera_parts.ipynb #c601e8b1
+class _HereRecorder(Recorder):
+    "A recorder of the received stream; calls `wake` after its first picture, and when it ends by itself"
+    sets = b''              # parameter sets of the newest key frame, as a byte stream
+    def __init__(self, name:str, stream, folder, reserve:float=100., wake=lambda: None):
+        self.began,self.name_of,self.folder = clock.time(),name,Path(folder)
+        self.stream,self.wake = stream,wake
+        super().__init__(self.path_of, segment=3600., reserve=reserve, on_end=lambda _: wake())     # MiB to keep free
+
+    def path_of(self, part:int)->Path:
+        "Return an unused file name for part `part`, from 0"
+        paths = (self.folder/_file_name(self.name_of, self.began, n) for n in count(part))
+        return next(path for path in paths if not path.exists())
+
+    def put(self, unit):
+        "Queue a unit, and return at once"
+        s,rate = self.stream,self.stream.rate if self.stream.rate>0 else 25.
+        if unit.key: self.sets = byte_stream(dict.fromkeys(parameter_sets(unit.data, unit.format.codec))) or self.sets
+        form = replace(unit.format, width=s.width, height=s.height, rate=rate, bitrate=s.bitrate, headers=self.sets)
+        Recorder.put(self, replace(unit, format=form))
+
+    def send(self, unit):
+        "Write a picture; raises `OSError`, which ends the recording"
+        Recorder.send(self, unit)
+        if self.wake and len(self.videos)==1: self.wake,_ = None,self.wake()
+
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #742a1614
 @patch
 async def watch(self:_RecordHere):
@@ -402,29 +402,6 @@ from ..gimbals.values import GimbalError
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS
 from ..utils.values import NAN
 from ..utils.geo import gimbal_angles, turned
-
-# %% ../../nbs/api/manager/06_camera_parts.ipynb #5723a0f9
-def _ray(x:float, y:float, hfov:float, vfov:float)->tuple:
-    "Return the ray (forward, right, down) to `x`,`y`, -1 to 1; fields of view in degrees; raises `ValueError`"
-    places = inside('x', x, -1, 1),inside('y', y, -1, 1)
-    widths = inside('horizontal field of view', hfov, .01, 179),inside('vertical field of view', vfov, .01, 179)
-    right,down = (place*math.tan(math.radians(width)/2) for place,width in zip(places, widths))
-    length = math.hypot(1, right, down)
-    return 1/length, right/length, down/length
-
-# %% ../../nbs/api/manager/06_camera_parts.ipynb #8563adaf
-def _vertical_fov(hfov:float, size:tuple)->float:
-    "Return the vertical field of view, degrees, of a picture of `size` square pixels"
-    width,height = size
-    return math.degrees(2*math.atan(math.tan(math.radians(hfov)/2)*height/width))
-
-# %% ../../nbs/api/manager/06_camera_parts.ipynb #5d34d83a
-def _clicked(x:float, y:float, hfov:float, vfov:float, q:tuple)->tuple:
-    "Return pitch and yaw, degrees, of a `_ray` of a camera with attitude `q`; yaw in the frame of `q`"
-    forward,right,down = turned(q, _ray(x, y, hfov, vfov))
-    level = math.hypot(forward, right)
-    yaw = math.degrees(math.atan2(right, forward)) if level>1e-6 else gimbal_angles(q)[2]
-    return -math.degrees(math.atan2(down, level)), yaw
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #c622ba70
 class _Aim(RowPart):
@@ -465,6 +442,29 @@ class _Aim(RowPart):
         gimbal = self.gimbal
         able = gimbal is not None and not gimbal.lost and 'CAN_POINT_LOCATION_GLOBAL' in gimbal.client.can
         return able and self.row.ground.vehicle is not None
+
+# %% ../../nbs/api/manager/06_camera_parts.ipynb #5723a0f9
+def _ray(x:float, y:float, hfov:float, vfov:float)->tuple:
+    "Return the ray (forward, right, down) to `x`,`y`, -1 to 1; fields of view in degrees; raises `ValueError`"
+    places = inside('x', x, -1, 1),inside('y', y, -1, 1)
+    widths = inside('horizontal field of view', hfov, .01, 179),inside('vertical field of view', vfov, .01, 179)
+    right,down = (place*math.tan(math.radians(width)/2) for place,width in zip(places, widths))
+    length = math.hypot(1, right, down)
+    return 1/length, right/length, down/length
+
+# %% ../../nbs/api/manager/06_camera_parts.ipynb #8563adaf
+def _vertical_fov(hfov:float, size:tuple)->float:
+    "Return the vertical field of view, degrees, of a picture of `size` square pixels"
+    width,height = size
+    return math.degrees(2*math.atan(math.tan(math.radians(hfov)/2)*height/width))
+
+# %% ../../nbs/api/manager/06_camera_parts.ipynb #5d34d83a
+def _clicked(x:float, y:float, hfov:float, vfov:float, q:tuple)->tuple:
+    "Return pitch and yaw, degrees, of a `_ray` of a camera with attitude `q`; yaw in the frame of `q`"
+    forward,right,down = turned(q, _ray(x, y, hfov, vfov))
+    level = math.hypot(forward, right)
+    yaw = math.degrees(math.atan2(right, forward)) if level>1e-6 else gimbal_angles(q)[2]
+    return -math.degrees(math.atan2(down, level)), yaw
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #7e1d1204
 @patch

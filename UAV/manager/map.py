@@ -24,96 +24,6 @@ from ..wire.dialect import address, MAVError
 # %% auto #0
 __all__ = ['Fleet']
 
-# %% ../../nbs/api/manager/05_map.ipynb #11bcbb5d
-def _place(lat:float, lon:float)->list:
-    "Return a GeoJSON position, to the centimetre"
-    return [round(lon, 7), round(lat, 7)]
-
-# %% ../../nbs/api/manager/05_map.ipynb #13f9e2d8
-def _feature(kind:str, shape:str, coordinates:list, **properties)->dict:
-    "Return a GeoJSON feature: a Point, a LineString or a Polygon"
-    geometry = dict(type=shape, coordinates=coordinates)
-    return dict(type='Feature', geometry=geometry, properties=dict(kind=kind, **properties))
-
-# %% ../../nbs/api/manager/05_map.ipynb #8f1e749d
-_pilots = {mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA:'ArduPilot', mavlink.MAV_AUTOPILOT_PX4:'PX4'}
-
-def _words_of(remote)->str:
-    "Return the name of a component, and its autopilot"
-    pilot = _pilots.get(remote.autopilot)
-    return f'{remote.name} ({pilot})' if pilot else remote.name
-
-# %% ../../nbs/api/manager/05_map.ipynb #91b4b7a0
-def _links_of(com, most:int=32)->list:
-    "Return `name` of each link of a `MAVCom`, and the components `heard` there"
-    def there(channel):
-        heard = (com.remotes.get(a) for a in sorted(list(channel.sources)) if a not in com.here)
-        return [_words_of(r) for r in heard if r and r.heard and not r.lost][:most]
-    return [dict(name=channel.name, heard=there(channel)) for channel in com.channels]
-
-# %% ../../nbs/api/manager/05_map.ipynb #65d33593
-class _Track:
-    "The track of a vehicle"
-    most = 1000         # points
-    def __init__(self): self.points,self.apart = [],1.      # `(lat, lon)`; least distance, m
-
-    def add(self, lat:float, lon:float):
-        "Add a position"
-        if self.points and math.hypot(*metres(*self.points[-1], lat, lon))<self.apart: return
-        self.points.append((lat, lon))
-        if len(self.points)>self.most: self.points,self.apart = self.points[::2],2*self.apart
-
-# %% ../../nbs/api/manager/05_map.ipynb #911a1ddc
-class _Vehicle:
-    "Position, track and battery of one system, from its autopilot"
-    def __init__(self, system:int):
-        self.system,self.source,self.heard = system,None,0.     # its autopilot; time of the last message, monotonic s
-        self.position,self.came,self.battery,self.track = None,0.,None,_Track()     # GLOBAL_POSITION_INT, its time; %
-
-    def take(self, msg):
-        "Store a message"
-        self.source,self.heard = address(msg),clock.monotonic()
-        if msg.get_msgId()==BATTERY_STATUS and msg.id==0: self.battery = battery_of(msg)
-        if msg.get_msgId()==SYS_STATUS: self.battery = battery_of(msg)
-        if msg.get_msgId()!=POSITION or not (msg.lat or msg.lon): return
-        lat,lon = msg.lat/1e7,msg.lon/1e7
-        if abs(lat)>90 or abs(lon)>180: return
-        self.position,self.came = msg,self.heard
-        self.track.add(lat, lon)
-
-    place = property(lambda self: (self.position.lat/1e7, self.position.lon/1e7), doc="`(lat, lon)`, degrees")
-    above = property(lambda self: self.position.relative_alt/1e3, doc="m above home")
-
-    @property
-    def heading(self)->float:
-        "Heading in degrees from north; NaN if unknown"
-        return self.position.hdg/100 if self.position and self.position.hdg<36000 else NAN
-
-    def is_fresh(self, seconds:float=3.)->bool:
-        "True if a position came within `seconds`"
-        return self.position is not None and clock.monotonic()-self.came<seconds
-
-# %% ../../nbs/api/manager/05_map.ipynb #2262be6e
-@patch
-def status(self:_Vehicle)->dict:
-    "Return the vehicle as plain values; `None` where unknown"
-    p = self.position
-    lat,lon = (round(n, 6) for n in self.place) if p else (None,None)
-    altitude,above = (round(mm/1e3, 1) for mm in (p.alt, p.relative_alt)) if p else (None,None)
-    heading = round(self.heading)%360 if known(self.heading) else None
-    age = int(clock.monotonic()-(self.came if p else self.heard))
-    return dict(system=self.system, lat=lat, lon=lon, altitude=altitude, above=above, heading=heading,
-                battery=self.battery, age=age)
-
-# %% ../../nbs/api/manager/05_map.ipynb #21ccbee6
-@patch
-def features(self:_Vehicle)->list:
-    "Return its position and track, for a map"
-    if not self.position: return []
-    now,line = self.status(),[_place(*point) for point in [*self.track.points, self.place]]
-    here = _feature('vehicle', 'Point', line[-1], system=self.system, heading=now['heading'], above=now['above'])
-    return [_feature('track', 'LineString', line, system=self.system), here] if len(line)>2 else [here]
-
 # %% ../../nbs/api/manager/05_map.ipynb #2db82375
 class Fleet:
     "Vehicles and links"
@@ -181,6 +91,99 @@ async def run(self:Fleet):
         while True:
             await asyncio.gather(*(self._ask(c, a) for c in self.clients for a in self._silent(c)))
             await asyncio.sleep(1)
+
+# %% ../../nbs/api/manager/05_map.ipynb #911a1ddc
+class _Vehicle:
+    "Position, track and battery of one system, from its autopilot"
+    def __init__(self, system:int):
+        self.system = system
+        self.source,self.heard = None,0.        # its autopilot; time of the last message, monotonic s
+        self.position,self.came = None,0.       # GLOBAL_POSITION_INT, and its time
+        self.battery = None                     # %
+        self.track = _Track()
+
+    def take(self, msg):
+        "Store a message"
+        self.source,self.heard = address(msg),clock.monotonic()
+        if msg.get_msgId()==BATTERY_STATUS and msg.id==0: self.battery = battery_of(msg)
+        if msg.get_msgId()==SYS_STATUS: self.battery = battery_of(msg)
+        if msg.get_msgId()!=POSITION or not (msg.lat or msg.lon): return
+        lat,lon = msg.lat/1e7,msg.lon/1e7
+        if abs(lat)>90 or abs(lon)>180: return
+        self.position,self.came = msg,self.heard
+        self.track.add(lat, lon)
+
+    place = property(lambda self: (self.position.lat/1e7, self.position.lon/1e7), doc="`(lat, lon)`, degrees")
+    above = property(lambda self: self.position.relative_alt/1e3, doc="m above home")
+
+    @property
+    def heading(self)->float:
+        "Heading in degrees from north; NaN if unknown"
+        return self.position.hdg/100 if self.position and self.position.hdg<36000 else NAN
+
+    def is_fresh(self, seconds:float=3.)->bool:
+        "True if a position came within `seconds`"
+        return self.position is not None and clock.monotonic()-self.came<seconds
+
+# %% ../../nbs/api/manager/05_map.ipynb #2262be6e
+@patch
+def status(self:_Vehicle)->dict:
+    "Return the vehicle as plain values; `None` where unknown"
+    p = self.position
+    lat,lon = (round(n, 6) for n in self.place) if p else (None,None)
+    altitude,above = (round(mm/1e3, 1) for mm in (p.alt, p.relative_alt)) if p else (None,None)
+    heading = round(self.heading)%360 if known(self.heading) else None
+    age = int(clock.monotonic()-(self.came if p else self.heard))
+    return dict(system=self.system, lat=lat, lon=lon, altitude=altitude, above=above, heading=heading,
+                battery=self.battery, age=age)
+
+# %% ../../nbs/api/manager/05_map.ipynb #21ccbee6
+@patch
+def features(self:_Vehicle)->list:
+    "Return its position and track, for a map"
+    if not self.position: return []
+    now,line = self.status(),[_place(*point) for point in [*self.track.points, self.place]]
+    here = _feature('vehicle', 'Point', line[-1], system=self.system, heading=now['heading'], above=now['above'])
+    return [_feature('track', 'LineString', line, system=self.system), here] if len(line)>2 else [here]
+
+# %% ../../nbs/api/manager/05_map.ipynb #65d33593
+class _Track:
+    "The track of a vehicle"
+    most = 1000         # points
+    def __init__(self): self.points,self.apart = [],1.      # `(lat, lon)`; least distance, m
+
+    def add(self, lat:float, lon:float):
+        "Add a position"
+        if self.points and math.hypot(*metres(*self.points[-1], lat, lon))<self.apart: return
+        self.points.append((lat, lon))
+        if len(self.points)>self.most: self.points,self.apart = self.points[::2],2*self.apart
+
+# %% ../../nbs/api/manager/05_map.ipynb #11bcbb5d
+def _place(lat:float, lon:float)->list:
+    "Return a GeoJSON position, to the centimetre"
+    return [round(lon, 7), round(lat, 7)]
+
+# %% ../../nbs/api/manager/05_map.ipynb #13f9e2d8
+def _feature(kind:str, shape:str, coordinates:list, **properties)->dict:
+    "Return a GeoJSON feature: a Point, a LineString or a Polygon"
+    geometry = dict(type=shape, coordinates=coordinates)
+    return dict(type='Feature', geometry=geometry, properties=dict(kind=kind, **properties))
+
+# %% ../../nbs/api/manager/05_map.ipynb #8f1e749d
+_pilots = {mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA:'ArduPilot', mavlink.MAV_AUTOPILOT_PX4:'PX4'}
+
+def _words_of(remote)->str:
+    "Return the name of a component, and its autopilot"
+    pilot = _pilots.get(remote.autopilot)
+    return f'{remote.name} ({pilot})' if pilot else remote.name
+
+# %% ../../nbs/api/manager/05_map.ipynb #91b4b7a0
+def _links_of(com, most:int=32)->list:
+    "Return `name` of each link of a `MAVCom`, and the components `heard` there"
+    def there(channel):
+        heard = (com.remotes.get(a) for a in sorted(list(channel.sources)) if a not in com.here)
+        return [_words_of(r) for r in heard if r and r.heard and not r.lost][:most]
+    return [dict(name=channel.name, heard=there(channel)) for channel in com.channels]
 
 # %% ../../nbs/api/manager/05_map.ipynb #9d70ee55
 _reach = 20.        # heights: longest distance shown

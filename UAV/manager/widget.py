@@ -21,6 +21,79 @@ from ..utils.pictures import decode_picture
 # %% auto #0
 __all__ = []
 
+# %% ../../nbs/api/manager/10_widget.ipynb #fb1e1555
+class _Shown:
+    "Display of a panel in a notebook; `close` replaces it by the card"
+    def __init__(self, gui):
+        from IPython.display import display
+        self.gui,self.view,self.id = gui,_view(gui),uuid4().hex
+        display(self.view.widget, display_id=self.id)
+
+    def close(self):
+        "Replace the live view by the card"
+        from IPython.display import HTML, update_display
+        update_display(HTML(_card_of(self.gui, timeout=0)), display_id=self.id)
+        self.view.close()
+
+# %% ../../nbs/api/manager/10_widget.ipynb #be82381a
+class _FrameView:
+    "Page of a panel in a frame of the notebook"
+    def __init__(self, gui):
+        from IPython.display import IFrame
+        self.server = next((host for host in gui.hosts if hasattr(host, 'url')), None) or PanelServer(gui)
+        self.widget = IFrame(self.server.url, '100%', 640)
+
+    def close(self): "Do nothing: the server belongs to the panel"
+
+# %% ../../nbs/api/manager/10_widget.ipynb #f9a35154
+def _view(gui):
+    try: return _WidgetView(gui)
+    except ImportError: return _FrameView(gui)
+
+# %% ../../nbs/api/manager/10_widget.ipynb #b7d0c3a1
+class _Viewer:
+    "Answers to one view, on the panel's loop; `send` gets each answer and its pictures"
+    def __init__(self, gui, send):
+        store_attr()
+        self.messages = _Messages(gui)
+
+    async def _answer(self, message): self.send(*await self.messages.answer(message))
+
+    def _run(self, coro):
+        with suppress(RuntimeError): self.gui.loop.run(coro)        # the panel is closed
+
+    def take(self, message:dict):
+        "Start to answer a message, from any thread"
+        self._run(self._answer(message))
+
+    def close(self):
+        "Release the holds of a view that is gone"
+        self._run(self.messages.leave())
+
+# %% ../../nbs/api/manager/10_widget.ipynb #d81edc35
+@lru_cache
+def _widget_class():
+    import anywidget
+    class PanelWidget(anywidget.AnyWidget):
+        _esm,_css = panel_js,panel_css
+        def __repr__(self): return 'a live panel'
+    return PanelWidget
+
+# %% ../../nbs/api/manager/10_widget.ipynb #5995b871
+class _WidgetView:
+    "Live view of a panel in a notebook; raises `ImportError` without anywidget"
+    def __init__(self, gui):
+        self.widget = _widget_class()()
+        self.viewer = _Viewer(gui, self.widget.send)
+        self.widget.on_msg(lambda widget, message, buffers: self.viewer.take(message))
+        _receive_early(self.widget.model_id, self.viewer.take)
+
+    def close(self):
+        "Close the widget, and release its holds"
+        _forget_early(self.widget.model_id)
+        self.viewer.close()
+        for part in (self.widget.layout, self.widget): part.close()
+
 # %% ../../nbs/api/manager/10_widget.ipynb #952fee50
 def _this_kernel():
     "Return the kernel that runs this, or `None`"
@@ -174,76 +247,3 @@ def _card_of(gui, timeout:float=2.)->str:
     except (RuntimeError,CancelledError,TimeoutError): status,pictures = gui.status(),{}      # it is closed
     gui.last_pictures |= pictures
     return _as_card(status, gui.last_pictures)
-
-# %% ../../nbs/api/manager/10_widget.ipynb #b7d0c3a1
-class _Viewer:
-    "Answers to one view, on the panel's loop; `send` gets each answer and its pictures"
-    def __init__(self, gui, send):
-        store_attr()
-        self.messages = _Messages(gui)
-
-    async def _answer(self, message): self.send(*await self.messages.answer(message))
-
-    def _run(self, coro):
-        with suppress(RuntimeError): self.gui.loop.run(coro)        # the panel is closed
-
-    def take(self, message:dict):
-        "Start to answer a message, from any thread"
-        self._run(self._answer(message))
-
-    def close(self):
-        "Release the holds of a view that is gone"
-        self._run(self.messages.leave())
-
-# %% ../../nbs/api/manager/10_widget.ipynb #d81edc35
-@lru_cache
-def _widget_class():
-    import anywidget
-    class PanelWidget(anywidget.AnyWidget):
-        _esm,_css = panel_js,panel_css
-        def __repr__(self): return 'a live panel'
-    return PanelWidget
-
-# %% ../../nbs/api/manager/10_widget.ipynb #5995b871
-class _WidgetView:
-    "Live view of a panel in a notebook; raises `ImportError` without anywidget"
-    def __init__(self, gui):
-        self.widget = _widget_class()()
-        self.viewer = _Viewer(gui, self.widget.send)
-        self.widget.on_msg(lambda widget, message, buffers: self.viewer.take(message))
-        _receive_early(self.widget.model_id, self.viewer.take)
-
-    def close(self):
-        "Close the widget, and release its holds"
-        _forget_early(self.widget.model_id)
-        self.viewer.close()
-        for part in (self.widget.layout, self.widget): part.close()
-
-# %% ../../nbs/api/manager/10_widget.ipynb #be82381a
-class _FrameView:
-    "Page of a panel in a frame of the notebook"
-    def __init__(self, gui):
-        from IPython.display import IFrame
-        self.server = next((host for host in gui.hosts if hasattr(host, 'url')), None) or PanelServer(gui)
-        self.widget = IFrame(self.server.url, '100%', 640)
-
-    def close(self): "Do nothing: the server belongs to the panel"
-
-# %% ../../nbs/api/manager/10_widget.ipynb #f9a35154
-def _view(gui):
-    try: return _WidgetView(gui)
-    except ImportError: return _FrameView(gui)
-
-# %% ../../nbs/api/manager/10_widget.ipynb #fb1e1555
-class _Shown:
-    "Display of a panel in a notebook; `close` replaces it by the card"
-    def __init__(self, gui):
-        from IPython.display import display
-        self.gui,self.view,self.id = gui,_view(gui),uuid4().hex
-        display(self.view.widget, display_id=self.id)
-
-    def close(self):
-        "Replace the live view by the card"
-        from IPython.display import HTML, update_display
-        update_display(HTML(_card_of(self.gui, timeout=0)), display_id=self.id)
-        self.view.close()
