@@ -70,6 +70,13 @@ class BaseComponent(Member):
     def on_mav_connection(self): "Called when the component joins a link; for subclasses"
     def on_message(self, msg): "Called with each message for the component; for subclasses, true accepts a command"
 
+# %% ../../nbs/api/mavlink/03_basecomponent.ipynb #a69b759c
+@patch
+def send_message(self:BaseComponent, msg, # A message of our encoder `mav`
+                 to:tuple|None=None): # `(system, component)` of its receiver; `None`: its target, or all if it has none
+    "Send a message; raises `LinkError` if we are on no link, `ValueError` if a field does not fit"
+    self.sender.send(msg, to)
+
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #a33d64cd
 class Sender:
     "Sends the messages of one component, in order"
@@ -268,13 +275,6 @@ def _log_ack(self:BaseComponent, arrow:str, other:tuple, command_id:int, result:
     names = enum_name('MAV_CMD', command_id, 'MAV_CMD_'),enum_name('MAV_RESULT', result, 'MAV_RESULT_')
     after = f'after {1000*(clock.monotonic()-since):.0f} ms' if since is not None else '(no command waits for it)'
     self.log.debug('%s %s/%s %s %s %s', arrow, *other, *names, after if since is not None or arrow=='←' else '')
-
-# %% ../../nbs/api/mavlink/03_basecomponent.ipynb #a69b759c
-@patch
-def send_message(self:BaseComponent, msg, # A message of our encoder `mav`
-                 to:tuple|None=None): # `(system, component)` of its receiver; `None`: its target, or all if it has none
-    "Send a message; raises `LinkError` if we are on no link, `ValueError` if a field does not fit"
-    self.sender.send(msg, to)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #cd12a989
 @patch

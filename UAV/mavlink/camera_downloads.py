@@ -29,83 +29,70 @@ from .remote_video import hosts_of
 _all_ = ['FtpError', 'FileEntry']
 
 # %% auto #0
-__all__ = ['open_part', 'place_on_disk', 'keep_part', 'FtpNumbers', 'RemoteFiles', 'FtpFile', 'in_turns', 'RemoteFile',
+__all__ = ['RemoteFiles', 'FtpFile', 'FtpNumbers', 'in_turns', 'open_part', 'place_on_disk', 'keep_part', 'RemoteFile',
            'FtpError', 'FileEntry']
 
-# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #9b011bf1
-def _no_link(name:Path, flags:int)->int:
-    "Open or create a plain file; raises `OSError` for a link or a device"
-    flags |= os.O_CREAT|getattr(os, 'O_NOFOLLOW', 0)|getattr(os, 'O_NONBLOCK', 0)
-    try: number = os.open(name, flags, 0o666)
-    except OSError as e:
-        if e.errno==errno.ELOOP: raise OSError(errno.ELOOP, 'this is a symbolic link: remove it', str(name)) from None
-        raise
-    found = os.fstat(number)
-    if stat.S_ISREG(found.st_mode) and found.st_nlink<2: return number
-    os.close(number)
-    raise OSError(errno.EMLINK, 'this is a hard link or a device: remove it', str(name))
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #ab052711
+class RemoteFiles:
+    "Files of one component, by MAVLink FTP"
+    patience = 30.      # seconds without an answer before an operation fails
+    unanswered = 6      # requests to one who has never answered any, before we ask whether it answers others
+    most = 1<<16        # entries of a listing
+    upload_tries = 5    # times a session is reopened in a row without progress
 
-# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #1ac465fb
-def _locked(part:Path):
-    "Open and lock a `.part`; `None` if another download has it"
-    file = open(part, 'r+b', buffering=0, opener=_no_link)
-    try:
-        lock_file(file)
-        if os.path.samestat(os.fstat(file.fileno()), os.stat(part)): return file
-    except (BlockingIOError,PermissionError,FileNotFoundError): pass    # the other has it, or has just finished
-    except OSError: return file                                         # a disk without locks
-    file.close()
+    def __init__(self, remote): # `RemoteCamera` of the component with the files
+        self.remote,self.client = remote,remote.client
+        self.trip = RoundTrip()     # time to an answer, behind the other traffic of the link
+        self.answers = False        # True: it has answered once
 
-# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #20e9799b
-def open_part(to:Path): # Name of the complete file
-    "Open and lock the `.part` of a download, or `.2.part` if another has it; raises `OSError`"
-    for number in count(1):
-        part = to.with_name(f'{to.name}.{number}.part' if number>1 else f'{to.name}.part')
-        if file := _locked(part): return file
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #c9cf233a
+class FtpFile:
+    "Download of one file"
+    most_holes = 32     # before they are filled
+    most = 1<<32        # largest file, bytes
+    tries = 5           # times it is reopened in a row without progress
 
-# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #4d221e99
-def place_on_disk(to:str|Path, # A file if its suffix has a letter, else a folder; made if missing
-                  name:str, # File name in that folder, or a remote path
-                 )->Path:
-    "Return the path for a file, in a folder that is there; raises `OSError`"
-    path = Path(to)
-    named = re.search('[A-Za-z]', path.suffix) and not str(to).endswith(('/',os.sep)) and not path.is_dir()
-    if not named: path = path/local_name(name)
-    try: path.parent.mkdir(parents=True, exist_ok=True)
-    except (FileExistsError, NotADirectoryError):
-        raise NotADirectoryError(errno.ENOTDIR, 'this is no folder', str(path.parent)) from None
-    return path
+    def __init__(self, files:RemoteFiles, path:str, sink, start:int=0):
+        self.files,self.path,self.sink,self.start = files,path,sink,start
+        self.number = files.client.ftp_numbers.session()
+        self.session,self.parts,self.silent = None,None,0       # `silent`: bursts in a row without data
+        self.refused,self.came = None,None      # error of a burst; times of its first and last frame, their number
+        self.saved = start                      # contiguous bytes in the sink
 
-# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #dcead4f2
-async def _same_bytes(one:Path, other:Path)->bool:
-    "True if both are plain files with the same content; yields to the loop after each megabyte"
-    try:
-        with open(one, 'rb') as a, open(other, 'rb', opener=_no_wait) as b:
-            if not stat.S_ISREG(os.fstat(b.fileno()).st_mode): return False
-            if os.fstat(a.fileno()).st_size!=os.fstat(b.fileno()).st_size: return False
-            while data := a.read(1<<20):
-                if data!=b.read(1<<20): return False
-                await asyncio.sleep(0)
-    except OSError: return False
-    return True
+    def __repr__(self): return f'FtpFile {self.path}: {self.parts or "not open"}'
+    def fail(self, why:str): raise FtpError(FtpCode.FAIL, what=f'{self.path}, {why}')
 
-def _no_wait(name, flags:int)->int: return os.open(name, flags|getattr(os, 'O_NONBLOCK', 0))       # for a FIFO
+    async def open(self):
+        "Open it, or open it again; raises `FtpError` and `Lost`"
+        answer = await self.files._open(FtpOp.OPEN_FILE_RO, self.path, self.number)
+        size = int.from_bytes(answer.data[:4], 'little')
+        if size>self.most: raise ValueError(f'{self.path} has {size} bytes, more than {self.most}')
+        if self.parts is None or self.parts.size!=size: self.parts = FtpParts(size, self.start)
+        self.session,self.silent = answer.session,0
 
-# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #e040801b
-async def keep_part(part:Path, # A complete file
-                    to:Path, # Its name
-                   )->Path:
-    "Give a file its name, or a free one like `a_2.jpg` if another has it; return that. Raises `OSError`"
-    for number in count(1):
-        path = to.with_name(f'{to.stem}_{number}{to.suffix}') if number>1 else to
-        if await _same_bytes(part, path):
-            part.unlink()
-            return path
-        try: os.close(os.open(path, os.O_CREAT|os.O_EXCL|os.O_WRONLY, 0o666))
-        except (FileExistsError, IsADirectoryError): continue
-        os.replace(part, path)
-        clock.stamp(path)
-        return path
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #70c34994
+@patch
+async def fetch(self:RemoteFiles, file, # Path on the vehicle, URL, listed file, or notice of a picture
+                to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: return the bytes
+                progress=None, # Called with the bytes done and the size; True: show a line
+                most:int=FtpFile.most, # Maximum size in memory, bytes; raises `ValueError` above
+                any_host:bool|None=None, # True: allow http:// at other addresses than its own; `None`: the client's
+               )->bytes|Path:
+    """Fetch a file; return its bytes or path, `a_2.jpg` if `a.jpg` is another. Raises `FtpError`, `Lost`, `OSError`
+
+    It comes over MAVLink FTP, lost pieces are asked for again, and its checksum is compared.
+    With `to` a transfer that broke off goes on where it was, from `NAME.part`.
+
+    path = await camera.files.fetch('/media/IMG_000000.jpg', to='pictures')
+    """
+    if _is_web(url := _path_of(file)): return await self._fetch_web(url, to, progress, most, any_host)
+    files,path = self._place(file)
+    if progress is True: progress = Progress(local_name(path))
+    if to is not None: return await files._to_disk(path, place_on_disk(to, path), progress)
+    wanted = FtpFile(files, path, BytesIO())
+    wanted.most = most
+    await wanted.fetch_checked(progress)
+    return wanted.sink.getvalue()
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #d45ad53f
 class FtpNumbers:
@@ -123,19 +110,6 @@ def session(self:FtpNumbers)->int:
     "Return a session number to ask for; the server may assign another"
     self._session = self._session%255+1
     return self._session
-
-# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #ab052711
-class RemoteFiles:
-    "Files of one component, by MAVLink FTP"
-    patience = 30.      # seconds without an answer before an operation fails
-    unanswered = 6      # requests to one who has never answered any, before we ask whether it answers others
-    most = 1<<16        # entries of a listing
-    upload_tries = 5    # times a session is reopened in a row without progress
-
-    def __init__(self, remote): # `RemoteCamera` of the component with the files
-        self.remote,self.client = remote,remote.client
-        self.trip = RoundTrip()     # time to an answer, behind the other traffic of the link
-        self.answers = False        # True: it has answered once
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #e3160204
 @patch
@@ -193,31 +167,6 @@ async def _ask(self:RemoteFiles, op:int, *paths, patience:float|None=None, **fie
             if e := answer.error: raise FtpError(e.code, e.errno, ' '.join(paths))
             return answer
     raise Lost(self.client.mav_com.lost(there) or f'{there[0]}/{there[1]} does not answer MAVLink FTP: has it files?')
-
-# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #c9cf233a
-class FtpFile:
-    "Download of one file"
-    most_holes = 32     # before they are filled
-    most = 1<<32        # largest file, bytes
-    tries = 5           # times it is reopened in a row without progress
-
-    def __init__(self, files:RemoteFiles, path:str, sink, start:int=0):
-        self.files,self.path,self.sink,self.start = files,path,sink,start
-        self.number = files.client.ftp_numbers.session()
-        self.session,self.parts,self.silent = None,None,0       # `silent`: bursts in a row without data
-        self.refused,self.came = None,None      # error of a burst; times of its first and last frame, their number
-        self.saved = start                      # contiguous bytes in the sink
-
-    def __repr__(self): return f'FtpFile {self.path}: {self.parts or "not open"}'
-    def fail(self, why:str): raise FtpError(FtpCode.FAIL, what=f'{self.path}, {why}')
-
-    async def open(self):
-        "Open it, or open it again; raises `FtpError` and `Lost`"
-        answer = await self.files._open(FtpOp.OPEN_FILE_RO, self.path, self.number)
-        size = int.from_bytes(answer.data[:4], 'little')
-        if size>self.most: raise ValueError(f'{self.path} has {size} bytes, more than {self.most}')
-        if self.parts is None or self.parts.size!=size: self.parts = FtpParts(size, self.start)
-        self.session,self.silent = answer.session,0
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #37d4233c
 @patch
@@ -355,7 +304,8 @@ async def fetch_checked(self:FtpFile, progress=None):
         await self.fetch(progress)
         self.sink.truncate(self.parts.size)
         same = await self.files._same_sum(self.path, await self._sum())
-        if same or same is None and not self.start: return await self.files._end(self.session)
+        if same is None: same = not self.start          # no checksum: only what we fetched ourselves is trusted
+        if same: return await self.files._end(self.session)
         self.parts = self.session = None        # it changed while we read, or what we had was another file's
         self.start = self.saved = 0
     self.fail('whose checksum is wrong')
@@ -365,6 +315,81 @@ async def fetch_checked(self:FtpFile, progress=None):
 async def _end(self:RemoteFiles, session:int):
     "Close a session; without an answer the server does so later"
     with suppress(FtpError, Lost): await self._ask(FtpOp.TERMINATE_SESSION, session=session, patience=3.)
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #9b011bf1
+def _no_link(name:Path, flags:int)->int:
+    "Open or create a plain file; raises `OSError` for a link or a device"
+    flags |= os.O_CREAT|getattr(os, 'O_NOFOLLOW', 0)|getattr(os, 'O_NONBLOCK', 0)
+    try: number = os.open(name, flags, 0o666)
+    except OSError as e:
+        if e.errno==errno.ELOOP: raise OSError(errno.ELOOP, 'this is a symbolic link: remove it', str(name)) from None
+        raise
+    found = os.fstat(number)
+    if stat.S_ISREG(found.st_mode) and found.st_nlink<2: return number
+    os.close(number)
+    raise OSError(errno.EMLINK, 'this is a hard link or a device: remove it', str(name))
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #1ac465fb
+def _locked(part:Path):
+    "Open and lock a `.part`; `None` if another download has it"
+    file = open(part, 'r+b', buffering=0, opener=_no_link)
+    try:
+        lock_file(file)
+        if os.path.samestat(os.fstat(file.fileno()), os.stat(part)): return file
+    except (BlockingIOError,PermissionError,FileNotFoundError): pass    # the other has it, or has just finished
+    except OSError: return file                                         # a disk without locks
+    file.close()
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #20e9799b
+def open_part(to:Path): # Name of the complete file
+    "Open and lock the `.part` of a download, or `.2.part` if another has it; raises `OSError`"
+    for number in count(1):
+        part = to.with_name(f'{to.name}.{number}.part' if number>1 else f'{to.name}.part')
+        if file := _locked(part): return file
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #4d221e99
+def place_on_disk(to:str|Path, # A file if its suffix has a letter, else a folder; made if missing
+                  name:str, # File name in that folder, or a remote path
+                 )->Path:
+    "Return the path for a file, in a folder that is there; raises `OSError`"
+    path = Path(to)
+    named = re.search('[A-Za-z]', path.suffix) and not str(to).endswith(('/',os.sep)) and not path.is_dir()
+    if not named: path = path/local_name(name)
+    try: path.parent.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError):
+        raise NotADirectoryError(errno.ENOTDIR, 'this is no folder', str(path.parent)) from None
+    return path
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #dcead4f2
+async def _same_bytes(one:Path, other:Path)->bool:
+    "True if both are plain files with the same content; yields to the loop after each megabyte"
+    try:
+        with open(one, 'rb') as a, open(other, 'rb', opener=_no_wait) as b:
+            if not stat.S_ISREG(os.fstat(b.fileno()).st_mode): return False
+            if os.fstat(a.fileno()).st_size!=os.fstat(b.fileno()).st_size: return False
+            while data := a.read(1<<20):
+                if data!=b.read(1<<20): return False
+                await asyncio.sleep(0)
+    except OSError: return False
+    return True
+
+def _no_wait(name, flags:int)->int: return os.open(name, flags|getattr(os, 'O_NONBLOCK', 0))       # for a FIFO
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #e040801b
+async def keep_part(part:Path, # A complete file
+                    to:Path, # Its name
+                   )->Path:
+    "Give a file its name, or a free one like `a_2.jpg` if another has it; return that. Raises `OSError`"
+    for number in count(1):
+        path = to.with_name(f'{to.stem}_{number}{to.suffix}') if number>1 else to
+        if await _same_bytes(part, path):
+            part.unlink()
+            return path
+        try: os.close(os.open(path, os.O_CREAT|os.O_EXCL|os.O_WRONLY, 0o666))
+        except (FileExistsError, IsADirectoryError): continue
+        os.replace(part, path)
+        clock.stamp(path)
+        return path
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #f09d899d
 @patch
@@ -412,9 +437,11 @@ async def _fetch_web(self:RemoteFiles, url:str, to, progress, most:int, any_host
     name = local_name(unquote(urlsplit(url).path))
     if progress is True: progress = Progress(name)
     if to is None:
-        await self._load(url, sink := BytesIO(), progress, most, any_host)
+        sink = BytesIO()
+        await self._load(url, sink, progress, most, any_host)
         return sink.getvalue()
-    with open_part(to := place_on_disk(to, name)) as sink:
+    to = place_on_disk(to, name)
+    with open_part(to) as sink:
         sink.truncate(0)
         try: await self._load(url, sink, progress, FtpFile.most, any_host)
         except BaseException:
@@ -422,30 +449,6 @@ async def _fetch_web(self:RemoteFiles, url:str, to, progress, most:int, any_host
             raise
         if os.name=='nt': sink.close()
         return await keep_part(Path(sink.name), to)
-
-# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #70c34994
-@patch
-async def fetch(self:RemoteFiles, file, # Path on the vehicle, URL, listed file, or notice of a picture
-                to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: return the bytes
-                progress=None, # Called with the bytes done and the size; True: show a line
-                most:int=FtpFile.most, # Maximum size in memory, bytes; raises `ValueError` above
-                any_host:bool|None=None, # True: allow http:// at other addresses than its own; `None`: the client's
-               )->bytes|Path:
-    """Fetch a file; return its bytes or path, `a_2.jpg` if `a.jpg` is another. Raises `FtpError`, `Lost`, `OSError`
-
-    It comes over MAVLink FTP, lost pieces are asked for again, and its checksum is compared.
-    With `to` a transfer that broke off goes on where it was, from `NAME.part`.
-
-    path = await camera.files.fetch('/media/IMG_000000.jpg', to='pictures')
-    """
-    if _is_web(url := _path_of(file)): return await self._fetch_web(url, to, progress, most, any_host)
-    files,path = self._place(file)
-    if progress is True: progress = Progress(local_name(path))
-    if to is not None: return await files._to_disk(path, place_on_disk(to, path), progress)
-    wanted = FtpFile(files, path, BytesIO())
-    wanted.most = most
-    await wanted.fetch_checked(progress)
-    return wanted.sink.getvalue()
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #3de6d8fd
 @patch

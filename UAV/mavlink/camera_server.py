@@ -153,17 +153,6 @@ def _run_command(self:CameraServer, handler, msg)->Outcome:
     sticks = msg.command==mavlink.MAV_CMD_RESET_CAMERA_SETTINGS and outcome.result in (Denied.result,Unsupported.result)
     return Outcome(mavlink.MAV_RESULT_FAILED) if sticks else outcome
 
-# %% ../../nbs/api/mavlink/11_camera_server.ipynb #f9a7d75c
-@patch
-def check_guard(self:CameraServer, msg):
-    "Raise `Denied` if the sender of the command `msg` may not delete"
-    guard,source = self.guard,address(msg)
-    if guard is None: return
-    if guard=='signed': allowed = self.mav_com.signing is not None and msg.get_signed()
-    elif callable(guard): allowed = guard(msg)
-    else: allowed = source in guard or source[0] in guard
-    if not allowed: raise Denied(f'{source[0]}/{source[1]} may not destroy')
-
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #16ceed93
 @patch
 def _report_failure(self:CameraServer, why:str, now:bool=False):
@@ -232,68 +221,16 @@ def mount_media(self:CameraServer,
     for s in storages:
         if s is not None: self.files.mount(self.media_path(s.storage_id), s.folder, writable, _no_media)
 
-# %% ../../nbs/api/mavlink/11_camera_server.ipynb #1806a925
-class _Sent(NamedTuple):
-    "A level that was sent: its turn, and when it was sent for the first and the last time, monotonic s"
-    turn:int
-    first:float
-    last:float
-    level:float
-
-# %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ae7ab24
-class _Levels:
-    "Levels of zoom and focus in recent CAMERA_SETTINGS, to recognize orders that only send one back"
-    window = 2.     # s after which an order is no echo
-
-    def __init__(self):
-        self._sent,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),itertools.count(1)
-        self._orders = Seen(self.window, most=256)      # by drive and sender: its last order's turn and level
-        self._own = Seen(self.window, most=256)         # by drive and sender: turn and level of its latest orders
-        self._done = Seen(self.window, most=256)        # by drive and sender: what it has sent back
-        self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
-        self._answered = Seen(1., most=256)             # by drive, sender and level
-
-    def note_sent(self, **levels):
-        "Note levels that are sent; one that stays the same is new to a station that has just come"
-        for drive,level in levels.items():
-            sent,now = self._sent[drive],clock.monotonic()
-            if sent and sent[-1].level==level: sent[-1] = sent[-1]._replace(last=now)
-            else: sent.append(_Sent(next(self._turns), now, now, level))
-
-    def order(self, drive:str, source:tuple, level:float|None):
-        "Note an order of `source`; `level` is its place in the range, if it names one"
-        key,last = (drive,source),(next(self._turns), level)
-        self._orders.note(key, last)
-        if level is not None: self._own.note(key, (*self._own.find(key, ())[-15:], last))
-
-    def answers(self, *echo)->bool: # Drive, sender and level
-        "True if an echo gets an answer: once a second, as some send each CAMERA_SETTINGS back, changed or not"
-        if self._answered.find(echo): return False
-        self._answered.note(echo)
-        return True
-
-    def is_echoing(self, msg)->bool:
-        "True if the sender of the order `msg` is known to send levels back"
-        return getattr(msg, 'confirmation', 0)==255 or self._echoes.find(address(msg), 0)>1
-
-# %% ../../nbs/api/mavlink/11_camera_server.ipynb #3a0e5f54
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #f9a7d75c
 @patch
-def sent_back(self:_Levels, drive:str, source:tuple, level:float, echoing:bool=False)->bool:
-    "True if `level` was new since the last order of `source`, once; an `echoing` one sends back all but its own"
-    key,after = (drive,source),clock.monotonic()-self.window
-    (since,last),done = self._orders.find(key, (0,None)),self._done.find(key, ())
-    ordered = [turn for turn,own in self._own.find(key, ()) if math.isclose(own, level, rel_tol=1e-6)]
-    def is_echo(sent):
-        if not math.isclose(sent.level, level, rel_tol=1e-6): return False
-        if not echoing: return sent.first>after and sent.turn>since and last!=level
-        is_own = any(turn<sent.turn for turn in ordered)
-        return sent.last>after and sent not in done and not is_own
-    found = next(filter(is_echo, list(self._sent[drive])), None)
-    if found is None: return False
-    if echoing: self._done.note(key, (*done[-63:], found))
-    else: self._orders.note(key, (found.turn, None))        # its next one is its own
-    self._echoes.note(source, self._echoes.find(source, 0)+1)
-    return True
+def check_guard(self:CameraServer, msg):
+    "Raise `Denied` if the sender of the command `msg` may not delete"
+    guard,source = self.guard,address(msg)
+    if guard is None: return
+    if guard=='signed': allowed = self.mav_com.signing is not None and msg.get_signed()
+    elif callable(guard): allowed = guard(msg)
+    else: allowed = source in guard or source[0] in guard
+    if not allowed: raise Denied(f'{source[0]}/{source[1]} may not destroy')
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #2eb453ad
 _flag_verbs = {'CAPTURE_IMAGE':'image_start_capture', 'CAPTURE_VIDEO':'video_start_capture',
@@ -634,6 +571,69 @@ def _drop_echo(self:CameraServer, drive:str, level:float, source:tuple):
     there = math.isclose(getattr(self.camera.settings(), drive), level, rel_tol=1e-6)
     rests = there and not self._is_running(drive)
     if rests and self._levels.answers(drive, source, level): self.send_message(self._camera_settings())
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #1806a925
+class _Sent(NamedTuple):
+    "A level that was sent: its turn, and when it was sent for the first and the last time, monotonic s"
+    turn:int
+    first:float
+    last:float
+    level:float
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ae7ab24
+class _Levels:
+    "Levels of zoom and focus in recent CAMERA_SETTINGS, to recognize orders that only send one back"
+    window = 2.     # s after which an order is no echo
+
+    def __init__(self):
+        self._sent,self._turns = dict(zoom=deque(maxlen=256), focus=deque(maxlen=256)),itertools.count(1)
+        self._orders = Seen(self.window, most=256)      # by drive and sender: its last order's turn and level
+        self._own = Seen(self.window, most=256)         # by drive and sender: turn and level of its latest orders
+        self._done = Seen(self.window, most=256)        # by drive and sender: what it has sent back
+        self._echoes = Seen(60., most=256)              # by sender: how many levels it sent back
+        self._answered = Seen(1., most=256)             # by drive, sender and level
+
+    def note_sent(self, **levels):
+        "Note levels that are sent; one that stays the same is new to a station that has just come"
+        for drive,level in levels.items():
+            sent,now = self._sent[drive],clock.monotonic()
+            if sent and sent[-1].level==level: sent[-1] = sent[-1]._replace(last=now)
+            else: sent.append(_Sent(next(self._turns), now, now, level))
+
+    def order(self, drive:str, source:tuple, level:float|None):
+        "Note an order of `source`; `level` is its place in the range, if it names one"
+        key,last = (drive,source),(next(self._turns), level)
+        self._orders.note(key, last)
+        if level is not None: self._own.note(key, (*self._own.find(key, ())[-15:], last))
+
+    def answers(self, *echo)->bool: # Drive, sender and level
+        "True if an echo gets an answer: once a second, as some send each CAMERA_SETTINGS back, changed or not"
+        if self._answered.find(echo): return False
+        self._answered.note(echo)
+        return True
+
+    def is_echoing(self, msg)->bool:
+        "True if the sender of the order `msg` is known to send levels back"
+        return getattr(msg, 'confirmation', 0)==255 or self._echoes.find(address(msg), 0)>1
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #3a0e5f54
+@patch
+def sent_back(self:_Levels, drive:str, source:tuple, level:float, echoing:bool=False)->bool:
+    "True if `level` was new since the last order of `source`, once; an `echoing` one sends back all but its own"
+    key,after = (drive,source),clock.monotonic()-self.window
+    (since,last),done = self._orders.find(key, (0,None)),self._done.find(key, ())
+    ordered = [turn for turn,own in self._own.find(key, ()) if math.isclose(own, level, rel_tol=1e-6)]
+    def is_echo(sent):
+        if not math.isclose(sent.level, level, rel_tol=1e-6): return False
+        if not echoing: return sent.first>after and sent.turn>since and last!=level
+        is_own = any(turn<sent.turn for turn in ordered)
+        return sent.last>after and sent not in done and not is_own
+    found = next(filter(is_echo, list(self._sent[drive])), None)
+    if found is None: return False
+    if echoing: self._done.note(key, (*done[-63:], found))
+    else: self._orders.note(key, (found.turn, None))        # its next one is its own
+    self._echoes.note(source, self._echoes.find(source, 0)+1)
+    return True
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d5a4f274
 @patch

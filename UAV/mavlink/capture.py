@@ -20,7 +20,318 @@ from ..utils import clock
 from ..wire.dialect import Ack, MAVError
 
 # %% auto #0
-__all__ = ['WantedRuns', 'CountVerdict', 'Agreement', 'Arrivals', 'PictureLog', 'RemotePictures', 'ShotRequest', 'Capture']
+__all__ = ['ShotRequest', 'Capture', 'PictureLog', 'WantedRuns', 'CountVerdict', 'Agreement', 'Arrivals', 'RemotePictures']
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #7b8a71ca
+class ShotRequest:
+    "The request for pictures that is under way"
+    number = None       # of a single shot, kept when it is repeated
+    running = False     # True: a series that we must stop when we leave
+    tries = 0           # since the last new picture
+    image_count = 0     # the camera's, before it
+
+class Capture:
+    "Requested pictures, until each is returned"
+    tries = shot_tries  # requests in a row without a new picture
+    patience = 4        # times the timeout while a picture is being taken, or its notice does not get through
+    late_ack = 1.       # s that an ack may take, for some come when the picture is taken
+    stopped = False     # True: the camera was stopped
+    ready = None        # awaited once, just before the request: others may have to be ready, too
+
+    def __init__(self, pictures:RemotePictures, interval:float, count:int, timeout:float):
+        if not (count>=0 and interval>=0): raise ValueError(f'count is {count}, interval {interval}: must be 0 or more')
+        store_attr('pictures,interval,timeout')
+        self.camera,self.client,self.request = pictures.camera,pictures.camera.client,ShotRequest()
+        self.owed = count or math.inf               # pictures still to request
+        self.log = PictureLog(count=0)              # those requested
+        self.log.arrivals.keys = dict.fromkeys(pictures.seen)       # older than this capture
+        if pictures.unnumbered: self.log.order_by_arrival()
+        self.returned = 0
+        self.begun = self.progress = clock.monotonic()      # time of the start; of the last request or picture
+
+    def __repr__(self):
+        return f'Capture from {self.camera._label}: {self.owed:g} to be asked for, {self.log.left:g} asked for'
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #fb8e6ada
+@patch
+async def next(self:Capture):
+    "Return the next CAMERA_IMAGE_CAPTURED, `None` after the last; raises `CommandError`, `Lost` or `NoAnswer`"
+    while not (found := self.log.take(1)):
+        if self.log.left: await self._verify()
+        elif self.owed and not self.stopped: await self._ask_rest()
+        else: return None
+    [notice] = found
+    self.request.tries,self.request.number = 0,None
+    self.returned += 1
+    self.progress = clock.monotonic()
+    kept = self.pictures.keep()
+    self.pictures.see(notice)
+    self.pictures.returned.append(_identity(notice))
+    kept.drop(notice)                       # `wait_images` need not return it again
+    return notice
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #9f66ffa2
+@patch
+async def _ask_rest(self:Capture):
+    "Request the owed pictures; raises as `_ask` does"
+    if self.returned: await asyncio.sleep(self.progress+self.interval-clock.monotonic())
+    try: await self._ask(1 if self.returned else self.owed)
+    except Busy:
+        self.request.running = False            # it is another's
+        first_try = not self.returned and self.request.tries<2
+        if first_try or clock.monotonic()-self.progress>self.timeout: raise
+        self.request.tries -= 1
+        await asyncio.sleep(.5)
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #57ef633f
+@patch
+async def _ask(self:Capture, count:float):
+    "Request one shot or a series; raises `CommandError`, `Lost` or `NoAnswer`"
+    single,request = count==1,self.request
+    request.running = not single
+    if single:
+        request.number = request.number or self.client.command_numbers.shot()
+        params = [0, 0, 1, request.number]
+    else:
+        endless = count==math.inf
+        interval = self.interval or (.001 if endless else 0)        # 0 and 0 would be one picture
+        params = [0, interval, 0 if endless else count, 0]
+    turn = self.pictures.turns.setdefault(asyncio.get_running_loop(), asyncio.Lock())
+    async with nullcontext() if single and self.pictures.acks_have_index else turn:
+        before = await self._count_before(single)
+        if ready := self.ready:
+            self.ready = None
+            await ready()
+        if self.stopped: return
+        self.log.begin(await self._send(params, before), count)
+    if self.stopped and request.running:           # the stop overtook the command
+        await self.client.image_stop_capture(*self.camera.address)
+    self.log.polls = 2 if self.pictures.acks_have_index else 4
+    self.owed = 0 if count==math.inf else self.owed-count
+    self.progress = clock.monotonic()
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #88158f93
+@patch
+async def _check_ack(self:Capture, ack:Ack, before:int|None)->bool:
+    "True if the count must say which picture it will be; raises `Lost`, `Failed`, `Busy` or another refusal"
+    if ack.lost: raise Lost(ack.lost)
+    if ack.result is None and before is not None: return True
+    if ack.result is None and self.pictures.acks_have_index: return False       # again: it has a number
+    is_copy = before is not None and self.request.running and ack.copies>1
+    if ack.result==Busy.result:
+        if is_copy and await self._in_series(False): return True        # a copy was refused because of the first one
+        if own := self._own_series(): raise Busy(own)
+    if ack.result==Failed.result: raise self.failed()
+    ack.check()                                     # another refusal
+    return False
+
+@patch
+async def _send(self:Capture, params:list, before:int|None)->int|None:
+    "Send the command until the first index is known, by the ack or by the count `before`"
+    known,last = self._highest() if before is None else before-1,None
+    while self.request.tries<self.tries:
+        self.request.tries += 1
+        ack = await self._order(params, before)
+        if await self._check_ack(ack, before): return before
+        if ack.result is None: continue
+        index = (ack.param or 0)-1
+        if index<0 and (before is not None or not self.pictures.acks_have_index): return before
+        self.pictures.acks_have_index = index>=0
+        if index>known or index==last: return index
+        if before is not None: return before            # a series has no number: it must not be sent again
+        last = index
+    raise NoAnswer(f'{self.camera._label} was asked {self.tries} times, and no picture came')
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #7f07bda1
+@patch
+async def _order(self:Capture, params:list, before:int|None)->Ack:
+    "Send the command; a camera that acks late takes a copy for another one, so its status is polled before that"
+    command = *self.camera.address,mavlink.MAV_CMD_IMAGE_START_CAPTURE,params
+    if self.pictures.acks_have_index: return await self.client.send_command(*command)
+    wait = max(self.late_ack, 4*self.client._rto(self.camera.address))
+    if before is None: return await self.client.send_command(*command, wait, 2)
+    end = clock.monotonic()+self.client.patience
+    while True:
+        ack = await self.client.send_command(*command, wait, 0)
+        if ack.result is not None or ack.lost or clock.monotonic()>end: return ack
+        status = await self.camera.request(CAMERA_CAPTURE_STATUS)
+        begun = status is None or status.image_status or status.image_count!=self.request.image_count
+        if begun or self.log.received: return ack
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #7b2637ed
+@patch
+async def _count_before(self:Capture, single:bool)->int|None:
+    "Return the next index by the camera's count, `None` if unneeded or unavailable; raises `Busy`"
+    if single and self.pictures.acks_have_index: return None
+    for pause in (0, self.camera._follow_wait()):   # the status may be an old one, or our last series just ends
+        await asyncio.sleep(pause)
+        status = await self.camera.request(CAMERA_CAPTURE_STATUS)
+        if status is None: return None
+        kept = self.pictures.log
+        self.log.since,self.log.before = status.time_boot_ms,kept and kept.newest
+        self.request.image_count = status.image_count
+        if single or not status.image_status&2: break
+    else: raise Busy(self._own_series() or f'{self.camera._label} is taking a series')
+    others = [c.log.wanted for c in list(self.pictures.captures) if c is not self]
+    promised = [first+n for wanted in others for first,n in list(wanted.runs) if n<math.inf]     # they wait for these
+    first = status.image_count
+    if first==self._highest(): first += 1       # it counts from 1
+    return max([first, *promised])
+
+@patch
+def _highest(self:Capture)->int:
+    "Return the index of the newest picture seen"
+    kept = self.pictures.log
+    return kept.newest.image_index if kept and kept.newest else -1
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #f489eadd
+@patch
+async def _in_series(self:Capture, unknown:bool)->bool:
+    "True if the camera is taking a series; `unknown` without an answer"
+    status = await self.camera.request(CAMERA_CAPTURE_STATUS)
+    return bool(status.image_status&2) if status else unknown
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #68a7034f
+@patch
+def failed(self:Capture)->Failed:
+    "Return the error of a failed shot, with the camera's STATUSTEXT since the start"
+    why = self.pictures.error if self.pictures.error_time>=self.begun else ''
+    model,_,rest = why.partition(': ')      # a camera of ours begins with what it is
+    if rest and self.camera.name.endswith(model): why = rest
+    return Failed(f'{self.camera._label} could not take the picture{why and ": "}{why}')
+
+@patch
+def _own_series(self:Capture)->str:
+    "Return a text about our own series that keeps the camera busy, or ''"
+    for other in list(self.pictures.captures):
+        left = other.log.left+other.owed
+        if other is self or not (other.request.running and left): continue
+        what = 'without an end' if left==math.inf else f'of {other.returned+left:g} pictures, {left:g} of them to come'
+        return f'{self.camera._label} is busy with your own series {what}: end its loop first, or call stop()'
+    return ''
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #70a43326
+@patch
+async def _verify(self:Capture):
+    "Wait for a notice; if none comes, request it or poll the camera's count"
+    log,pictures,before = self.log,self.pictures,self.log.received
+    def has_new(): return log.received!=before
+    wait = self.camera._follow_wait()
+    if self.request.running: wait = max(wait, min(1.2*self.interval, 10.))
+    silent = clock.monotonic()-self.progress
+    msg = await self.camera._next_message(CAMERA_IMAGE_CAPTURED, max(wait, min(silent, 2.)), has_new)
+    if msg and msg.image_index>=0 and not log.arrivals.active: log.add(msg)
+    numbers_as_we_do = self.request.number in log.notices and not log.arrivals.active
+    if numbers_as_we_do: log.want_instead(self.request.number)
+    index = log.wanted.first
+    if pictures.acks_have_index and not (has_new() or self.request.running or index is None):
+        msg = await self.client.request_message(CAMERA_IMAGE_CAPTURED, [index], *self.camera.address,
+                                                self.camera._follow_wait(), lambda m: m.image_index==index)
+        if msg: log.add(msg)
+    if has_new(): self.progress = clock.monotonic()
+    else: await self._poll()
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #74fb431e
+@patch
+async def _poll(self:Capture):
+    "Poll the camera's count; raises `NoAnswer` after the time limit"
+    before,log = self.log.received,self.log
+    status,verdict = await self.pictures.poll(log)
+    if status is None: self.request.tries += 1
+    if log.received!=before: self.progress = clock.monotonic()
+    elif verdict in (CountVerdict.NOT_TAKEN, CountVerdict.RESTARTED): await self._owe_again(status.image_count, verdict)
+    elif log.refused and clock.monotonic()-self.progress>=self.timeout:
+        for index in sorted(log.refused): self.pictures.give_up(log, index)
+    elif self._timed_out(status):
+        raise NoAnswer(f'{self.camera._label}: {log.left+self.owed:g} pictures did not come')
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #41a81db1
+@patch
+async def _owe_again(self:Capture, image_count:int, verdict:CountVerdict):
+    "Mark untaken pictures as owed; a shot keeps its number, unless the camera restarted its count"
+    number = self.request.number
+    if number and not self.pictures.acks_have_index:         # does it number its pictures as we do?
+        await self.camera.request(CAMERA_IMAGE_CAPTURED, number)
+    if number in self.log.notices or self.log.arrivals.active: return
+    untaken = self.log.drop_untaken(image_count)
+    ended_elsewhere = untaken==math.inf and self.returned and verdict is CountVerdict.NOT_TAKEN
+    if not ended_elsewhere: self.owed += untaken
+    self.request.running = False
+    if verdict is CountVerdict.RESTARTED: self.request.number = None
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #5853c8d5
+@patch
+def _timed_out(self:Capture, status)->bool:
+    "True if nothing new came for too long, given the link and the camera's status"
+    two_intervals = 2*self.interval if self.request.running else 0
+    longest = max(self.timeout, 4*self.client._rto(self.camera.address), two_intervals)
+    times = (clock.monotonic()-self.progress)/longest
+    if status is None: return self.request.tries>self.tries and times>=self.patience
+    if self.log.missing(status.image_count): return times>=3*self.patience          # it is there
+    return self.log.agreement.verdict is None and times>=(self.patience if status.image_status else 1)
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #8f87405a
+@patch
+async def end(self:Capture):
+    "Stop our series; again without an answer, or if it starts after that"
+    unclear = not self.log.left         # no ack has said that it has begun
+    for _ in range(self.tries):
+        ack = await self.client.image_stop_capture(*self.camera.address)
+        if ack and unclear: await asyncio.sleep(self.camera._follow_wait())        # frames may be late by as much
+        if ack and not (unclear and await self._in_series(True)): return
+    if not ack: self.client.log.warning('%s may still be taking pictures: %s', self.camera._label, ack)
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #c4dd1950
+@patch
+def _is_running(self:Capture)->bool:
+    "True if the camera is taking a series of ours"
+    return bool(self.request.running and (self.log.left or self.owed))
+
+@patch
+async def leave(self:Capture):
+    "End a running series, unless `stop_now` did so when its link was closed"
+    if not self._is_running(): return
+    try: await self.end()
+    except MAVError as e: self.client.log.debug('%r: %s', self, e)
+
+@patch
+def stop_now(self:Capture):
+    "Send a stop for a running series without waiting: the link is about to be closed"
+    if not self._is_running(): return
+    self.request.running = False
+    there,stop = self.camera.address,mavlink.MAV_CMD_IMAGE_STOP_CAPTURE
+    self.client._log_command('→', there, stop, (), 1)
+    self.client.send_message(mavlink.MAVLink_command_long_message(*there, stop, 0, *[0.]*7))
+
+# %% ../../nbs/api/mavlink/13_capture.ipynb #cdedfe77
+class PictureLog:
+    "Wanted pictures of a camera, in order, and the notices received"
+    most = 2048     # notices kept that are not returned
+    polls = 2       # status messages that must agree on a verdict
+
+    def __init__(self, first:int|None=None, # First wanted index; `None`: that of the first notice
+                 count:float=math.inf, # Number of wanted pictures; 0: none before `begin`
+                 since:int=0): # Milliseconds since the camera's boot when its count was `first`
+        self.wanted,self.arrivals,self.agreement = WantedRuns(),Arrivals(),Agreement()
+        self.notices = {}           # `{index, or key by arrival: notice}` not returned yet
+        self.refused = set()        # indexes whose notice the camera does not repeat
+        self.received = 0           # notices stored
+        self.newest = self.returned = None      # the newest notice received; the last one returned
+        self.since,self.before = since,None     # the camera's clock, and its newest notice, when we asked for pictures
+        self._lock = clock.RLock()
+        if count: self.begin(first, count)
+
+    @property
+    def left(self)->float:
+        "Number of wanted pictures not yet returned"
+        return self.wanted.left
+
+    @property
+    def endless(self)->bool:
+        "True if there is no last one"
+        return self.left==math.inf
+
+    def __repr__(self): return f'PictureLog: {self.left:g} wanted, {len(self.ready())} ready'
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #ea270da8
 class WantedRuns:
@@ -80,36 +391,6 @@ class Agreement:
 class Arrivals:
     "Keys by arrival, for a camera that doesn't number its pictures"
     def __init__(self): self.active,self.next,self.keys = False,0,{}      # `{identity of a notice: key}`, ours or not
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #cdedfe77
-class PictureLog:
-    "Wanted pictures of a camera, in order, and the notices received"
-    most = 2048     # notices kept that are not returned
-    polls = 2       # status messages that must agree on a verdict
-
-    def __init__(self, first:int|None=None, # First wanted index; `None`: that of the first notice
-                 count:float=math.inf, # Number of wanted pictures; 0: none before `begin`
-                 since:int=0): # Milliseconds since the camera's boot when its count was `first`
-        self.wanted,self.arrivals,self.agreement = WantedRuns(),Arrivals(),Agreement()
-        self.notices = {}           # `{index, or key by arrival: notice}` not returned yet
-        self.refused = set()        # indexes whose notice the camera does not repeat
-        self.received = 0           # notices stored
-        self.newest = self.returned = None      # the newest notice received; the last one returned
-        self.since,self.before = since,None     # the camera's clock, and its newest notice, when we asked for pictures
-        self._lock = clock.RLock()
-        if count: self.begin(first, count)
-
-    @property
-    def left(self)->float:
-        "Number of wanted pictures not yet returned"
-        return self.wanted.left
-
-    @property
-    def endless(self)->bool:
-        "True if there is no last one"
-        return self.left==math.inf
-
-    def __repr__(self): return f'PictureLog: {self.left:g} wanted, {len(self.ready())} ready'
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #0889ccb3
 def _time(msg)->int: return msg.time_utc or msg.time_boot_ms        # when the picture was taken
@@ -499,282 +780,3 @@ async def start_log(self:RemotePictures):
         once = dict(tries=1, retries=0)
         status,_ = await client._request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id], msg_id, camera.address, .5, **once)
     if status: self.keep(PictureLog(status.image_count, since=status.time_boot_ms))
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #7b8a71ca
-class ShotRequest:
-    "The request for pictures that is under way"
-    number = None       # of a single shot, kept when it is repeated
-    running = False     # True: a series that we must stop when we leave
-    tries = 0           # since the last new picture
-    image_count = 0     # the camera's, before it
-
-class Capture:
-    "Requested pictures, until each is returned"
-    tries = shot_tries  # requests in a row without a new picture
-    patience = 4        # times the timeout while a picture is being taken, or its notice does not get through
-    late_ack = 1.       # s that an ack may take, for some come when the picture is taken
-    stopped = False     # True: the camera was stopped
-    ready = None        # awaited once, just before the request: others may have to be ready, too
-
-    def __init__(self, pictures:RemotePictures, interval:float, count:int, timeout:float):
-        if not (count>=0 and interval>=0): raise ValueError(f'count is {count}, interval {interval}: must be 0 or more')
-        store_attr('pictures,interval,timeout')
-        self.camera,self.client,self.request = pictures.camera,pictures.camera.client,ShotRequest()
-        self.owed = count or math.inf               # pictures still to request
-        self.log = PictureLog(count=0)              # those requested
-        self.log.arrivals.keys = dict.fromkeys(pictures.seen)       # older than this capture
-        if pictures.unnumbered: self.log.order_by_arrival()
-        self.returned = 0
-        self.begun = self.progress = clock.monotonic()      # time of the start; of the last request or picture
-
-    def __repr__(self):
-        return f'Capture from {self.camera._label}: {self.owed:g} to be asked for, {self.log.left:g} asked for'
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #68a7034f
-@patch
-def failed(self:Capture)->Failed:
-    "Return the error of a failed shot, with the camera's STATUSTEXT since the start"
-    why = self.pictures.error if self.pictures.error_time>=self.begun else ''
-    model,_,rest = why.partition(': ')      # a camera of ours begins with what it is
-    if rest and self.camera.name.endswith(model): why = rest
-    return Failed(f'{self.camera._label} could not take the picture{why and ": "}{why}')
-
-@patch
-def _own_series(self:Capture)->str:
-    "Return a text about our own series that keeps the camera busy, or ''"
-    for other in list(self.pictures.captures):
-        left = other.log.left+other.owed
-        if other is self or not (other.request.running and left): continue
-        what = 'without an end' if left==math.inf else f'of {other.returned+left:g} pictures, {left:g} of them to come'
-        return f'{self.camera._label} is busy with your own series {what}: end its loop first, or call stop()'
-    return ''
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #7b2637ed
-@patch
-async def _count_before(self:Capture, single:bool)->int|None:
-    "Return the next index by the camera's count, `None` if unneeded or unavailable; raises `Busy`"
-    if single and self.pictures.acks_have_index: return None
-    for pause in (0, self.camera._follow_wait()):   # the status may be an old one, or our last series just ends
-        await asyncio.sleep(pause)
-        status = await self.camera.request(CAMERA_CAPTURE_STATUS)
-        if status is None: return None
-        kept = self.pictures.log
-        self.log.since,self.log.before = status.time_boot_ms,kept and kept.newest
-        self.request.image_count = status.image_count
-        if single or not status.image_status&2: break
-    else: raise Busy(self._own_series() or f'{self.camera._label} is taking a series')
-    others = [c.log.wanted for c in list(self.pictures.captures) if c is not self]
-    promised = [first+n for wanted in others for first,n in list(wanted.runs) if n<math.inf]     # they wait for these
-    counts_from_1 = status.image_count==self._highest()
-    return max([status.image_count+counts_from_1, *promised])
-
-@patch
-def _highest(self:Capture)->int:
-    "Return the index of the newest picture seen"
-    kept = self.pictures.log
-    return kept.newest.image_index if kept and kept.newest else -1
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #f489eadd
-@patch
-async def _in_series(self:Capture, unknown:bool)->bool:
-    "True if the camera is taking a series; `unknown` without an answer"
-    status = await self.camera.request(CAMERA_CAPTURE_STATUS)
-    return bool(status.image_status&2) if status else unknown
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #7f07bda1
-@patch
-async def _order(self:Capture, params:list, before:int|None)->Ack:
-    "Send the command; a camera that acks late takes a copy for another one, so its status is polled before that"
-    command = *self.camera.address,mavlink.MAV_CMD_IMAGE_START_CAPTURE,params
-    if self.pictures.acks_have_index: return await self.client.send_command(*command)
-    wait = max(self.late_ack, 4*self.client._rto(self.camera.address))
-    if before is None: return await self.client.send_command(*command, wait, 2)
-    end = clock.monotonic()+self.client.patience
-    while True:
-        ack = await self.client.send_command(*command, wait, 0)
-        if ack.result is not None or ack.lost or clock.monotonic()>end: return ack
-        status = await self.camera.request(CAMERA_CAPTURE_STATUS)
-        begun = status is None or status.image_status or status.image_count!=self.request.image_count
-        if begun or self.log.received: return ack
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #88158f93
-@patch
-async def _check_ack(self:Capture, ack:Ack, before:int|None)->bool:
-    "True if the count must say which picture it will be; raises `Lost`, `Failed`, `Busy` or another refusal"
-    if ack.lost: raise Lost(ack.lost)
-    if ack.result is None and before is not None: return True
-    if ack.result is None and self.pictures.acks_have_index: return False       # again: it has a number
-    is_copy = before is not None and self.request.running and ack.copies>1
-    if ack.result==Busy.result:
-        if is_copy and await self._in_series(False): return True        # a copy was refused because of the first one
-        if own := self._own_series(): raise Busy(own)
-    if ack.result==Failed.result: raise self.failed()
-    ack.check()                                     # another refusal
-    return False
-
-@patch
-async def _send(self:Capture, params:list, before:int|None)->int|None:
-    "Send the command until the first index is known, by the ack or by the count `before`"
-    known,last = self._highest() if before is None else before-1,None
-    while self.request.tries<self.tries:
-        self.request.tries += 1
-        ack = await self._order(params, before)
-        if await self._check_ack(ack, before): return before
-        if ack.result is None: continue
-        index = (ack.param or 0)-1
-        if index<0 and (before is not None or not self.pictures.acks_have_index): return before
-        self.pictures.acks_have_index = index>=0
-        if index>known or index==last: return index
-        if before is not None: return before            # a series has no number: it must not be sent again
-        last = index
-    raise NoAnswer(f'{self.camera._label} was asked {self.tries} times, and no picture came')
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #57ef633f
-@patch
-async def _ask(self:Capture, count:float):
-    "Request one shot or a series; raises `CommandError`, `Lost` or `NoAnswer`"
-    single,request = count==1,self.request
-    request.running = not single
-    if single:
-        request.number = request.number or self.client.command_numbers.shot()
-        params = [0, 0, 1, request.number]
-    else:
-        endless = count==math.inf
-        interval = self.interval or (.001 if endless else 0)        # 0 and 0 would be one picture
-        params = [0, interval, 0 if endless else count, 0]
-    turn = self.pictures.turns.setdefault(asyncio.get_running_loop(), asyncio.Lock())
-    async with nullcontext() if single and self.pictures.acks_have_index else turn:
-        before = await self._count_before(single)
-        if ready := self.ready:
-            self.ready = None
-            await ready()
-        if self.stopped: return
-        self.log.begin(await self._send(params, before), count)
-    if self.stopped and request.running:           # the stop overtook the command
-        await self.client.image_stop_capture(*self.camera.address)
-    self.log.polls = 2 if self.pictures.acks_have_index else 4
-    self.owed = 0 if count==math.inf else self.owed-count
-    self.progress = clock.monotonic()
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #9f66ffa2
-@patch
-async def _ask_rest(self:Capture):
-    "Request the owed pictures; raises as `_ask` does"
-    if self.returned: await asyncio.sleep(self.progress+self.interval-clock.monotonic())
-    try: await self._ask(1 if self.returned else self.owed)
-    except Busy:
-        self.request.running = False            # it is another's
-        first_try = not self.returned and self.request.tries<2
-        if first_try or clock.monotonic()-self.progress>self.timeout: raise
-        self.request.tries -= 1
-        await asyncio.sleep(.5)
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #fb8e6ada
-@patch
-async def next(self:Capture):
-    "Return the next CAMERA_IMAGE_CAPTURED, `None` after the last; raises `CommandError`, `Lost` or `NoAnswer`"
-    while not (found := self.log.take(1)):
-        if self.log.left: await self._verify()
-        elif self.owed and not self.stopped: await self._ask_rest()
-        else: return None
-    [notice] = found
-    self.request.tries,self.request.number = 0,None
-    self.returned += 1
-    self.progress = clock.monotonic()
-    kept = self.pictures.keep()
-    self.pictures.see(notice)
-    self.pictures.returned.append(_identity(notice))
-    kept.drop(notice)                       # `wait_images` need not return it again
-    return notice
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #5853c8d5
-@patch
-def _timed_out(self:Capture, status)->bool:
-    "True if nothing new came for too long, given the link and the camera's status"
-    longest = max(self.timeout, 4*self.client._rto(self.camera.address), 2*self.interval*self.request.running)
-    times = (clock.monotonic()-self.progress)/longest
-    if status is None: return self.request.tries>self.tries and times>=self.patience
-    if self.log.missing(status.image_count): return times>=3*self.patience          # it is there
-    return self.log.agreement.verdict is None and times>=(self.patience if status.image_status else 1)
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #70a43326
-@patch
-async def _verify(self:Capture):
-    "Wait for a notice; if none comes, request it or poll the camera's count"
-    log,pictures,before = self.log,self.pictures,self.log.received
-    def has_new(): return log.received!=before
-    wait = self.camera._follow_wait()
-    if self.request.running: wait = max(wait, min(1.2*self.interval, 10.))
-    silent = clock.monotonic()-self.progress
-    msg = await self.camera._next_message(CAMERA_IMAGE_CAPTURED, max(wait, min(silent, 2.)), has_new)
-    if msg and msg.image_index>=0 and not log.arrivals.active: log.add(msg)
-    numbers_as_we_do = self.request.number in log.notices and not log.arrivals.active
-    if numbers_as_we_do: log.want_instead(self.request.number)
-    index = log.wanted.first
-    if pictures.acks_have_index and not (has_new() or self.request.running or index is None):
-        msg = await self.client.request_message(CAMERA_IMAGE_CAPTURED, [index], *self.camera.address,
-                                                self.camera._follow_wait(), lambda m: m.image_index==index)
-        if msg: log.add(msg)
-    if has_new(): self.progress = clock.monotonic()
-    else: await self._poll()
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #74fb431e
-@patch
-async def _poll(self:Capture):
-    "Poll the camera's count; raises `NoAnswer` after the time limit"
-    before,log = self.log.received,self.log
-    status,verdict = await self.pictures.poll(log)
-    if status is None: self.request.tries += 1
-    if log.received!=before: self.progress = clock.monotonic()
-    elif verdict in (CountVerdict.NOT_TAKEN, CountVerdict.RESTARTED): await self._owe_again(status.image_count, verdict)
-    elif log.refused and clock.monotonic()-self.progress>=self.timeout:
-        for index in sorted(log.refused): self.pictures.give_up(log, index)
-    elif self._timed_out(status):
-        raise NoAnswer(f'{self.camera._label}: {log.left+self.owed:g} pictures did not come')
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #41a81db1
-@patch
-async def _owe_again(self:Capture, image_count:int, verdict:CountVerdict):
-    "Mark untaken pictures as owed; a shot keeps its number, unless the camera restarted its count"
-    number = self.request.number
-    if number and not self.pictures.acks_have_index:         # does it number its pictures as we do?
-        await self.camera.request(CAMERA_IMAGE_CAPTURED, number)
-    if number in self.log.notices or self.log.arrivals.active: return
-    untaken = self.log.drop_untaken(image_count)
-    ended_elsewhere = untaken==math.inf and self.returned and verdict is CountVerdict.NOT_TAKEN
-    if not ended_elsewhere: self.owed += untaken
-    self.request.running = False
-    if verdict is CountVerdict.RESTARTED: self.request.number = None
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #8f87405a
-@patch
-async def end(self:Capture):
-    "Stop our series; again without an answer, or if it starts after that"
-    unclear = not self.log.left         # no ack has said that it has begun
-    for _ in range(self.tries):
-        ack = await self.client.image_stop_capture(*self.camera.address)
-        if ack and unclear: await asyncio.sleep(self.camera._follow_wait())        # frames may be late by as much
-        if ack and not (unclear and await self._in_series(True)): return
-    if not ack: self.client.log.warning('%s may still be taking pictures: %s', self.camera._label, ack)
-
-# %% ../../nbs/api/mavlink/13_capture.ipynb #c4dd1950
-@patch
-def _is_running(self:Capture)->bool:
-    "True if the camera is taking a series of ours"
-    return bool(self.request.running and (self.log.left or self.owed))
-
-@patch
-async def leave(self:Capture):
-    "End a running series, unless `stop_now` did so when its link was closed"
-    if not self._is_running(): return
-    try: await self.end()
-    except MAVError as e: self.client.log.debug('%r: %s', self, e)
-
-@patch
-def stop_now(self:Capture):
-    "Send a stop for a running series without waiting: the link is about to be closed"
-    if not self._is_running(): return
-    self.request.running = False
-    there,stop = self.camera.address,mavlink.MAV_CMD_IMAGE_STOP_CAPTURE
-    self.client._log_command('→', there, stop, (), 1)
-    self.client.send_message(mavlink.MAVLink_command_long_message(*there, stop, 0, *[0.]*7))

@@ -57,199 +57,6 @@ class Component(BaseComponent):
         "Messages sent on request, `{message id: Handler}`"
         return self.tables['message']
 
-# %% ../../nbs/api/mavlink/04_component.ipynb #6e19bbae
-class Stream:
-    "A message sent periodically"
-    def __init__(self, component, # The component that encodes and sends it
-                 msg_id:int, # MAVLINK_MSG_ID
-                 values:tuple, # Parameters of the request, such as an index
-                 period:float, # µs
-                 to:tuple|None, # `(system, component)` of the receiver; `None`: all
-                 failed): # Called with the stream if the message can't be encoded
-        store_attr()
-        self.job = component.timers.every(period/1e6, self.send, delay=period/1e6)
-
-    def send(self):
-        "Send it once"
-        try:
-            for msg in self.component._encode_requested(self.msg_id, self.values):
-                self.component.send_message(msg, self.to)
-        except Exception as e:
-            self.component.log.warning('the stream of message %s ends: %s', self.msg_id, e)
-            self.failed(self)
-
-    def stop(self, timeout:float=5.): # Seconds to wait for a message in preparation
-        "Stop the stream"
-        timers = self.component.timers
-        if timers.cancel(self.job, timeout) or not timeout: return
-        self.component.log.error('message %s is not made: the thread %s hangs', self.msg_id, timers.name)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #32beee58
-class Streams(Part):
-    "Streams and long answers of one component, by requester"
-    most_each,most_askers = 16,32   # streams of one asker; askers at a time
-    tick,ahead = .01,1000.          # seconds between two messages of answers; bytes of credit at the start
-    most_more = 4                   # short answers queued behind another one
-
-    def __init__(self, component, clock=clock.now):
-        super().__init__(component)
-        self.clock = _clock.direct(clock)
-        self._streams,self._askers,self._closed = {},{},False
-        self._lock,self._pacer,self._credit = _clock.Lock(),None,0.
-        self._answers = {}      # by asker: pending messages with receivers: a long answer, short ones, or both
-
-    def __len__(self): return len(self._streams)
-
-    def of(self, asker:tuple|None)->dict:
-        "Return `{(message id, *values): Stream}` of one asker"
-        return {key:stream for (owner,key),stream in list(self._streams.items()) if owner==asker}
-
-    def _end(self, asker:tuple|None, key:tuple, timeout:float=5.):
-        if stream := self._streams.pop((asker,key), None): stream.stop(timeout)
-
-    def _end_answer(self, asker:tuple, msgs=None):
-        "Stop an answer; if `msgs` are given, only if nothing was added to them"
-        with self._lock:
-            answer = self._answers.get(asker)
-            if answer and msgs in (None, answer.msgs): del self._answers[asker]
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #853607ec
-@patch
-def end(self:Streams, asker:tuple|None, # `(system, component)` of the requester
-        timeout:float=5.): # Seconds to wait for a message in preparation
-    "End all streams and answers for `asker`"
-    for key in self.of(asker): self._end(asker, key, timeout)
-    self._end_answer(asker)
-    self._askers.pop(asker, None)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #77343248
-@patch
-def _admit(self:Streams, asker:tuple|None):
-    "Admit `asker`; raises `Denied` for a broadcast address"
-    com = self.component.mav_com
-    if asker is None or asker in self._askers: return
-    if 0 in asker: raise Denied(f'who is {asker[0]}/{asker[1]}?')
-    while len(self._askers)>=self.most_askers:      # the newest of the most crowded peer goes
-        through = {a: frozenset((c.number,peer) for c,peer in com.where(*a)) for a in list(self._askers)}
-        crowd = Counter(through.values())
-        self.end(max(reversed(through), key=lambda a: crowd[through[a]]))
-    self._askers[asker] = com.heart.frames(asker),self.clock(),com.heart.lateness.total
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #fa539d24
-@patch
-def beat(self:Streams):
-    "End streams of silent askers, and forget askers without any"
-    com,now = self.component.mav_com,self.clock()
-    late = com.heart.lateness.total         # meanwhile frames may wait for us
-    for asker,(frames,when,was_late) in list(self._askers.items()):
-        count = com.heart.frames(asker)
-        if count!=frames or asker in com.here: self._askers[asker] = count,now,late
-        elif now-when-(late-was_late)>=com.lost_after:
-            self.component.log.info('%s/%s is silent: its streams end', *asker)
-            self.end(asker, timeout=0)          # a heartbeat does not wait
-        if not self.of(asker) and asker not in self._answers: self._askers.pop(asker, None)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #70526815
-@patch
-def start(self:Streams, asker:tuple|None, # `(system, component)` of the requester
-          msg_id:int, # MAVLINK_MSG_ID
-          period:float, # µs
-          values:tuple=(), # Parameters of the request
-          everyone:bool=False): # True sends it to all
-    "Start or replace a stream; raises `Denied` if it has too many messages, `Busy` if there are too many streams"
-    msgs,key = list(islice(self.component._encode_requested(msg_id, values), 5)),(msg_id,*values)
-    if len(msgs)>4: raise Denied('too much for a stream')
-    others = self.of(asker).keys()-{key}
-    if len(others)>=self.most_each: raise Busy(f'{len(others)} streams are running')
-    self._admit(asker)
-    self._end(asker, key)
-    to = None if everyone else asker
-    for msg in msgs: self.component.send_message(msg, to)
-    self._streams[asker,key] = Stream(self.component, msg_id, values, period, to, lambda stream: self._end(asker, key))
-    if self._closed: self._end(asker, key)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #e379e49a
-@patch
-def interval(self:Streams, asker:tuple|None, msg_id:int)->float:
-    "Return the interval of a message for `asker` in µs, or -1 if it is off"
-    return next((stream.period for stream in self.of(asker).values() if stream.msg_id==msg_id), -1)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #8a775420
-@patch
-def stop(self:Streams, asker:tuple|None, msg_id:int, *values):
-    "Stop streams and the long answer of a message for `asker`: with these first `values`, or all"
-    for key in self.of(asker):
-        if key[:1+len(values)]==(msg_id,*values): self._end(asker, key)
-    if (answer := self._answers.get(asker)) and answer.msg_id==msg_id: self._end_answer(asker)
-
-@patch
-def stop_for_all(self:Streams, msg_id:int, *values):
-    "Stop streams of a message for all askers"
-    if not self._streams: return
-    for asker in {asker for asker,_ in list(self._streams)}: self.stop(asker, msg_id, *values)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #69f4f250
-@patch
-def close(self:Streams):
-    "Stop all streams and answers, permanently"
-    self._closed = True
-    for asker in {asker for asker,_ in list(self._streams)}|{*self._answers}: self.end(asker)
-    with self._lock: job,self._pacer = self._pacer,None
-    if job: self.component.timers.cancel(job, timeout=5)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #5e46d2a6
-@patch
-def _send_next(self:Streams):
-    "Send a message of the first answer, and move that to the end of the queue"
-    with self._lock:
-        if not self._answers: return
-        asker,answer = next(iter(self._answers.items()))
-        self._answers[asker] = self._answers.pop(asker)
-    msgs = answer.msgs
-    try: msg,to = next(msgs, (None,None))
-    except Exception as e:
-        self.component.log.warning('the answer about message %s ends: %s', answer.msg_id, e)
-        msg,msgs = None,answer.msgs
-    if msg is None: return self._end_answer(asker, msgs)
-    self._credit -= len(pack(msg, self.component.mav))
-    self.component.send_message(msg, to)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #e4f93646
-@patch
-def _pace(self:Streams):
-    "Send a message if there is credit"
-    self._credit = min(self._credit+self.component.pace*self.tick, self.ahead)
-    if self._credit>0: self._send_next()
-    with self._lock:
-        if self._answers: return
-        job,self._pacer = self._pacer,None
-    if job: self.component.timers.cancel(job)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #21a4afa7
-@patch
-def answer(self:Streams, asker:tuple, # `(system, component)` of the requester
-           msg_id:int|None, # MAVLINK_MSG_ID; `None`: several
-           msgs, # The messages, or a generator of them
-           everyone:bool=False, # True sends them to all
-           paced:bool=False): # True paces even a few, each encoded when sent
-    "Send `msgs`, at once up to four, else paced; raises `Busy` during another long answer"
-    to = None if everyone or 0 in asker else asker
-    msgs = ((msg,to) for msg in msgs)
-    first = [] if paced else list(islice(msgs, 5))
-    is_long = len(first)>4
-    if is_long and getattr(self._answers.get(asker), 'is_long', False): raise Busy('a long answer is being sent')
-    if is_long or paced: self._admit(asker)
-    for msg,_ in first[:1] if is_long else first: self.component.send_message(msg, to)
-    if not (is_long or paced): return
-    new = ns(msg_id=msg_id, msgs=chain(first[1:], msgs), is_long=is_long, more=0)
-    with self._lock:
-        if (other := self._answers.setdefault(asker, new)) is not new:
-            if other.more==self.most_more: raise Busy('answers wait already')
-            other.msgs,other.more = chain(other.msgs, new.msgs),other.more+1
-            if is_long: other.msg_id,other.is_long = msg_id,True
-        if self._pacer is None and not self._closed:
-            self._credit,self._pacer = self.ahead,self.component.timers.every(self.tick, self._pace, delay=self.tick)
-
 # %% ../../nbs/api/mavlink/04_component.ipynb #a38a301f
 @patch
 def _encode_requested(self:Component, msg_id:int, values=(), msg=None):
@@ -294,12 +101,22 @@ def target(self:Component, target_system:int|None=None, target_component:int|Non
     if None not in (system,comp): return system,comp
     raise MAVError('no target: name target_system and target_component, or call set_target first')
 
-# %% ../../nbs/api/mavlink/04_component.ipynb #13436704
+# %% ../../nbs/api/mavlink/04_component.ipynb #f6682d39
 @patch
-def _rto(self:Component, target:tuple)->float:
-    "Return the retransmission timeout for `target` in seconds"
-    remote = self.remotes.get(target)
-    return remote.round_trip.rto if remote else first_rto
+async def request_message(self:Component,
+    msg_id:int, # MAVLINK_MSG_ID
+    params=None, # Parameters 2 to 6 of the request, 0 by default
+    target_system:int|None=None,
+    target_component:int|None=None,
+    timeout:float|None=None, # Seconds to wait for the message after each ack; `None`: 0.5 s, or two timeouts
+    fits=None, # Returns true for the right message, if there are several of a kind
+):
+    "Request a message with MAV_CMD_REQUEST_MESSAGE; returns it, or `None`"
+    if timeout is not None: check_seconds('timeout', timeout)
+    target,params = self.target(target_system, target_component),[msg_id, *(params or [])]
+    msg,ack = await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, params, msg_id, target, timeout, fits=fits)
+    self._warn_unheard(msg_id, ack)
+    return msg
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #d99d3cb5
 @patch
@@ -324,28 +141,18 @@ async def _ask_until(self:Component, wanted, command_id:int, params, target:tupl
         if ack and not wanted.there: await wanted.wait(timeout or max(.5, 2*self._rto(target)))
         if wanted.there or not ack or asked==tries or clock.monotonic()>began+self.patience: return ack
 
+# %% ../../nbs/api/mavlink/04_component.ipynb #13436704
+@patch
+def _rto(self:Component, target:tuple)->float:
+    "Return the retransmission timeout for `target` in seconds"
+    remote = self.remotes.get(target)
+    return remote.round_trip.rto if remote else first_rto
+
 # %% ../../nbs/api/mavlink/04_component.ipynb #a840784a
 @patch
 def _warn_unheard(self:Component, msg_id:int, ack:Ack):
     "Log the components seen, if the target of `ack` never was"
     if ack.heard: self.log.warning('no %s: %r', message_name(msg_id), ack)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #f6682d39
-@patch
-async def request_message(self:Component,
-    msg_id:int, # MAVLINK_MSG_ID
-    params=None, # Parameters 2 to 6 of the request, 0 by default
-    target_system:int|None=None,
-    target_component:int|None=None,
-    timeout:float|None=None, # Seconds to wait for the message after each ack; `None`: 0.5 s, or two timeouts
-    fits=None, # Returns true for the right message, if there are several of a kind
-):
-    "Request a message with MAV_CMD_REQUEST_MESSAGE; returns it, or `None`"
-    if timeout is not None: check_seconds('timeout', timeout)
-    target,params = self.target(target_system, target_component),[msg_id, *(params or [])]
-    msg,ack = await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, params, msg_id, target, timeout, fits=fits)
-    self._warn_unheard(msg_id, ack)
-    return msg
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #e97d8697
 @patch
@@ -393,7 +200,8 @@ async def request_message_stream(self:Component, target_system:int|None=None, ta
                                  interval:float=1_000_000, # µs; -1 stops the stream
                                  response_target:int=0): # Parameter 7 of MAV_CMD_SET_MESSAGE_INTERVAL
     "Request a stream of messages; returns the first one, or `None`"
-    target,params = self.target(target_system, target_component),[msg_id, interval, 0, 0, 0, 0, response_target]
+    target = self.target(target_system, target_component)
+    params = [msg_id, interval, 0, 0, 0, 0, response_target]
     if interval<=0: await self.send_command(*target, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, params)
     else: return (await self._request(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, params, msg_id, target))[0]
 
@@ -428,11 +236,215 @@ def list_commands(self:Component):
     lines += [f'  {i:5} {message_name(i)}' for i in sorted(self.messages)]
     sys.stdout.write('\n'.join(lines)+'\n')
 
-# %% ../../nbs/api/mavlink/04_component.ipynb #d67f00b8
-def _pieces_of(text:str)->list:
-    "Split `text` into pieces of 50 bytes; the last is shorter, which marks the end"
-    raw = text.encode()[:200]
-    return [raw] if len(raw)<=50 else [raw[i:i+50] for i in range(0, len(raw)+1, 50)]
+# %% ../../nbs/api/mavlink/04_component.ipynb #6e19bbae
+class Stream:
+    "A message sent periodically"
+    def __init__(self, component, # The component that encodes and sends it
+                 msg_id:int, # MAVLINK_MSG_ID
+                 values:tuple, # Parameters of the request, such as an index
+                 period:float, # µs
+                 to:tuple|None, # `(system, component)` of the receiver; `None`: all
+                 failed): # Called with the stream if the message can't be encoded
+        store_attr()
+        self.job = component.timers.every(period/1e6, self.send, delay=period/1e6)
+
+    def send(self):
+        "Send it once"
+        try:
+            for msg in self.component._encode_requested(self.msg_id, self.values):
+                self.component.send_message(msg, self.to)
+        except Exception as e:
+            self.component.log.warning('the stream of message %s ends: %s', self.msg_id, e)
+            self.failed(self)
+
+    def stop(self, timeout:float=5.): # Seconds to wait for a message in preparation
+        "Stop the stream"
+        timers = self.component.timers
+        if timers.cancel(self.job, timeout) or not timeout: return
+        self.component.log.error('message %s is not made: the thread %s hangs', self.msg_id, timers.name)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #32beee58
+class Streams(Part):
+    "Streams and long answers of one component, by requester"
+    most_each,most_askers = 16,32   # streams of one asker; askers at a time
+    tick,ahead = .01,1000.          # seconds between two messages of answers; bytes of credit at the start
+    most_more = 4                   # short answers queued behind another one
+
+    def __init__(self, component, clock=clock.now):
+        super().__init__(component)
+        self.clock = _clock.direct(clock)
+        self._streams = {}      # by asker and key (a message id and its parameters)
+        self._askers = {}       # by asker: its frames when we last looked, when that was, and our lateness then
+        self._answers = {}      # by asker: pending messages with receivers: a long answer, short ones, or both
+        self._pacer,self._credit = None,0.          # the timer of the answers, and the bytes it may send
+        self._lock,self._closed = _clock.Lock(),False
+
+    def __len__(self): return len(self._streams)
+
+    def of(self, asker:tuple|None)->dict:
+        "Return `{(message id, *values): Stream}` of one asker"
+        return {key:stream for (owner,key),stream in list(self._streams.items()) if owner==asker}
+
+    def _end(self, asker:tuple|None, key:tuple, timeout:float=5.):
+        if stream := self._streams.pop((asker,key), None): stream.stop(timeout)
+
+    def _end_answer(self, asker:tuple, pending=None):
+        "Stop an answer; if `pending` messages are given, only if nothing was added to them"
+        with self._lock:
+            answer = self._answers.get(asker)
+            if answer and pending in (None, answer.pending): del self._answers[asker]
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #853607ec
+@patch
+def end(self:Streams, asker:tuple|None, # `(system, component)` of the requester
+        timeout:float=5.): # Seconds to wait for a message in preparation
+    "End all streams and answers for `asker`"
+    for key in self.of(asker): self._end(asker, key, timeout)
+    self._end_answer(asker)
+    self._askers.pop(asker, None)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #77343248
+@patch
+def _newest_in_crowd(self:Streams)->tuple:
+    "Return the newest asker on the way that most askers share"
+    where = self.component.mav_com.where
+    way = {asker: frozenset((channel.number,peer) for channel,peer in where(*asker)) for asker in list(self._askers)}
+    askers_on = Counter(way.values())
+    newest_first = reversed(way)        # of equal ones, `max` returns the first
+    return max(newest_first, key=lambda asker: askers_on[way[asker]])
+
+@patch
+def _admit(self:Streams, asker:tuple|None):
+    "Admit `asker`; raises `Denied` for a broadcast address"
+    if asker is None or asker in self._askers: return
+    if 0 in asker: raise Denied(f'who is {asker[0]}/{asker[1]}?')
+    while len(self._askers)>=self.most_askers: self.end(self._newest_in_crowd())
+    heart = self.component.mav_com.heart
+    self._askers[asker] = heart.frames(asker),self.clock(),heart.lateness.total
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #fa539d24
+@patch
+def beat(self:Streams):
+    "End streams of silent askers, and forget askers without any"
+    com,now = self.component.mav_com,self.clock()
+    late = com.heart.lateness.total         # meanwhile frames may wait for us
+    for asker,(frames,when,was_late) in list(self._askers.items()):
+        count = com.heart.frames(asker)
+        if count!=frames or asker in com.here: self._askers[asker] = count,now,late
+        elif now-when-(late-was_late)>=com.lost_after:
+            self.component.log.info('%s/%s is silent: its streams end', *asker)
+            self.end(asker, timeout=0)          # a heartbeat does not wait
+        if not self.of(asker) and asker not in self._answers: self._askers.pop(asker, None)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #70526815
+@patch
+def start(self:Streams, asker:tuple|None, # `(system, component)` of the requester
+          msg_id:int, # MAVLINK_MSG_ID
+          period:float, # µs
+          values:tuple=(), # Parameters of the request
+          everyone:bool=False): # True sends it to all
+    "Start or replace a stream; raises `Denied` if it has too many messages, `Busy` if there are too many streams"
+    key = (msg_id,*values)
+    msgs = list(islice(self.component._encode_requested(msg_id, values), 5))
+    if len(msgs)>4: raise Denied('too much for a stream')
+    others = self.of(asker).keys()-{key}
+    if len(others)>=self.most_each: raise Busy(f'{len(others)} streams are running')
+    self._admit(asker)
+    self._end(asker, key)
+    to = None if everyone else asker
+    for msg in msgs: self.component.send_message(msg, to)
+    self._streams[asker,key] = Stream(self.component, msg_id, values, period, to, lambda stream: self._end(asker, key))
+    if self._closed: self._end(asker, key)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #e379e49a
+@patch
+def interval(self:Streams, asker:tuple|None, msg_id:int)->float:
+    "Return the interval of a message for `asker` in µs, or -1 if it is off"
+    return next((stream.period for stream in self.of(asker).values() if stream.msg_id==msg_id), -1)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #8a775420
+@patch
+def stop(self:Streams, asker:tuple|None, msg_id:int, *values):
+    "Stop streams and the long answer of a message for `asker`: with these first `values`, or all"
+    for key in self.of(asker):
+        if key[:1+len(values)]==(msg_id,*values): self._end(asker, key)
+    if (answer := self._answers.get(asker)) and answer.msg_id==msg_id: self._end_answer(asker)
+
+@patch
+def stop_for_all(self:Streams, msg_id:int, *values):
+    "Stop streams of a message for all askers"
+    if not self._streams: return
+    for asker in {asker for asker,_ in list(self._streams)}: self.stop(asker, msg_id, *values)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #69f4f250
+@patch
+def close(self:Streams):
+    "Stop all streams and answers, permanently"
+    self._closed = True
+    for asker in {asker for asker,_ in list(self._streams)}|{*self._answers}: self.end(asker)
+    with self._lock: job,self._pacer = self._pacer,None
+    if job: self.component.timers.cancel(job, timeout=5)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #21a4afa7
+@patch
+def answer(self:Streams, asker:tuple, # `(system, component)` of the requester
+           msg_id:int|None, # MAVLINK_MSG_ID; `None`: several
+           msgs, # The messages, or a generator of them
+           everyone:bool=False, # True sends them to all
+           paced:bool=False): # True paces even a few, each encoded when sent
+    "Send `msgs`, at once up to four, else paced; raises `Busy` during another long answer"
+    to = None if everyone or 0 in asker else asker
+    pending = ((msg,to) for msg in msgs)
+    first = [] if paced else list(islice(pending, 5))
+    is_long = len(first)>4
+    if is_long and getattr(self._answers.get(asker), 'is_long', False): raise Busy('a long answer is being sent')
+    if is_long or paced: self._admit(asker)
+    at_once = first[:1] if is_long else first
+    for msg,_ in at_once: self.component.send_message(msg, to)
+    if is_long or paced:
+        self._enqueue(asker, ns(msg_id=msg_id, pending=chain(first[1:], pending), is_long=is_long, more=0))
+
+@patch
+def _enqueue(self:Streams, asker:tuple, new):
+    "Queue an answer, behind another one of `asker`, and start the timer; raises `Busy` if too many wait"
+    with self._lock:
+        waiting = self._answers.setdefault(asker, new)
+        if waiting is not new:
+            if waiting.more==self.most_more: raise Busy('answers wait already')
+            waiting.pending = chain(waiting.pending, new.pending)
+            waiting.more += 1
+            if new.is_long: waiting.msg_id,waiting.is_long = new.msg_id,True
+        if self._pacer is None and not self._closed:
+            self._credit = self.ahead
+            self._pacer = self.component.timers.every(self.tick, self._pace, delay=self.tick)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #e4f93646
+@patch
+def _pace(self:Streams):
+    "Send a message if there is credit"
+    self._credit = min(self._credit+self.component.pace*self.tick, self.ahead)
+    if self._credit>0: self._send_next()
+    with self._lock:
+        if self._answers: return
+        job,self._pacer = self._pacer,None
+    if job: self.component.timers.cancel(job)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #5e46d2a6
+@patch
+def _send_next(self:Streams):
+    "Send a message of the first answer, and move that to the end of the queue"
+    with self._lock:
+        if not self._answers: return
+        asker,answer = next(iter(self._answers.items()))
+        self._answers[asker] = self._answers.pop(asker)
+    pending = answer.pending
+    try: msg,to = next(pending, (None,None))
+    except Exception as e:
+        self.component.log.warning('the answer about message %s ends: %s', answer.msg_id, e)
+        msg,pending = None,answer.pending
+    if msg is None: return self._end_answer(asker, pending)
+    self._credit -= len(pack(msg, self.component.mav))
+    self.component.send_message(msg, to)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #a5b41827
 @patch
@@ -445,6 +457,12 @@ def say(self:Component, severity:int, # MAV_SEVERITY
     for n,piece in enumerate(pieces):
         send = self.sender.send_now if now else self.send_message
         send(self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n))
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #d67f00b8
+def _pieces_of(text:str)->list:
+    "Split `text` into pieces of 50 bytes; the last is shorter, which marks the end"
+    raw = text.encode()[:200]
+    return [raw] if len(raw)<=50 else [raw[i:i+50] for i in range(0, len(raw)+1, 50)]
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #d9da7216
 class StatusText:

@@ -88,6 +88,33 @@ def _add_parts(self:GimbalServer):
     self._services = *filter(None, (_Watch(self), self._manager, self._device, role, mount)),
     for part in self._services: self.add_part(part)
 
+# %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #db25c48e
+class _Service(Part):
+    "A microservice of a gimbal's server"
+    us = property(lambda self: self.component, doc='The server')
+    def tick(self): "Run ten times a second"
+
+class _Manager(_Service):
+    "The gimbal manager: information, control and setpoints"
+    sent,refused = None,False   # the last status; True after another manager tried to move the gimbal
+
+class _Device(_Service):
+    "The gimbal device: information and attitude"
+    @property
+    def number(self)->int:
+        "Number in the device's messages: 0 means its component, 1 to 6 a gimbal behind it"
+        number = self.us.gimbal_device_id
+        return 0 if number==self.us.source_component>6 else number
+
+# %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #d653adfb
+class _Directed(_Service):
+    "A device under a remote manager, which needs the attitude of its vehicle"
+    patience,retract_lasts = 5.,.5  # s of silence before a warning; s in which a "retract" wins
+    last = receiving = None         # time of the last attitude of the vehicle; True while it comes
+
+class _Watch(_Service): "Watch over the clients that move the gimbal"
+class _Roi(_Service): "The region of interest: a place, or another vehicle"
+
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #9f7d6f66
 class _FakeGimbal:
     "A gimbal with information and no verbs"
@@ -121,33 +148,6 @@ class _Stream:
     dropped:int=0 # Number of invalid or failed setpoints
     retracted:float=-math.inf # Time of the last "retract", s on the gimbal's clock
     lock:clock.Lock=field(default_factory=lambda: clock.Lock(), repr=False) # One at a time
-
-# %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #db25c48e
-class _Service(Part):
-    "A microservice of a gimbal's server"
-    us = property(lambda self: self.component, doc='The server')
-    def tick(self): "Run ten times a second"
-
-class _Manager(_Service):
-    "The gimbal manager: information, control and setpoints"
-    sent,refused = None,False   # the last status; True after another manager tried to move the gimbal
-
-class _Device(_Service):
-    "The gimbal device: information and attitude"
-    @property
-    def number(self)->int:
-        "Number in the device's messages: 0 means its component, 1 to 6 a gimbal behind it"
-        number = self.us.gimbal_device_id
-        return 0 if number==self.us.source_component>6 else number
-
-# %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #d653adfb
-class _Directed(_Service):
-    "A device under a remote manager, which needs the attitude of its vehicle"
-    patience,retract_lasts = 5.,.5  # s of silence before a warning; s in which a "retract" wins
-    last = receiving = None         # time of the last attitude of the vehicle; True while it comes
-
-class _Watch(_Service): "Watch over the clients that move the gimbal"
-class _Roi(_Service): "The region of interest: a place, or another vehicle"
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #656b6692
 @patch

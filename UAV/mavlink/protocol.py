@@ -19,10 +19,49 @@ from ..wire.dialect import (address, Busy, Cancelled, CommandError, Denied, enum
 from ..wire.links import Link, open_link
 
 # %% auto #0
-__all__ = ['patience', 'longest_rto', 'remembered', 'shot_tries', 'contraries', 'Handler', 'arguments', 'command', 'message',
-           'receives', 'announced', 'marked', 'Outcome', 'Served', 'identity', 'Presses', 'accepts', 'comes_from',
+__all__ = ['patience', 'longest_rto', 'remembered', 'shot_tries', 'contraries', 'command', 'message', 'receives', 'announced',
+           'Handler', 'arguments', 'marked', 'Outcome', 'Served', 'identity', 'Presses', 'accepts', 'comes_from',
            'Answer', 'Command', 'Expected', 'Expectations', 'opened', 'check_id', 'check_seconds', 'check_count',
            'check_which', 'Found']
+
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #ddb326cd
+def command(cmd:int, # A MAV_CMD
+            once:bool=False, # Execute once only: a retransmission gets the first ack again
+            slow:bool=False, # Run on the component's worker, with IN_PROGRESS acks meanwhile
+            **options): # More for the component, stored in the handler's `options`
+    "Mark a method as the handler of `cmd`; its return value or exception becomes the ack"
+    return _mark('command', cmd, once=once, slow=slow, **options)
+
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #72b3cd93
+def message(msg_id:int, # MAVLINK_MSG_ID
+            **options): # More for the component
+    "Mark a method as the answer to a request for `msg_id`: it returns the encoded message, or a list of them"
+    return _mark('message', msg_id, **options)
+
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #b0315f71
+def receives(msg_id:int, # MAVLINK_MSG_ID
+             **options): # More for the component
+    "Mark a method to be called with each message `msg_id` that arrives for the component"
+    return _mark('receives', msg_id, **options)
+
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #a11e0001
+def announced(event:type): # A class of device events, such as `CaptureStatus`
+    "Mark a method to be called with each `event` of the component's device; it returns messages to send"
+    return _mark('announced', event)
+
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #4cdc5038
+_made = ns(marks=0)
+
+def _mark(kind, value, **options):
+    "A decorator that adds a mark; raises `TypeError` for what cannot be marked"
+    if not isinstance(value, (int,type)): raise TypeError(f'{value!r} is not a number, such as mavlink.MAV_CMD_DO_JUMP')
+    def _f(f):
+        if f is None: raise TypeError('nothing to mark: @patch must be on top')
+        if inspect.iscoroutinefunction(f): raise TypeError(f'{f.__name__} is async: its caller cannot await')
+        f.marks = getattr(f,'marks',())+((kind,value,options),)
+        _made.marks += 1
+        return f
+    return _f
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #5566f874
 class Handler:
@@ -52,45 +91,6 @@ def arguments(wanted:list, values:list)->dict:
         if value is inspect.Parameter.empty: raise Denied(f'{name} must be given')
         named[name] = value
     return named
-
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #4cdc5038
-_made = ns(marks=0)
-
-def _mark(kind, value, **options):
-    "A decorator that adds a mark; raises `TypeError` for what cannot be marked"
-    if not isinstance(value, (int,type)): raise TypeError(f'{value!r} is not a number, such as mavlink.MAV_CMD_DO_JUMP')
-    def _f(f):
-        if f is None: raise TypeError('nothing to mark: @patch must be on top')
-        if inspect.iscoroutinefunction(f): raise TypeError(f'{f.__name__} is async: its caller cannot await')
-        f.marks = getattr(f,'marks',())+((kind,value,options),)
-        _made.marks += 1
-        return f
-    return _f
-
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #ddb326cd
-def command(cmd:int, # A MAV_CMD
-            once:bool=False, # Execute once only: a retransmission gets the first ack again
-            slow:bool=False, # Run on the component's worker, with IN_PROGRESS acks meanwhile
-            **options): # More for the component, stored in the handler's `options`
-    "Mark a method as the handler of `cmd`; its return value or exception becomes the ack"
-    return _mark('command', cmd, once=once, slow=slow, **options)
-
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #72b3cd93
-def message(msg_id:int, # MAVLINK_MSG_ID
-            **options): # More for the component
-    "Mark a method as the answer to a request for `msg_id`: it returns the encoded message, or a list of them"
-    return _mark('message', msg_id, **options)
-
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #b0315f71
-def receives(msg_id:int, # MAVLINK_MSG_ID
-             **options): # More for the component
-    "Mark a method to be called with each message `msg_id` that arrives for the component"
-    return _mark('receives', msg_id, **options)
-
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #a11e0001
-def announced(event:type): # A class of device events, such as `CaptureStatus`
-    "Mark a method to be called with each `event` of the component's device; it returns messages to send"
-    return _mark('announced', event)
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #d7846355
 def marked(obj, kind:str)->dict:
@@ -185,23 +185,24 @@ def identity(msg)->tuple:
     if known is None: known = msg.identity = (address(msg),msg.command),tuple(parameters(msg))
     return known
 
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #6c1f0e91
-def _commands(names:str)->set: return {getattr(mavlink, f'MAV_CMD_{name}') for name in names.split()}
-
-_rows = [_commands(row) for row in (
-    'VIDEO_START_CAPTURE VIDEO_STOP_CAPTURE',
-    'IMAGE_START_CAPTURE IMAGE_STOP_CAPTURE',
-    'STORAGE_FORMAT IMAGE_START_CAPTURE', 'STORAGE_FORMAT DO_DIGICAM_CONTROL', 'STORAGE_FORMAT VIDEO_START_CAPTURE',
-    'STORAGE_FORMAT SET_STORAGE_USAGE',
-    'DO_SET_CAM_TRIGG_DIST DO_SET_CAM_TRIGG_INTERVAL DO_TRIGGER_CONTROL',
-    'VIDEO_START_STREAMING VIDEO_STOP_STREAMING',
-    'CAMERA_TRACK_POINT CAMERA_TRACK_RECTANGLE CAMERA_STOP_TRACKING',
-    'RESET_CAMERA_SETTINGS SET_CAMERA_MODE SET_CAMERA_SOURCE',
-    'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_ZOOM',
-    'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_FOCUS',
-    'DO_SET_ROI_LOCATION DO_SET_ROI_SYSID DO_SET_ROI_NONE DO_SET_ROI DO_GIMBAL_MANAGER_PITCHYAW '
-    'DO_GIMBAL_MANAGER_CONFIGURE DO_MOUNT_CONTROL DO_MOUNT_CONFIGURE')]
-contraries = {command: set().union(*(row for row in _rows if command in row)) for row in _rows for command in row}
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #7cc197c3
+@patch
+def find(self:Served, msg)->Outcome|None:
+    "Return the stored answer to the command `msg`; `None` if it is new, or its sender has gone on since"
+    kind,values = identity(msg)
+    alike = self._copies.find(kind)
+    copy = None if alike is None else alike.find(values)
+    if copy is None: return                     # never executed
+    higher,age = getattr(msg,'confirmation',0)-copy.confirmation,self.clock()-copy.when
+    is_later = 0<(msg.get_seq()-copy.seq)%256<128
+    if higher==0: return                        # it starts anew
+    if higher<0:                                # perhaps a first copy, which later ones have overtaken
+        overtaken = not is_later and age<-higher*self.overtaken
+        return copy.outcome if overtaken else None
+    if age>=higher*longest_rto: return          # no sender waits that long for the copies between
+    if self._is_outdated(msg, copy.seq, copy.turn): return
+    if is_later: self._store(kind, values, msg, copy.outcome, copy.turn)
+    return copy.outcome
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #b528c611
 @patch
@@ -231,6 +232,24 @@ def _store(self:Served, kind:tuple, values:tuple, msg, outcome:Outcome, turn:int
     alike.note(values, _Copy(outcome, confirmation, msg.get_seq(), self.clock(), turn))
     self._copies.note(kind, alike)
 
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #6c1f0e91
+def _commands(names:str)->set: return {getattr(mavlink, f'MAV_CMD_{name}') for name in names.split()}
+
+_rows = [_commands(row) for row in (
+    'VIDEO_START_CAPTURE VIDEO_STOP_CAPTURE',
+    'IMAGE_START_CAPTURE IMAGE_STOP_CAPTURE',
+    'STORAGE_FORMAT IMAGE_START_CAPTURE', 'STORAGE_FORMAT DO_DIGICAM_CONTROL', 'STORAGE_FORMAT VIDEO_START_CAPTURE',
+    'STORAGE_FORMAT SET_STORAGE_USAGE',
+    'DO_SET_CAM_TRIGG_DIST DO_SET_CAM_TRIGG_INTERVAL DO_TRIGGER_CONTROL',
+    'VIDEO_START_STREAMING VIDEO_STOP_STREAMING',
+    'CAMERA_TRACK_POINT CAMERA_TRACK_RECTANGLE CAMERA_STOP_TRACKING',
+    'RESET_CAMERA_SETTINGS SET_CAMERA_MODE SET_CAMERA_SOURCE',
+    'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_ZOOM',
+    'RESET_CAMERA_SETTINGS SET_CAMERA_SOURCE SET_CAMERA_FOCUS',
+    'DO_SET_ROI_LOCATION DO_SET_ROI_SYSID DO_SET_ROI_NONE DO_SET_ROI DO_GIMBAL_MANAGER_PITCHYAW '
+    'DO_GIMBAL_MANAGER_CONFIGURE DO_MOUNT_CONTROL DO_MOUNT_CONFIGURE')]
+contraries = {command: set().union(*(row for row in _rows if command in row)) for row in _rows for command in row}
+
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #6c1f0e93
 @patch
 def _is_outdated(self:Served, msg, seq:int, turn:int)->bool:
@@ -243,33 +262,18 @@ def _is_outdated(self:Served, msg, seq:int, turn:int)->bool:
     between = 0<(msg.get_seq()-seq)%256<(number-seq)%256
     return not between
 
-# %% ../../nbs/api/mavlink/00_protocol.ipynb #7cc197c3
-@patch
-def find(self:Served, msg)->Outcome|None:
-    "Return the stored answer to the command `msg`; `None` if it is new, or its sender has gone on since"
-    kind,values = identity(msg)
-    alike = self._copies.find(kind)
-    copy = None if alike is None else alike.find(values)
-    if copy is None: return                     # never executed
-    higher,age = getattr(msg,'confirmation',0)-copy.confirmation,self.clock()-copy.when
-    is_later = 0<(msg.get_seq()-copy.seq)%256<128
-    if higher==0: return                        # it starts anew
-    if higher<0:                                # perhaps a first copy, which later ones have overtaken
-        overtaken = not is_later and age<-higher*self.overtaken
-        return copy.outcome if overtaken else None
-    if age>=higher*longest_rto: return          # no sender waits that long for the copies between
-    if self._is_outdated(msg, copy.seq, copy.turn): return
-    if is_later: self._store(kind, values, msg, copy.outcome, copy.turn)
-    return copy.outcome
-
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #5eed0002
 @patch
 def is_late(self:Served, msg)->bool:
     "True if the copy `msg` was overtaken by a contrary command, which was executed a moment ago"
     if not getattr(msg,'confirmation',0): return False
     source,command = identity(msg)[0]
-    rivals = (self._latest.find((source,c), (0,msg.get_seq(),-math.inf)) for c in contraries.get(command, ()))
-    return any(0<(number-msg.get_seq())%256<128 and self.clock()-when<self.overtaken for _,number,when in rivals)
+    seq,now = msg.get_seq(),self.clock()
+    for rival in contraries.get(command, ()):
+        _,number,when = self._latest.find((source,rival), (0,seq,-math.inf))
+        was_sent_later = 0<(number-seq)%256<128
+        if was_sent_later and now-when<self.overtaken: return True
+    return False
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #de1d497d
 @patch

@@ -23,7 +23,7 @@ from ..utils.geo import quaternion, wrap
 from ..wire.dialect import Ack, address, MAVError
 
 # %% auto #0
-__all__ = ['RemoteGimbal', 'about', 'GimbalStatus', 'GimbalAck', 'Sent']
+__all__ = ['RemoteGimbal', 'GimbalStatus', 'GimbalAck', 'about', 'Sent']
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #8dc9bf30
 class RemoteGimbal:
@@ -69,72 +69,278 @@ def can(self:RemoteGimbal)->tuple:
     info = self.manager_information
     return flag_names('GIMBAL_MANAGER_CAP_FLAGS', capabilities_in(info)) if info else ()
 
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #534ed481
-_of_manager = GIMBAL_MANAGER_INFORMATION,GIMBAL_MANAGER_STATUS
-_of_device = GIMBAL_DEVICE_INFORMATION,GIMBAL_DEVICE_ATTITUDE_STATUS
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #39af93ed
+_PITCHYAW = mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW
 
-def _device_address(system:int, component:int, gimbal_device_id:int)->tuple:
-    "Return `(system, component, gimbal_device_id)` of a gimbal device, with 0 for a component of its own"
-    return (system, gimbal_device_id, 0) if gimbal_device_id>6 else (system, component, gimbal_device_id)
+def _pointing_flags(earth:bool=False, lock:bool|None=None)->int:
+    "Return GIMBAL_MANAGER_FLAGS, for a yaw from north if `earth`; `lock=None` locks that one"
+    lock = earth if lock is None else lock
+    return LEVEL | (YAW_LOCK if lock else 0) | (EARTH_FRAME if earth else VEHICLE_FRAME)
 
-def about(msg)->tuple:
-    "Return the gimbal in a manager's `msg`, or the address of the device that sent it"
-    gimbal = *address(msg),msg.gimbal_device_id
-    return gimbal if msg.get_msgId() in _of_manager else _device_address(*gimbal)
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #7998fd98
-@patch(as_prop=True)
-def _first(self:RemoteGimbal)->RemoteGimbal:
-    "This handle, or for id 0 the one with the lowest id seen"
-    if self.gimbal_device_id: return self
-    seen = self.client.reported(self.manager) or self.client.reported(self.manager, _of_device)
-    return seen[0] if seen else self
-
-@patch(as_prop=True)
-def gimbal(self:RemoteGimbal)->tuple:
-    "Address `(system, component, gimbal_device_id)`; id 0 becomes the lowest one seen"
-    return self.address if self.gimbal_device_id else (*self.manager, self._first.gimbal_device_id)
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #789522a7
-_gimbal_components = mavlink.MAV_COMP_ID_GIMBAL,*range(mavlink.MAV_COMP_ID_GIMBAL2, mavlink.MAV_COMP_ID_GIMBAL6+1)
-
-@patch(as_prop=True)
-def ways(self:RemoteGimbal)->ManagerWays:
-    "Conventions of its manager, by the heartbeat"
-    remote = self.client.remotes.get(self.manager)
-    return ways_of(remote.autopilot if remote else None)
-
-@patch(as_prop=True)
-def device(self:RemoteGimbal)->tuple:
-    "Address of its device, as in the device's messages"
-    system,component,number = self.gimbal
-    if self.ways.numbers_devices and 1<=number<=len(_gimbal_components):
-        there = system,_gimbal_components[number-1]
-        remote = self.client.remotes.get(there)
-        is_device = remote is not None and remote.type==mavlink.MAV_TYPE_GIMBAL
-        if is_device and not self.client.reported(there): return *there,0
-    return _device_address(system, component, number)
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #fc31d8e5
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ffcfc673
 @patch
-def store(self:RemoteGimbal, msg):
-    "Store a message with this address"
-    msg_id = msg.get_msgId()
-    self.messages[msg_id] = msg
-    if msg_id==GIMBAL_DEVICE_ATTITUDE_STATUS: self._attitude_came = clock.monotonic()
+@sends(_PITCHYAW)
+async def set_angles(self:RemoteGimbal,
+    pitch:float=NAN, yaw:float=NAN, # Degrees; NaN: unchanged
+    frame:str='vehicle', # Frame of `yaw`: 'vehicle' (nose) or 'earth' (north)
+    lock:bool|None=None, # True: yaw holds its direction on earth; `None`: if it is from north
+    pitch_rate:float=NAN, yaw_rate:float=NAN, # Degrees per second; NaN: its choice. ArduPilot ignores them
+)->Ack:
+    "Point there; raises `HeadingUnknown` or `NoAnswer` if an autopilot as manager needs the attitude"
+    flags = _pointing_flags(one_of('frame', frame, ('vehicle','earth'))=='earth', lock)
+    ack = await self._pitchyaw(flags, *await self._for_manager(pitch, yaw, flags), pitch_rate, yaw_rate)
+    if ack: self._first._goal = self._goal_of(pitch, yaw, flags)
+    return ack
 
-@patch(as_prop=True)
-def _device(self:RemoteGimbal)->RemoteGimbal: return self.client.at(*self.device)
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #e6fbfc5b
+@patch
+async def reached(self:RemoteGimbal, timeout:float=10., # Seconds
+                  tolerance:float=1., # Degrees
+                 )->GimbalAttitude|None:
+    "Wait for the requested angles; return the attitude, `None` if not reached in time. Raises `Lost`"
+    end,open_id = clock.monotonic()+timeout,self.client.at(*self.manager)
+    def goal(): return self._first._goal or open_id._goal          # requested before its id was known
+    if goal() is None: raise ValueError('no angles were asked for: call set_angles or center first')
+    def there(msg=None): return goal() is not None and self._off(*goal())<=tolerance
+    with self.expecting_attitude(there) as expected:
+        try: await asyncio.wait_for(self.current_attitude(heading=goal()[2]=='earth'), timeout)
+        except asyncio.TimeoutError: return None
+        return self.attitude if there() or await expected.wait(max(end-clock.monotonic(), 0)) else None
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #c3e9d1b4
+@patch
+def _off(self:RemoteGimbal, pitch:float, yaw:float, frame:str)->float:
+    "Return degrees to these angles; `inf` without an attitude in the last second"
+    now = self.attitude
+    if now is None or not self.is_fresh: return math.inf
+    pairs = (now.pitch, pitch),(now.earth_yaw if frame=='earth' else now.yaw, yaw)
+    off = [abs(wrap(is_-wanted)) for is_,wanted in pairs if known(wanted)]
+    return max((o if known(o) else math.inf for o in off), default=0.)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #add5d421
+@patch
+def _forget_orders(self:RemoteGimbal):
+    "Forget the angles and the lock that were requested last"
+    for handle in (self._first, self.client.at(*self.manager)): handle._goal = None
+    self._lock = False,-math.inf
 
 @patch
-def newest(self:RemoteGimbal, msg_id:int):
-    "Return the newest message of a kind from its manager or device, or `None`"
-    return (self._first if msg_id in _of_manager else self._device).messages.get(msg_id)
+async def _pitchyaw(self:RemoteGimbal, flags:int, pitch:float=NAN, yaw:float=NAN, pitch_rate:float=NAN,
+                    yaw_rate:float=NAN)->Ack:
+    "Send the command, or the message without an ack if the manager reads no rates in it; raises `ValueError`"
+    numbers = _numbers(pitch, yaw, pitch_rate, yaw_rate)
+    self._forget_orders()
+    turns = known(pitch_rate) or known(yaw_rate)
+    if not turns or (await self._sure_ways()).rates_by_command:
+        ack = await self._command(_PITCHYAW, [*numbers, flags, NAN, self.gimbal[2]])
+    else:
+        self._send_setpoint(flags, *numbers)
+        ack = await self._sent()
+    if ack: self._lock = bool(flags&YAW_LOCK),clock.monotonic()
+    return ack
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #e699afa0
+@patch
+async def _for_manager(self:RemoteGimbal, pitch:float, yaw:float, flags:int)->tuple:
+    "Convert pitch and yaw to the manager's conventions; raises `HeadingUnknown`, `NoAnswer`"
+    ways = await self._sure_ways()
+    lock,earth = bool(flags&YAW_LOCK),bool(flags&EARTH_FRAME)
+    turn = not ways.reads_frame and known(yaw) and earth!=lock
+    fill = not ways.keeps_nan and not (known(pitch) and known(yaw))
+    if not (turn or fill): return pitch,yaw
+    now = await self.current_attitude(heading=lock or turn)
+    if fill and (now is None or not known(now.pitch)):
+        raise NoAnswer(f'{self.client.mav_com.name_of(self.device[:2])} does not say where it points')
+    heading = now.vehicle_yaw if now else self._heading
+    if turn: yaw = yaw_in('earth' if lock else 'vehicle', yaw, heading)
+    elif not known(yaw): yaw = yaw_in('earth', now.yaw, heading) if lock else now.yaw
+    return (pitch if known(pitch) else now.pitch),yaw
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #b6ffce9c
+@patch
+def _goal_of(self:RemoteGimbal, pitch:float, yaw:float, flags:int)->tuple:
+    "Return pitch, yaw and frame for `reached`: a locked yaw from north, another from the nose"
+    now = self.attitude
+    frame = 'earth' if flags&YAW_LOCK else 'vehicle'
+    asked = 'earth' if flags&EARTH_FRAME else 'vehicle'
+    if not known(yaw) or frame==asked or now is None or not known(now.vehicle_yaw): return pitch,yaw,asked
+    return pitch,yaw_in(frame, yaw, now.vehicle_yaw),frame
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #8efcac59
+@patch
+@sends(_PITCHYAW)
+async def center(self:RemoteGimbal)->Ack:
+    "Look straight ahead"
+    ack = await self._pitchyaw(LEVEL|NEUTRAL|VEHICLE_FRAME)
+    if ack: self._first._goal = 0.,0.,'vehicle'
+    return ack
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ad916b62
+@patch
+@sends(_PITCHYAW)
+async def retract(self:RemoteGimbal)->Ack:
+    "Retract the gimbal; its motors may be off then"
+    if (await self._sure_ways()).retracts: return await self._pitchyaw(RETRACT)
+    why = 'the autopilot {}/{} would accept it, and do nothing'.format(*self.manager)
+    return GimbalAck(Ack(mavlink.MAV_RESULT_UNSUPPORTED, None, _PITCHYAW), why=why)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #1734a848
+@patch
+async def _keep(self:RemoteGimbal, flags:int)->Ack:
+    "Keep the current direction, with these flags"
+    return await self._pitchyaw(flags, *await self._for_manager(NAN, NAN, flags))
 
 @patch
-def forget(self:RemoteGimbal):
-    "Drop all messages about it, for another gimbal may be in its place"
-    for handle in (self, self._first, self._device): handle.messages.clear()
+@sends(_PITCHYAW)
+async def lock(self:RemoteGimbal)->Ack:
+    "Lock yaw to its direction on earth"
+    return await self._keep(_pointing_flags(earth=True))
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ba599253
+@patch
+@sends(_PITCHYAW)
+async def follow(self:RemoteGimbal)->Ack:
+    "Let yaw follow the vehicle's nose"
+    return await self._keep(_pointing_flags(lock=False))
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #0fbfa335
+@patch(as_prop=True)
+def locked(self:RemoteGimbal)->bool:
+    "True if yaw holds its direction on earth: as requested last, until the device reports it"
+    lock,when = self._lock
+    device = self._device
+    if device._attitude_came<when+.5: return lock
+    msg = device.messages.get(GIMBAL_DEVICE_ATTITUDE_STATUS)
+    return msg is not None and bool(msg.flags&YAW_LOCK)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #1efe5f34
+@patch
+@sends(_PITCHYAW)
+async def set_rates(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees per second
+                    lock:bool|None=None, # True: yaw holds its direction on earth; `None`: unchanged
+                   )->Ack:
+    "Turn; most gimbals stop after two or three seconds without another call. PX4's `Ack` is a `Sent`"
+    lock = self.locked if lock is None else lock
+    return await self._pitchyaw(_pointing_flags(lock=lock), pitch_rate=pitch, yaw_rate=yaw)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #fa3816db
+@patch
+def _send_rates(self:RemoteGimbal, pitch:float, yaw:float, lock:bool):
+    "Send GIMBAL_MANAGER_SET_ATTITUDE with rates"
+    self._send_setpoint(_pointing_flags(lock=lock), pitch_rate=pitch, yaw_rate=yaw)
+
+@patch
+def _warn_of_control(self:RemoteGimbal):
+    "Log once that rates may be ignored, while we are not in control"
+    if self.status is None: return
+    primary,before = self.status.primary or 'no client',self._warned_of
+    self._warned_of = None if self.in_control else primary
+    if self._warned_of in (None, before): return
+    self.client.log.warning('%s; it may ignore rates: steer it within "async with gimbal.control()"', self._holder())
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #780f375f
+@patch
+def send_rates(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees per second
+               lock:bool|None=None): # True: yaw holds its direction on earth; `None`: unchanged
+    "Send rates once, without an ack; a loop sends them with each picture, more than once in 3 s"
+    if pitch or yaw: self._warn_of_control()
+    self._send_rates(pitch, yaw, self.locked if lock is None else lock)
+    if lock is not None: self._lock = lock,clock.monotonic()
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #cbd77c07
+@patch
+async def _keep_sending(self:RemoteGimbal, *turning)->str:
+    "Send rates until another client is in control; return its name"
+    while not self.held_by_other:
+        self._send_rates(*turning)
+        await asyncio.sleep(self.refresh)
+    return self._holder()
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #b9563ce9
+@patch
+def _stop_now(self:RemoteGimbal, lock:bool):
+    try: self._send_rates(0., 0., lock)
+    except MAVError: pass               # the link has gone
+
+@patch
+async def _stop(self:RemoteGimbal, lock:bool):
+    "Stop turning, by a message at once, then by a command with its ack"
+    self._stop_now(lock)
+    try: (await self.set_rates(0., 0., lock)).check()
+    except MAVError as e: self.client.log.warning('the gimbal was not stopped: %s', e)
+
+@patch
+@contextmanager
+def stopped_at_close(self:RemoteGimbal, stop):
+    "Have `stop()` called if the handle or its client is closed within the `with`"
+    turning = self._first
+    turning.at_close = stop
+    try: yield
+    finally: turning.at_close = None
+
+@patch
+def close(self:RemoteGimbal):
+    "Stop turning this gimbal; the client stays on its link"
+    for handle in {self, self._first}:          # it may have begun to turn before its id was known
+        if handle.at_close: handle.at_close()
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #44ac505c
+@patch
+@asynccontextmanager
+async def keep_turning(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees per second
+                       lock:bool|None=None): # True: yaw holds its direction on earth; `None`: unchanged
+    "Turn during an `async with`; raises as `Ack.check`, and `Denied` at its end if another client took over"
+    lock = self.locked if lock is None else lock
+    try: (await self.set_rates(pitch, yaw, lock)).check()
+    except asyncio.CancelledError:
+        await self._stop(lock)
+        raise
+    except NoAnswer:
+        self._stop_now(lock)
+        raise
+    sending = asyncio.create_task(self._keep_sending(pitch, yaw, lock))
+    try:
+        with self.stopped_at_close(lambda: sending.done() or self._stop_now(lock)): yield self
+    finally:
+        taken = sending.done()
+        sending.cancel()
+        if not taken: await self._stop(lock)
+    if taken: raise Denied(sending.result())
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #49d731ec
+_altitude_frames = dict(amsl=mavlink.MAV_FRAME_GLOBAL, relative=mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT)
+
+@patch
+@sends(mavlink.MAV_CMD_DO_SET_ROI_LOCATION)
+async def point_at(self:RemoteGimbal, lat:float, lon:float, # Degrees
+                   alt:float, # m
+                   alt_frame:str='amsl', # 'amsl' (above mean sea level) or 'relative' (above takeoff)
+                  )->Ack:
+    "Look at a place until the next order; raises `ValueError`, and `PositionUnknown` if PX4 has no home"
+    one_of('alt_frame', alt_frame, _altitude_frames)
+    x,y = round(inside('lat', lat, -90, 90)*1e7),round(inside('lon', lon, -180, 180)*1e7)
+    alt = inside('alt', alt)
+    if alt_frame=='relative' and not (await self._sure_ways()).relative_alt:
+        alt,alt_frame = await self._amsl(alt),'amsl'
+    self._forget_orders()
+    params = [self.gimbal[2], NAN, NAN, NAN, x, y, alt]
+    return await self._command(mavlink.MAV_CMD_DO_SET_ROI_LOCATION, params, _altitude_frames[alt_frame])
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #e9c1691d
+@patch
+@sends(mavlink.MAV_CMD_DO_SET_ROI_NONE)
+async def point_at_none(self:RemoteGimbal)->Ack:
+    "Stop looking at the place"
+    return await self._command(mavlink.MAV_CMD_DO_SET_ROI_NONE, [self.gimbal[2]])
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #55d2682b
+@patch
+@sends(mavlink.MAV_CMD_DO_SET_ROI_SYSID)
+async def follow_system(self:RemoteGimbal, sysid:int, # Its system id
+                       )->Ack:
+    "Look at another vehicle, wherever it goes"
+    self._forget_orders()
+    return await self._command(mavlink.MAV_CMD_DO_SET_ROI_SYSID, [sysid, self.gimbal[2]])
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #79a8a206
 @dataclass(frozen=True, repr=False, eq=False)
@@ -322,6 +528,73 @@ async def wait_ready(self:RemoteGimbal, timeout:float=5., # Seconds
     name,number = self.client.mav_com.name_of(self.manager),self.gimbal[2]
     raise NoAnswer(f'gimbal {number} of {name}: no {missing}; {self.client.mav_com.who_was_heard()}')
 
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #534ed481
+_of_manager = GIMBAL_MANAGER_INFORMATION,GIMBAL_MANAGER_STATUS
+_of_device = GIMBAL_DEVICE_INFORMATION,GIMBAL_DEVICE_ATTITUDE_STATUS
+
+def _device_address(system:int, component:int, gimbal_device_id:int)->tuple:
+    "Return `(system, component, gimbal_device_id)` of a gimbal device, with 0 for a component of its own"
+    return (system, gimbal_device_id, 0) if gimbal_device_id>6 else (system, component, gimbal_device_id)
+
+def about(msg)->tuple:
+    "Return the gimbal in a manager's `msg`, or the address of the device that sent it"
+    gimbal = *address(msg),msg.gimbal_device_id
+    return gimbal if msg.get_msgId() in _of_manager else _device_address(*gimbal)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #7998fd98
+@patch(as_prop=True)
+def _first(self:RemoteGimbal)->RemoteGimbal:
+    "This handle, or for id 0 the one with the lowest id seen"
+    if self.gimbal_device_id: return self
+    seen = self.client.reported(self.manager) or self.client.reported(self.manager, _of_device)
+    return seen[0] if seen else self
+
+@patch(as_prop=True)
+def gimbal(self:RemoteGimbal)->tuple:
+    "Address `(system, component, gimbal_device_id)`; id 0 becomes the lowest one seen"
+    return self.address if self.gimbal_device_id else (*self.manager, self._first.gimbal_device_id)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #789522a7
+_gimbal_components = mavlink.MAV_COMP_ID_GIMBAL,*range(mavlink.MAV_COMP_ID_GIMBAL2, mavlink.MAV_COMP_ID_GIMBAL6+1)
+
+@patch(as_prop=True)
+def ways(self:RemoteGimbal)->ManagerWays:
+    "Conventions of its manager, by the heartbeat"
+    remote = self.client.remotes.get(self.manager)
+    return ways_of(remote.autopilot if remote else None)
+
+@patch(as_prop=True)
+def device(self:RemoteGimbal)->tuple:
+    "Address of its device, as in the device's messages"
+    system,component,number = self.gimbal
+    if self.ways.numbers_devices and 1<=number<=len(_gimbal_components):
+        there = system,_gimbal_components[number-1]
+        remote = self.client.remotes.get(there)
+        is_device = remote is not None and remote.type==mavlink.MAV_TYPE_GIMBAL
+        if is_device and not self.client.reported(there): return *there,0
+    return _device_address(system, component, number)
+
+# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #fc31d8e5
+@patch
+def store(self:RemoteGimbal, msg):
+    "Store a message with this address"
+    msg_id = msg.get_msgId()
+    self.messages[msg_id] = msg
+    if msg_id==GIMBAL_DEVICE_ATTITUDE_STATUS: self._attitude_came = clock.monotonic()
+
+@patch(as_prop=True)
+def _device(self:RemoteGimbal)->RemoteGimbal: return self.client.at(*self.device)
+
+@patch
+def newest(self:RemoteGimbal, msg_id:int):
+    "Return the newest message of a kind from its manager or device, or `None`"
+    return (self._first if msg_id in _of_manager else self._device).messages.get(msg_id)
+
+@patch
+def forget(self:RemoteGimbal):
+    "Drop all messages about it, for another gimbal may be in its place"
+    for handle in (self, self._first, self._device): handle.messages.clear()
+
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #6ffff135
 @patch
 async def _configure(self:RemoteGimbal, system:int, component:int)->GimbalAck:
@@ -427,276 +700,3 @@ async def _sent(self:RemoteGimbal)->Sent:
     if status is None: return Sent(Ack(None, target=self.manager))
     result = mavlink.MAV_RESULT_ACCEPTED if self.in_control else mavlink.MAV_RESULT_DENIED
     return Sent(Ack(result, self.manager), self.status, why='' if self.in_control else repr(self.status))
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #39af93ed
-_PITCHYAW = mavlink.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW
-
-def _pointing_flags(earth:bool=False, lock:bool|None=None)->int:
-    "Return GIMBAL_MANAGER_FLAGS, for a yaw from north if `earth`; `lock=None` locks that one"
-    lock = earth if lock is None else lock
-    return LEVEL | (YAW_LOCK if lock else 0) | (EARTH_FRAME if earth else VEHICLE_FRAME)
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #add5d421
-@patch
-def _forget_orders(self:RemoteGimbal):
-    "Forget the angles and the lock that were requested last"
-    for handle in (self._first, self.client.at(*self.manager)): handle._goal = None
-    self._lock = False,-math.inf
-
-@patch
-async def _pitchyaw(self:RemoteGimbal, flags:int, pitch:float=NAN, yaw:float=NAN, pitch_rate:float=NAN,
-                    yaw_rate:float=NAN)->Ack:
-    "Send the command, or the message without an ack if the manager reads no rates in it; raises `ValueError`"
-    numbers = _numbers(pitch, yaw, pitch_rate, yaw_rate)
-    self._forget_orders()
-    turns = known(pitch_rate) or known(yaw_rate)
-    if not turns or (await self._sure_ways()).rates_by_command:
-        ack = await self._command(_PITCHYAW, [*numbers, flags, NAN, self.gimbal[2]])
-    else:
-        self._send_setpoint(flags, *numbers)
-        ack = await self._sent()
-    if ack: self._lock = bool(flags&YAW_LOCK),clock.monotonic()
-    return ack
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #e699afa0
-@patch
-async def _for_manager(self:RemoteGimbal, pitch:float, yaw:float, flags:int)->tuple:
-    "Convert pitch and yaw to the manager's conventions; raises `HeadingUnknown`, `NoAnswer`"
-    ways = await self._sure_ways()
-    lock,earth = bool(flags&YAW_LOCK),bool(flags&EARTH_FRAME)
-    turn = not ways.reads_frame and known(yaw) and earth!=lock
-    fill = not ways.keeps_nan and not (known(pitch) and known(yaw))
-    if not (turn or fill): return pitch,yaw
-    now = await self.current_attitude(heading=lock or turn)
-    if fill and (now is None or not known(now.pitch)):
-        raise NoAnswer(f'{self.client.mav_com.name_of(self.device[:2])} does not say where it points')
-    heading = now.vehicle_yaw if now else self._heading
-    if turn: yaw = yaw_in('earth' if lock else 'vehicle', yaw, heading)
-    elif not known(yaw): yaw = yaw_in('earth', now.yaw, heading) if lock else now.yaw
-    return (pitch if known(pitch) else now.pitch),yaw
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #b6ffce9c
-@patch
-def _goal_of(self:RemoteGimbal, pitch:float, yaw:float, flags:int)->tuple:
-    "Return pitch, yaw and frame for `reached`: a locked yaw from north, another from the nose"
-    now = self.attitude
-    frame = 'earth' if flags&YAW_LOCK else 'vehicle'
-    asked = 'earth' if flags&EARTH_FRAME else 'vehicle'
-    if not known(yaw) or frame==asked or now is None or not known(now.vehicle_yaw): return pitch,yaw,asked
-    return pitch,yaw_in(frame, yaw, now.vehicle_yaw),frame
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ffcfc673
-@patch
-@sends(_PITCHYAW)
-async def set_angles(self:RemoteGimbal,
-    pitch:float=NAN, yaw:float=NAN, # Degrees; NaN: unchanged
-    frame:str='vehicle', # Frame of `yaw`: 'vehicle' (nose) or 'earth' (north)
-    lock:bool|None=None, # True: yaw holds its direction on earth; `None`: if it is from north
-    pitch_rate:float=NAN, yaw_rate:float=NAN, # Degrees per second; NaN: its choice. ArduPilot ignores them
-)->Ack:
-    "Point there; raises `HeadingUnknown` or `NoAnswer` if an autopilot as manager needs the attitude"
-    flags = _pointing_flags(one_of('frame', frame, ('vehicle','earth'))=='earth', lock)
-    ack = await self._pitchyaw(flags, *await self._for_manager(pitch, yaw, flags), pitch_rate, yaw_rate)
-    if ack: self._first._goal = self._goal_of(pitch, yaw, flags)
-    return ack
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #c3e9d1b4
-@patch
-def _off(self:RemoteGimbal, pitch:float, yaw:float, frame:str)->float:
-    "Return degrees to these angles; `inf` without an attitude in the last second"
-    now = self.attitude
-    if now is None or not self.is_fresh: return math.inf
-    pairs = (now.pitch, pitch),(now.earth_yaw if frame=='earth' else now.yaw, yaw)
-    off = [abs(wrap(is_-wanted)) for is_,wanted in pairs if known(wanted)]
-    return max((o if known(o) else math.inf for o in off), default=0.)
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #e6fbfc5b
-@patch
-async def reached(self:RemoteGimbal, timeout:float=10., # Seconds
-                  tolerance:float=1., # Degrees
-                 )->GimbalAttitude|None:
-    "Wait for the requested angles; return the attitude, `None` if not reached in time. Raises `Lost`"
-    end,open_id = clock.monotonic()+timeout,self.client.at(*self.manager)
-    def goal(): return self._first._goal or open_id._goal          # requested before its id was known
-    if goal() is None: raise ValueError('no angles were asked for: call set_angles or center first')
-    def there(msg=None): return goal() is not None and self._off(*goal())<=tolerance
-    with self.expecting_attitude(there) as expected:
-        try: await asyncio.wait_for(self.current_attitude(heading=goal()[2]=='earth'), timeout)
-        except asyncio.TimeoutError: return None
-        return self.attitude if there() or await expected.wait(max(end-clock.monotonic(), 0)) else None
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #8efcac59
-@patch
-@sends(_PITCHYAW)
-async def center(self:RemoteGimbal)->Ack:
-    "Look straight ahead"
-    ack = await self._pitchyaw(LEVEL|NEUTRAL|VEHICLE_FRAME)
-    if ack: self._first._goal = 0.,0.,'vehicle'
-    return ack
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ad916b62
-@patch
-@sends(_PITCHYAW)
-async def retract(self:RemoteGimbal)->Ack:
-    "Retract the gimbal; its motors may be off then"
-    if (await self._sure_ways()).retracts: return await self._pitchyaw(RETRACT)
-    why = 'the autopilot {}/{} would accept it, and do nothing'.format(*self.manager)
-    return GimbalAck(Ack(mavlink.MAV_RESULT_UNSUPPORTED, None, _PITCHYAW), why=why)
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #1734a848
-@patch
-async def _keep(self:RemoteGimbal, flags:int)->Ack:
-    "Keep the current direction, with these flags"
-    return await self._pitchyaw(flags, *await self._for_manager(NAN, NAN, flags))
-
-@patch
-@sends(_PITCHYAW)
-async def lock(self:RemoteGimbal)->Ack:
-    "Lock yaw to its direction on earth"
-    return await self._keep(_pointing_flags(earth=True))
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #ba599253
-@patch
-@sends(_PITCHYAW)
-async def follow(self:RemoteGimbal)->Ack:
-    "Let yaw follow the vehicle's nose"
-    return await self._keep(_pointing_flags(lock=False))
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #0fbfa335
-@patch(as_prop=True)
-def locked(self:RemoteGimbal)->bool:
-    "True if yaw holds its direction on earth: as requested last, until the device reports it"
-    lock,when = self._lock
-    device = self._device
-    if device._attitude_came<when+.5: return lock
-    msg = device.messages.get(GIMBAL_DEVICE_ATTITUDE_STATUS)
-    return msg is not None and bool(msg.flags&YAW_LOCK)
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #1efe5f34
-@patch
-@sends(_PITCHYAW)
-async def set_rates(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees per second
-                    lock:bool|None=None, # True: yaw holds its direction on earth; `None`: unchanged
-                   )->Ack:
-    "Turn; most gimbals stop after two or three seconds without another call. PX4's `Ack` is a `Sent`"
-    lock = self.locked if lock is None else lock
-    return await self._pitchyaw(_pointing_flags(lock=lock), pitch_rate=pitch, yaw_rate=yaw)
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #fa3816db
-@patch
-def _send_rates(self:RemoteGimbal, pitch:float, yaw:float, lock:bool):
-    "Send GIMBAL_MANAGER_SET_ATTITUDE with rates"
-    self._send_setpoint(_pointing_flags(lock=lock), pitch_rate=pitch, yaw_rate=yaw)
-
-@patch
-def _warn_of_control(self:RemoteGimbal):
-    "Log once that rates may be ignored, while we are not in control"
-    if self.status is None: return
-    primary,before = self.status.primary or 'no client',self._warned_of
-    self._warned_of = None if self.in_control else primary
-    if self._warned_of in (None, before): return
-    self.client.log.warning('%s; it may ignore rates: steer it within "async with gimbal.control()"', self._holder())
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #780f375f
-@patch
-def send_rates(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees per second
-               lock:bool|None=None): # True: yaw holds its direction on earth; `None`: unchanged
-    "Send rates once, without an ack; a loop sends them with each picture, more than once in 3 s"
-    if pitch or yaw: self._warn_of_control()
-    self._send_rates(pitch, yaw, self.locked if lock is None else lock)
-    if lock is not None: self._lock = lock,clock.monotonic()
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #cbd77c07
-@patch
-async def _keep_sending(self:RemoteGimbal, *turning)->str:
-    "Send rates until another client is in control; return its name"
-    while not self.held_by_other:
-        self._send_rates(*turning)
-        await asyncio.sleep(self.refresh)
-    return self._holder()
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #b9563ce9
-@patch
-def _stop_now(self:RemoteGimbal, lock:bool):
-    try: self._send_rates(0., 0., lock)
-    except MAVError: pass               # the link has gone
-
-@patch
-async def _stop(self:RemoteGimbal, lock:bool):
-    "Stop turning, by a message at once, then by a command with its ack"
-    self._stop_now(lock)
-    try: (await self.set_rates(0., 0., lock)).check()
-    except MAVError as e: self.client.log.warning('the gimbal was not stopped: %s', e)
-
-@patch
-@contextmanager
-def stopped_at_close(self:RemoteGimbal, stop):
-    "Have `stop()` called if the handle or its client is closed within the `with`"
-    turning = self._first
-    turning.at_close = stop
-    try: yield
-    finally: turning.at_close = None
-
-@patch
-def close(self:RemoteGimbal):
-    "Stop turning this gimbal; the client stays on its link"
-    for handle in {self, self._first}:          # it may have begun to turn before its id was known
-        if handle.at_close: handle.at_close()
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #44ac505c
-@patch
-@asynccontextmanager
-async def keep_turning(self:RemoteGimbal, pitch:float=0., yaw:float=0., # Degrees per second
-                       lock:bool|None=None): # True: yaw holds its direction on earth; `None`: unchanged
-    "Turn during an `async with`; raises as `Ack.check`, and `Denied` at its end if another client took over"
-    lock = self.locked if lock is None else lock
-    try: (await self.set_rates(pitch, yaw, lock)).check()
-    except asyncio.CancelledError:
-        await self._stop(lock)
-        raise
-    except NoAnswer:
-        self._stop_now(lock)
-        raise
-    sending = asyncio.create_task(self._keep_sending(pitch, yaw, lock))
-    try:
-        with self.stopped_at_close(lambda: sending.done() or self._stop_now(lock)): yield self
-    finally:
-        taken = sending.done()
-        sending.cancel()
-        if not taken: await self._stop(lock)
-    if taken: raise Denied(sending.result())
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #49d731ec
-_altitude_frames = dict(amsl=mavlink.MAV_FRAME_GLOBAL, relative=mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT)
-
-@patch
-@sends(mavlink.MAV_CMD_DO_SET_ROI_LOCATION)
-async def point_at(self:RemoteGimbal, lat:float, lon:float, # Degrees
-                   alt:float, # m
-                   alt_frame:str='amsl', # 'amsl' (above mean sea level) or 'relative' (above takeoff)
-                  )->Ack:
-    "Look at a place until the next order; raises `ValueError`, and `PositionUnknown` if PX4 has no home"
-    one_of('alt_frame', alt_frame, _altitude_frames)
-    x,y = round(inside('lat', lat, -90, 90)*1e7),round(inside('lon', lon, -180, 180)*1e7)
-    alt = inside('alt', alt)
-    if alt_frame=='relative' and not (await self._sure_ways()).relative_alt:
-        alt,alt_frame = await self._amsl(alt),'amsl'
-    self._forget_orders()
-    params = [self.gimbal[2], NAN, NAN, NAN, x, y, alt]
-    return await self._command(mavlink.MAV_CMD_DO_SET_ROI_LOCATION, params, _altitude_frames[alt_frame])
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #e9c1691d
-@patch
-@sends(mavlink.MAV_CMD_DO_SET_ROI_NONE)
-async def point_at_none(self:RemoteGimbal)->Ack:
-    "Stop looking at the place"
-    return await self._command(mavlink.MAV_CMD_DO_SET_ROI_NONE, [self.gimbal[2]])
-
-# %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #55d2682b
-@patch
-@sends(mavlink.MAV_CMD_DO_SET_ROI_SYSID)
-async def follow_system(self:RemoteGimbal, sysid:int, # Its system id
-                       )->Ack:
-    "Look at another vehicle, wherever it goes"
-    self._forget_orders()
-    return await self._command(mavlink.MAV_CMD_DO_SET_ROI_SYSID, [sysid, self.gimbal[2]])

@@ -176,7 +176,10 @@ def player_url(stream:RemoteStream, # As `streams` gives it
         known = '' if is_known else f'; a player knows {", ".join(_schemes)}'
         raise ValueError(f'{stream.uri!r} is no URI of a {kind} stream{known}')
     host = place[1] or ''
-    where = f'{host if is_group(host.strip("[]")) else "[::]" if ":" in host else "0.0.0.0"}:{place[2]}'
+    if is_group(host.strip('[]')): listens = host       # a multicast group
+    elif ':' in host: listens = '[::]'
+    else: listens = '0.0.0.0'
+    where = f'{listens}:{place[2]}'
     return f'udp://{where}' if kind=='mpegts' else f'rtp://{where}?codec={codec or "h264"}'
 
 # %% ../../nbs/api/mavlink/12_remote_video.ipynb #5802d41c

@@ -31,65 +31,6 @@ from ..wire.dialect import address
 # %% auto #0
 __all__ = ['Vehicle', 'Geotagger', 'Survey']
 
-# %% ../../nbs/api/mavlink/04_vehicle.ipynb #b0bf8fe8
-def _likely(value:float, most:float)->float: return value if abs(value)<=most else NAN
-_most_rate,_most_speed = 100.,1e4       # rad/s, m/s; more is ignored
-
-def _from_attitude(msg)->dict:
-    angles = {a: math.degrees(inside(a, getattr(msg, a), -7, 7)) for a in ('roll','pitch','yaw')}
-    return dict(angles, yaw_rate=math.degrees(_likely(msg.yawspeed, _most_rate)))
-
-# %% ../../nbs/api/mavlink/04_vehicle.ipynb #85e2f363
-def _from_gimbal_state(msg)->dict:
-    rate,speeds = _likely(msg.angular_velocity_z, _most_rate) or NAN,(msg.vx, msg.vy, msg.vz)
-    angles = dict(zip(('roll','pitch','yaw'), euler(unit(msg.q))))
-    return dict(angles, yaw_rate=math.degrees(rate), velocity=tuple(_likely(v, _most_speed) for v in speeds))
-
-def _from_position(msg)->dict:
-    if not (msg.lat or msg.lon): return {}
-    return dict(lat=inside('lat', msg.lat/1e7, -90, 90), lon=inside('lon', msg.lon/1e7, -180, 180), alt=msg.alt/1e3,
-                relative_alt=msg.relative_alt/1e3, velocity=(msg.vx/100, msg.vy/100, msg.vz/100))
-
-# %% ../../nbs/api/mavlink/04_vehicle.ipynb #ceb61ae0
-_readers = {POSITION:_from_position, ATTITUDE:_from_attitude, GIMBAL_STATE:_from_gimbal_state}
-
-# %% ../../nbs/api/mavlink/04_vehicle.ipynb #a5cb9a83
-class _Reported:
-    "Recent messages of one vehicle"
-    lasts = {POSITION:3., ATTITUDE:1., GIMBAL_STATE:1.}     # s for which each message is valid
-    carries = .5            # s for which a turn is extrapolated
-    def __init__(self, clock=clock.now): self.clock,self.home_alt,self._reported = clock,NAN,{}
-
-    def take(self, msg):
-        "Store the fields of `msg`; raises `ValueError` for impossible ones"
-        if msg.get_msgId()==HOME: self.home_alt = msg.altitude/1e3     # m above mean sea level
-        else: self._reported[msg.get_msgId()] = _readers[msg.get_msgId()](msg),self.clock()
-
-    def fresh(self, *msg_ids)->bool:
-        "True if one of these messages is recent"
-        now = self.clock()
-        return any(i in self._reported and now-self._reported[i][1]<=self.lasts[i] for i in msg_ids)
-
-    @property
-    def missing(self)->list:
-        "Ids of the messages needed for attitude and position"
-        kinds = {ATTITUDE:(ATTITUDE,GIMBAL_STATE), POSITION:(POSITION,)}
-        return [msg_id for msg_id,same in kinds.items() if not self.fresh(*same)]
-
-# %% ../../nbs/api/mavlink/04_vehicle.ipynb #db2aaeee
-@patch(as_prop=True)
-def state(self:_Reported)->VehicleState:
-    "State of the vehicle now, extrapolated from recent messages"
-    values,ages,now = {},{},self.clock()
-    for msg_id in (i for i in _readers if self.fresh(i)):
-        fields,when = self._reported[msg_id]
-        values.update({name:v for name,v in fields.items() if known(v)})
-        ages.update(dict.fromkeys(fields, now-when))
-    if known(self.home_alt) and 'alt' in values: values['relative_alt'] = values['alt']-self.home_alt
-    turning = min(ages.get('yaw', 0.), self.carries)
-    state = VehicleState(**values).after(ages.get('lat', 0.), turning)
-    return state if turning<self.carries else replace(state, yaw_rate=NAN)      # no further extrapolation
-
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #8fe65b84
 class Vehicle(Part):
     "Attitude and position of our vehicle, from its autopilot"
@@ -181,6 +122,65 @@ def state_of(self:Vehicle, system:int, # Its system id
 def is_told(self:Vehicle)->bool:
     "True if an attitude has come within a second"
     return self._reported.fresh(ATTITUDE, GIMBAL_STATE)
+
+# %% ../../nbs/api/mavlink/04_vehicle.ipynb #b0bf8fe8
+def _likely(value:float, most:float)->float: return value if abs(value)<=most else NAN
+_most_rate,_most_speed = 100.,1e4       # rad/s, m/s; more is ignored
+
+def _from_attitude(msg)->dict:
+    angles = {a: math.degrees(inside(a, getattr(msg, a), -7, 7)) for a in ('roll','pitch','yaw')}
+    return dict(angles, yaw_rate=math.degrees(_likely(msg.yawspeed, _most_rate)))
+
+# %% ../../nbs/api/mavlink/04_vehicle.ipynb #85e2f363
+def _from_gimbal_state(msg)->dict:
+    rate,speeds = _likely(msg.angular_velocity_z, _most_rate) or NAN,(msg.vx, msg.vy, msg.vz)
+    angles = dict(zip(('roll','pitch','yaw'), euler(unit(msg.q))))
+    return dict(angles, yaw_rate=math.degrees(rate), velocity=tuple(_likely(v, _most_speed) for v in speeds))
+
+def _from_position(msg)->dict:
+    if not (msg.lat or msg.lon): return {}
+    return dict(lat=inside('lat', msg.lat/1e7, -90, 90), lon=inside('lon', msg.lon/1e7, -180, 180), alt=msg.alt/1e3,
+                relative_alt=msg.relative_alt/1e3, velocity=(msg.vx/100, msg.vy/100, msg.vz/100))
+
+# %% ../../nbs/api/mavlink/04_vehicle.ipynb #ceb61ae0
+_readers = {POSITION:_from_position, ATTITUDE:_from_attitude, GIMBAL_STATE:_from_gimbal_state}
+
+# %% ../../nbs/api/mavlink/04_vehicle.ipynb #a5cb9a83
+class _Reported:
+    "Recent messages of one vehicle"
+    lasts = {POSITION:3., ATTITUDE:1., GIMBAL_STATE:1.}     # s for which each message is valid
+    carries = .5            # s for which a turn is extrapolated
+    def __init__(self, clock=clock.now): self.clock,self.home_alt,self._reported = clock,NAN,{}
+
+    def take(self, msg):
+        "Store the fields of `msg`; raises `ValueError` for impossible ones"
+        if msg.get_msgId()==HOME: self.home_alt = msg.altitude/1e3     # m above mean sea level
+        else: self._reported[msg.get_msgId()] = _readers[msg.get_msgId()](msg),self.clock()
+
+    def fresh(self, *msg_ids)->bool:
+        "True if one of these messages is recent"
+        now = self.clock()
+        return any(i in self._reported and now-self._reported[i][1]<=self.lasts[i] for i in msg_ids)
+
+    @property
+    def missing(self)->list:
+        "Ids of the messages needed for attitude and position"
+        kinds = {ATTITUDE:(ATTITUDE,GIMBAL_STATE), POSITION:(POSITION,)}
+        return [msg_id for msg_id,same in kinds.items() if not self.fresh(*same)]
+
+# %% ../../nbs/api/mavlink/04_vehicle.ipynb #db2aaeee
+@patch(as_prop=True)
+def state(self:_Reported)->VehicleState:
+    "State of the vehicle now, extrapolated from recent messages"
+    values,ages,now = {},{},self.clock()
+    for msg_id in (i for i in _readers if self.fresh(i)):
+        fields,when = self._reported[msg_id]
+        values.update({name:v for name,v in fields.items() if known(v)})
+        ages.update(dict.fromkeys(fields, now-when))
+    if known(self.home_alt) and 'alt' in values: values['relative_alt'] = values['alt']-self.home_alt
+    turning = min(ages.get('yaw', 0.), self.carries)
+    state = VehicleState(**values).after(ages.get('lat', 0.), turning)
+    return state if turning<self.carries else replace(state, yaw_rate=NAN)      # no further extrapolation
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #25f0788a
 @patch(as_prop=True)
