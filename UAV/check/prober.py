@@ -23,6 +23,40 @@ from ..wire.lossy import LossyLink
 # %% auto #0
 __all__ = ['message_ids', 'Prober', 'Acks', 'Finding']
 
+# %% ../../nbs/api/check/01_prober.ipynb #4978383f
+class Prober(Closes):
+    "Plays peers of a camera, and records what comes"
+    def __init__(self, connection, # Connection string, or a `Link`
+                 target:tuple|None=None, # `(system, component)` of the camera; `None`: the one that `find` finds
+                 patience:float=3., # s in which an answer must come
+                 quiet:float=1.): # s without one that mean "no more"
+        self.link = LossyLink(open_link(connection) if isinstance(connection, str) else connection)
+        self.record,self.target = _Record(self.link),target
+        self.patience,self.quiet = patience,quiet
+        self.role,self.information = roles['qgc'],None      # CAMERA_INFORMATION of the camera
+        self.known,self._encoders = {},{}       # what checks have found out; the senders that we play
+        self._beaten = -9.                      # when our heartbeat was sent
+
+    def close(self): "Close the link"; self.record.close()
+
+    @property
+    def address(self)->tuple:
+        "`(system, component)` that we play"
+        return self.role.system or (self.target or (1,))[0],self.role.component
+
+    @property
+    def mav(self):
+        "The encoder of our role"
+        return self._encoders.setdefault(self.address, mavlink.MAVLink(None, *self.address))
+
+    def ours(self, arrival:_Arrival)->bool:
+        "Return whether the camera sent it"
+        return arrival.source==self.target
+
+    def has(self, flag:str)->bool:
+        "Return whether the camera claims `flag`, such as 'CAPTURE_IMAGE'"
+        return bool(self.information and self.information.flags & getattr(mavlink, f'CAMERA_CAP_FLAGS_{flag}'))
+
 # %% ../../nbs/api/check/01_prober.ipynb #15ff42ae
 class _Arrival(NamedTuple):
     "A message, and when it came"
@@ -90,40 +124,6 @@ def wait(self:_Record, fits, timeout:float, since:int=0)->_Arrival|None:
             if self.ended: raise LinkError('the link has gone')
             if left<=0: return
             self._changed.wait(left)
-
-# %% ../../nbs/api/check/01_prober.ipynb #4978383f
-class Prober(Closes):
-    "Plays peers of a camera, and records what comes"
-    def __init__(self, connection, # Connection string, or a `Link`
-                 target:tuple|None=None, # `(system, component)` of the camera; `None`: the one that is heard
-                 patience:float=3., # s in which an answer must come
-                 quiet:float=1.): # s without one that mean "no more"
-        self.link = LossyLink(open_link(connection) if isinstance(connection, str) else connection)
-        self.record,self.target = _Record(self.link),target
-        self.patience,self.quiet = patience,quiet
-        self.role,self.information = roles['qgc'],None      # CAMERA_INFORMATION of the camera
-        self.known,self._encoders = {},{}       # what checks have found out; the senders that we play
-        self._beaten = -9.                      # when our heartbeat was sent
-
-    def close(self): "Close the link"; self.record.close()
-
-    @property
-    def address(self)->tuple:
-        "`(system, component)` that we play"
-        return self.role.system or (self.target or (1,))[0],self.role.component
-
-    @property
-    def mav(self):
-        "The encoder of our role"
-        return self._encoders.setdefault(self.address, mavlink.MAVLink(None, *self.address))
-
-    def ours(self, arrival:_Arrival)->bool:
-        "Return whether the camera sent it"
-        return arrival.source==self.target
-
-    def has(self, flag:str)->bool:
-        "Return whether the camera claims `flag`, such as 'CAPTURE_IMAGE'"
-        return bool(self.information and self.information.flags & getattr(mavlink, f'CAMERA_CAP_FLAGS_{flag}'))
 
 # %% ../../nbs/api/check/01_prober.ipynb #84f8cae6
 @patch

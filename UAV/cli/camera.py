@@ -75,6 +75,18 @@ class CameraVisit(Visit):
         advice = ' or '.join(f'--target {c.system}/{c.component}' for c in cameras)
         return f'{self.client.remotes[there].name} is no camera'+(f'; type {advice}' if cameras else '')
 
+# %% ../../nbs/api/cli/03_camera.ipynb #29e1d2d2
+class _Visitor(Visitor, CameraClient): "Camera client of short visits"
+
+_about = 'Find MAVLink cameras, take pictures and video with them, set them up, and fetch their files.'
+_program = Program(_about, CameraVisit, _Visitor, visit_options, groups=visit_groups)
+_verb = _program.verb
+_number,_part,_spacing,_pause = between(-1e5, 1e5),between(0, 1),between(0, 1e5),between(0, 86400)
+_pictures,_stream_number = between(0, 65535, int),between(0, 255, int)
+
+# %% ../../nbs/api/cli/03_camera.ipynb #dc0b5618
+main = _program.main
+
 # %% ../../nbs/api/cli/03_camera.ipynb #8b4746c6
 @patch
 async def first_sign(self:CameraVisit, seconds:float)->bool|None:
@@ -100,15 +112,6 @@ def report(self:CameraVisit, result, # A `Result`, or a sentence
     system,component = self.client.target()
     about = dict(system=system, component=component, verb=self.verb)
     self.show(Result(f'{system}/{component}: {result}{more}', **about, **getattr(result, 'fields', {}), **fields))
-
-# %% ../../nbs/api/cli/03_camera.ipynb #29e1d2d2
-class _Visitor(Visitor, CameraClient): "Camera client of short visits"
-
-_about = 'Find MAVLink cameras, take pictures and video with them, set them up, and fetch their files.'
-_program = Program(_about, CameraVisit, _Visitor, visit_options, groups=visit_groups)
-_verb = _program.verb
-_number,_part,_spacing,_pause = between(-1e5, 1e5),between(0, 1),between(0, 1e5),between(0, 86400)
-_pictures,_stream_number = between(0, 65535, int),between(0, 255, int)
 
 # %% ../../nbs/api/cli/03_camera.ipynb #3a2176b5
 @_verb('list', 'list --json', 'list --connection /dev/ttyUSB0,57600')
@@ -686,7 +689,8 @@ _described = {CAMERA_SETTINGS:_settings, CAMERA_CAPTURE_STATUS:_doing, STATUSTEX
 @patch
 async def events(self:CameraVisit):
     "Yield `(message name, Result)` of the camera's messages; raises `Lost`"
-    came,texts,told = asyncio.Queue(),Texts(),deque(maxlen=16)      # `told`: the newest texts
+    came,texts = asyncio.Queue(),Texts()
+    shown = deque(maxlen=16)         # the newest texts
     async def follow():
         try:
             async with aclosing(self.camera.pictures()) as pictures:
@@ -697,8 +701,8 @@ async def events(self:CameraVisit):
         is_late = isinstance(msg, StatusText)
         text,is_new = (msg, False) if is_late else texts.take(msg)
         if is_new and not text.complete: asyncio.get_running_loop().call_later(2., came.put_nowait, text)
-        if text in told or not (text.complete or is_late): return None
-        told.append(text)
+        if text in shown or not (text.complete or is_late): return None
+        shown.append(text)
         return text
     with self.receiving(_described, came.put_nowait):
         following = asyncio.ensure_future(follow())
@@ -717,6 +721,3 @@ async def _watch(visit):
     visit.endless = True
     async with aclosing(visit.events()) as events:
         async for name,result in events: visit.report(result, message=name)
-
-# %% ../../nbs/api/cli/03_camera.ipynb #dc0b5618
-main = _program.main

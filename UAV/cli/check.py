@@ -18,6 +18,66 @@ from ..wire.dialect import enum_name, LinkError
 # %% auto #0
 __all__ = ['main', 'check_camera']
 
+# %% ../../nbs/api/cli/06_check.ipynb #efcf9e0e
+_seconds = between(.1, 600)
+
+def check_camera(connection:str='udpin:0.0.0.0:14550', # MAVLink link to the camera; or set UAV_CONNECTION
+                 target:target=None, # SYSTEM/COMPONENT of the camera, such as 1/100; needed if there are several
+                 only:str=None, # Check only these requirements or subjects, such as photo,storage.ids
+                 list:bool=False, # List the requirements and exit
+                 destructive:bool=False, # Also format the storage and reset the settings
+                 html:str=None, # Write a printable report to this file
+                 json:bool=False, # Print the report as JSON
+                 timeout:_seconds=10., # Seconds to look for the camera
+                 patience:_seconds=3., # Seconds to wait for an answer; more for a slow radio
+                 force:bool=False, # Check an autopilot, too: on the ground only, as wrong requests may crash it
+                )->int:
+    """Check a MAVLink camera against the camera protocol, as QGroundControl, MAVSDK and ArduPilot use it
+
+    examples:
+      uav-camera-check
+      uav-camera-check --connection /dev/ttyUSB0,57600 --target 1/100 --patience 6
+      uav-camera-check --only photo,series --html report.html
+
+    Changed settings are restored.
+    Nothing is deleted, formatted or reset without --destructive.
+
+    exit codes:
+      0  every requirement that could be checked is met
+      1  at least one is not
+      2  wrong command line
+      3  no camera, or a port is in use"""
+    typed = SimpleNamespace(**locals())
+    try: return _check_camera(typed)
+    except BrokenPipeError: return 1
+    except (LinkError, ValueError, OSError) as e:
+        code,text = ending(e)
+        complain('uav-camera-check', text)
+        return code
+
+_groups = {'the camera':'connection target timeout patience force', 'what to check':'only list destructive',
+           'the report':'html json'}
+main = partial(run_with_options, check_camera, 'uav-camera-check', groups=_groups)
+
+# %% ../../nbs/api/cli/06_check.ipynb #93616cbf
+def _check_camera(typed)->int:
+    "Run the check, and return the exit code; raises `ValueError`, `OSError` and `LinkError`"
+    only = [name.strip() for name in typed.only.split(',')] if typed.only else ()
+    found = suite(only)
+    for r in found if typed.list else ():
+        fields = dict(name=r.name, sentence=r.sentence, source=r.source, role=r.role)
+        Result(f'{r.name:<24} {r.sentence}', **fields).show(typed.json)
+    if typed.list: return 0
+    if typed.html: Path(typed.html).touch()         # a wrong name fails now, not after minutes
+    with Prober(typed.connection, typed.target, typed.patience) as p:
+        if not p.find(typed.timeout, typed.force): return _no_camera(p, typed)
+        c,s = describe(p),'s'*(len(found)!=1)
+        who = f'{c["vendor"]} {c["model"]} at {c["system"]}/{c["component"]}'
+        count = f'{len(found)} requirement{s}'
+        print(f'uav-camera-check: {who}, {count}; {cost(found, typed.destructive)}', file=sys.stderr)
+        printer = _Printer(len(found), typed.json, bool(typed.html))
+        return _report(run_suite(p, only, typed.destructive, printer, typed.connection), typed)
+
 # %% ../../nbs/api/cli/06_check.ipynb #d7a2af80
 _styles = dict(passed='good', failed='bad')
 
@@ -61,63 +121,3 @@ def _report(found:Findings, typed)->int:
     if typed.json: print(json.dumps(found.to_json(), ensure_ascii=False))
     else: print(f'\n{found}')
     return found.exit_code
-
-# %% ../../nbs/api/cli/06_check.ipynb #93616cbf
-def _check_camera(typed)->int:
-    "Run the check, and return the exit code; raises `ValueError`, `OSError` and `LinkError`"
-    only = [name.strip() for name in typed.only.split(',')] if typed.only else ()
-    found = suite(only)
-    for r in found if typed.list else ():
-        fields = dict(name=r.name, sentence=r.sentence, source=r.source, role=r.role)
-        Result(f'{r.name:<24} {r.sentence}', **fields).show(typed.json)
-    if typed.list: return 0
-    if typed.html: Path(typed.html).touch()         # a wrong name fails now, not after minutes
-    with Prober(typed.connection, typed.target, typed.patience) as p:
-        if not p.find(typed.timeout, typed.force): return _no_camera(p, typed)
-        c,s = describe(p),'s'*(len(found)!=1)
-        who = f'{c["vendor"]} {c["model"]} at {c["system"]}/{c["component"]}'
-        count = f'{len(found)} requirement{s}'
-        print(f'uav-camera-check: {who}, {count}; {cost(found, typed.destructive)}', file=sys.stderr)
-        printer = _Printer(len(found), typed.json, bool(typed.html))
-        return _report(run_suite(p, only, typed.destructive, printer, typed.connection), typed)
-
-# %% ../../nbs/api/cli/06_check.ipynb #efcf9e0e
-_seconds = between(.1, 600)
-
-def check_camera(connection:str='udpin:0.0.0.0:14550', # MAVLink link to the camera; or set UAV_CONNECTION
-                 target:target=None, # SYSTEM/COMPONENT of the camera, such as 1/100; needed if there are several
-                 only:str=None, # Check only these requirements or subjects, such as photo,storage.ids
-                 list:bool=False, # List the requirements and exit
-                 destructive:bool=False, # Also format the storage and reset the settings
-                 html:str=None, # Write a printable report to this file
-                 json:bool=False, # Print the report as JSON
-                 timeout:_seconds=10., # Seconds to look for the camera
-                 patience:_seconds=3., # Seconds to wait for an answer; more for a slow radio
-                 force:bool=False, # Check an autopilot, too: on the ground only, as wrong requests may crash it
-                )->int:
-    """Check a MAVLink camera against the camera protocol, as QGroundControl, MAVSDK and ArduPilot use it
-
-    examples:
-      uav-camera-check
-      uav-camera-check --connection /dev/ttyUSB0,57600 --target 1/100 --patience 6
-      uav-camera-check --only photo,series --html report.html
-
-    Changed settings are restored.
-    Nothing is deleted, formatted or reset without --destructive.
-
-    exit codes:
-      0  every requirement that could be checked is met
-      1  at least one is not
-      2  wrong command line
-      3  no camera, or a port is in use"""
-    typed = SimpleNamespace(**locals())
-    try: return _check_camera(typed)
-    except BrokenPipeError: return 1
-    except (LinkError, ValueError, OSError) as e:
-        code,text = ending(e)
-        complain('uav-camera-check', text)
-        return code
-
-_groups = {'the camera':'connection target timeout patience force', 'what to check':'only list destructive',
-           'the report':'html json'}
-main = partial(run_with_options, check_camera, 'uav-camera-check', groups=_groups)

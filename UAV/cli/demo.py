@@ -17,6 +17,33 @@ from ..utils.display import contact_sheet
 # %% auto #0
 __all__ = ['main', 'take_pictures']
 
+# %% ../../nbs/api/cli/07_demo.ipynb #6a335fd5
+_pictures = between(1, 10_000, int)
+
+def take_pictures(video:str=None, # Video file, device or URL to use as the camera; default: a simulated camera
+                  out:str='uav_pictures', # Folder for the pictures
+                  count:_pictures=5): # Number of pictures
+    """Find a MAVLink camera, take pictures, and make a contact sheet
+
+    example:
+      uav-demo --video flight.mp4 --out flight"""
+    try:
+        with or_exit('uav-demo'), CV2Camera(video, folder=out) if video else SimCamera(folder=out) as camera:
+            images = asyncio.run(_demo(camera, count))
+            print(f'{len(images)} new pictures are in {out}, all of them on {_save_sheet(out, images)}\n{_next}')
+    except KeyboardInterrupt:
+        complain('uav-demo', f'stopped; the pictures taken so far are in {out}')
+        raise
+
+# %% ../../nbs/api/cli/07_demo.ipynb #b2470607
+main = partial(run_with_options, take_pictures, 'uav-demo')
+
+# %% ../../nbs/api/cli/07_demo.ipynb #e31f2cdb
+_next = '''Next:
+  uav-demo --video FILE            the same with a video of your own as the camera
+  uav-gui --sim --browser          a live picture and buttons, for a simulated vehicle
+  uav-camera-server --autopilot    a camera for QGroundControl or MAVSDK on this machine (UDP port 14550)'''
+
 # %% ../../nbs/api/cli/07_demo.ipynb #b79fe081
 def _picture_line(msg)->str:
     "Describe a captured picture in one line"
@@ -48,30 +75,3 @@ def _save_sheet(folder, images:list)->Path:
     sheet = contact_sheet(pictures, columns=3, width=320, labels=names)
     if not cv2.imwrite(str(path), sheet): raise OSError(f'cannot write {path}')
     return path
-
-# %% ../../nbs/api/cli/07_demo.ipynb #e31f2cdb
-_next = '''Next:
-  uav-demo --video FILE            the same with a video of your own as the camera
-  uav-gui --sim --browser          a live picture and buttons, for a simulated vehicle
-  uav-camera-server --autopilot    a camera for QGroundControl or MAVSDK on this machine (UDP port 14550)'''
-
-# %% ../../nbs/api/cli/07_demo.ipynb #6a335fd5
-_pictures = between(1, 10_000, int)
-
-def take_pictures(video:str=None, # Video file, device or URL to use as the camera; default: a simulated camera
-                  out:str='uav_pictures', # Folder for the pictures
-                  count:_pictures=5): # Number of pictures
-    """Find a MAVLink camera, take pictures, and make a contact sheet
-
-    example:
-      uav-demo --video flight.mp4 --out flight"""
-    try:
-        with or_exit('uav-demo'), CV2Camera(video, folder=out) if video else SimCamera(folder=out) as camera:
-            images = asyncio.run(_demo(camera, count))
-            print(f'{len(images)} new pictures are in {out}, all of them on {_save_sheet(out, images)}\n{_next}')
-    except KeyboardInterrupt:
-        complain('uav-demo', f'stopped; the pictures taken so far are in {out}')
-        raise
-
-# %% ../../nbs/api/cli/07_demo.ipynb #b2470607
-main = partial(run_with_options, take_pictures, 'uav-demo')

@@ -50,11 +50,6 @@ class Steering(Visit):
         status = self.device.status if self.device else None
         return '{}/{}'.format(*status.primary) if status and status.primary else None
 
-# %% ../../nbs/api/cli/04_gimbal.ipynb #37ed6d86
-_degrees,_speed = between(-360, 360, nan=True),between(-400, 400)
-_pace = between(.1, 400)                         # speed towards an angle: no sign, and not 0
-_latitude,_longitude,_metres = between(-90, 90),between(-180, 180),between(-1000, 100_000)
-
 # %% ../../nbs/api/cli/04_gimbal.ipynb #533b058f
 def _options(
     component:number=None, # Component id of the gimbal, or of its manager
@@ -69,6 +64,14 @@ _about = 'Find MAVLink gimbals, see where they point, and point them.'
 _groups = visit_groups|{'which device':'target system component gimbal timeout', 'control':'force keep'}
 _program = Program(_about, Steering, _Visitor, visit_options, _options, groups=_groups)
 _verb = _program.verb
+
+# %% ../../nbs/api/cli/04_gimbal.ipynb #44dc4f4d
+main = _program.main
+
+# %% ../../nbs/api/cli/04_gimbal.ipynb #37ed6d86
+_degrees,_speed = between(-360, 360, nan=True),between(-400, 400)
+_pace = between(.1, 400)                         # speed towards an angle: no sign, and not 0
+_latitude,_longitude,_metres = between(-90, 90),between(-180, 180),between(-1000, 100_000)
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #c5fb312e
 @patch
@@ -242,6 +245,3 @@ def fail(self:Steering, error:Exception, # Exception of a verb
     owner = self.owner
     advice = '; --force takes it over' if owner and not self.device.in_control else ''
     return Visit.fail(self, error, advice, control=owner)
-
-# %% ../../nbs/api/cli/04_gimbal.ipynb #44dc4f4d
-main = _program.main

@@ -18,6 +18,9 @@ from . import clock
 # %% auto #0
 __all__ = ['most_bytes', 'most_name', 'FileEntry', 'FileTree', 'read_secret', 'unpacked', 'local_name']
 
+# %% ../../nbs/api/utils/02_files.ipynb #08f25aeb
+_all_ = ['FileEntry']
+
 # %% ../../nbs/api/utils/02_files.ipynb #892c7433
 most_bytes,_odd = 255,re.compile(r'[\x00-\x1f\\\x7f]')     # of a name; characters that no name of ours has
 
@@ -37,71 +40,6 @@ def _names_of(path:str)->tuple:
     if os.name=='nt' and ':' in path: raise _not_found(repr(path))       # a drive, or a stream of a file
     return names
 
-# %% ../../nbs/api/utils/02_files.ipynb #47ebc9a6
-_by_descriptor = os.open in os.supports_dir_fd and hasattr(os, 'O_NOFOLLOW')
-_no_link,_close = getattr(os,'O_NOFOLLOW',0),getattr(os,'O_CLOEXEC',0)
-_folder = os.O_RDONLY|getattr(os,'O_DIRECTORY',0)|_close
-
-@contextmanager
-def _folder_below(root:Path, names:tuple):
-    "For a `with`: the descriptor of a folder, the last of `names`, which lie one in the other; raises `OSError`"
-    fd = os.open(root, _folder)
-    try:
-        for name in names:
-            deeper = os.open(name, _folder|_no_link, dir_fd=fd)
-            os.close(fd)
-            fd = deeper
-        yield fd
-    finally: os.close(fd)
-
-# %% ../../nbs/api/utils/02_files.ipynb #63d86cda
-class _Jail:
-    "A folder that may come and go, and what is below it; no symbolic link is followed"
-    def __init__(self, folder:str|Path, writable:bool=False, hide=lambda name: False):      # `hide`: as for `mount`
-        self.folder,self.writable,self.hide = Path(folder),writable,hide
-
-    def __repr__(self): return f'Jail({self.folder.name!r})'
-
-    def _path(self, names:tuple)->Path:
-        "The path of a file, where there are no descriptors; raises `FileNotFoundError` for one with a link in it"
-        root = self.folder.resolve()
-        path = root.joinpath(*names)
-        if path.resolve()!=path: raise _not_found(names)
-        return path
-
-    @contextmanager
-    def at(self, names:tuple):
-        "For a `with`: a name and a `dir_fd`, to be given to a function of `os`"
-        if not names: raise _error(errno.EISDIR, '/')
-        if not _by_descriptor: yield self._path(names),None
-        else:
-            with _folder_below(self.folder, names[:-1]) as fd: yield names[-1],fd
-
-    def open(self, names:tuple, flags:int=os.O_RDONLY):
-        "The open file, not buffered; raises `OSError`"
-        try:
-            with self.at(names) as (name,folder): fd = os.open(name, flags|_plain, 0o644, dir_fd=folder)
-        except OSError as e: raise _as_not_found(e, names) from None
-        try: return self._checked(fd, names, 'rb' if flags&3==os.O_RDONLY else 'r+b')
-        except BaseException:
-            os.close(fd)
-            raise
-
-    def _checked(self, fd:int, names:tuple, mode:str):
-        "The file of a descriptor, if it is a plain one; raises `OSError`"
-        found = os.fstat(fd)
-        if stat.S_ISDIR(found.st_mode): raise _error(errno.EISDIR, names)
-        if not stat.S_ISREG(found.st_mode): raise _not_found(names)
-        if not _by_descriptor and not os.path.samestat(found, os.stat(self._path(names))): raise _not_found(names)
-        return os.fdopen(fd, mode, buffering=0)
-
-# %% ../../nbs/api/utils/02_files.ipynb #fc816393
-_plain = getattr(os,'O_NONBLOCK',0)|getattr(os,'O_BINARY',0)|getattr(os,'O_NOCTTY',0)|_no_link|_close
-
-def _as_not_found(error:OSError, names:tuple)->OSError:
-    "A link, or a file where a folder should be, is just not there"
-    return _not_found(names) if error.errno in (errno.ELOOP,errno.ENOTDIR,errno.ENXIO) else error
-
 # %% ../../nbs/api/utils/02_files.ipynb #6d039941
 class FileEntry(NamedTuple):
     "A file or a folder, as it stands in a listing"
@@ -109,57 +47,6 @@ class FileEntry(NamedTuple):
     size:int=0          # Bytes; of a folder 0
     time:float=0.       # Of the last change, seconds since 1970
     folder:bool=False
-
-# %% ../../nbs/api/utils/02_files.ipynb #83531b88
-def _entry(name:str, found:os.stat_result)->FileEntry|None:
-    "The entry of a file or a folder; `None` for a link or a device"
-    if stat.S_ISDIR(found.st_mode): return FileEntry(name, 0, found.st_mtime, True)
-    if stat.S_ISREG(found.st_mode): return FileEntry(name, found.st_size, found.st_mtime)
-
-# %% ../../nbs/api/utils/02_files.ipynb #5cdc83e0
-@patch
-def entries(self:_Jail, names:tuple=())->list:
-    "A `FileEntry` for all that is in a folder; raises `OSError`"
-    found = []
-    try:
-        folder = _folder_below(self.folder, names) if _by_descriptor else nullcontext(self._path(names))
-        with folder as here, os.scandir(here) as listed:
-            for one in listed:              # one that is gone is left out
-                with suppress(OSError): found.append(_entry(one.name, one.stat(follow_symlinks=False)))
-    except OSError as e: raise _as_not_found(e, names) from None
-    return [*filter(None, found)]
-
-# %% ../../nbs/api/utils/02_files.ipynb #08234ae9
-@patch
-def entry(self:_Jail, names:tuple)->FileEntry:
-    "The `FileEntry` of one; raises `OSError`"
-    if not names: return FileEntry('', 0, os.stat(self.folder).st_mtime, True)
-    try:
-        with self.at(names) as (name,folder): s = os.stat(name, dir_fd=folder, follow_symlinks=False)
-    except OSError as e: raise _as_not_found(e, names) from None
-    if found := _entry(names[-1], s): return found
-    raise _not_found(names)
-
-# %% ../../nbs/api/utils/02_files.ipynb #c25f0599
-_verbs = dict(unlink=os.unlink, mkdir=partial(os.mkdir, mode=0o755), rmdir=os.rmdir)
-
-@patch
-def change(self:_Jail, what:str, names:tuple):
-    "Change a file or a folder, by 'unlink', 'mkdir' or 'rmdir' of `os`; raises `OSError`"
-    with self.at(names) as (name,folder): _verbs[what](name, dir_fd=folder)
-
-# %% ../../nbs/api/utils/02_files.ipynb #56fad1a0
-@patch
-def rename(self:_Jail, names:tuple, to:tuple):
-    "Give a file or a folder another name, which must be free; raises `OSError`"
-    with self.at(names) as (name,folder), self.at(to) as (new,target):
-        with suppress(FileNotFoundError):
-            os.stat(new, dir_fd=target, follow_symlinks=False)
-            raise _error(errno.EEXIST, to)
-        os.rename(name, new, src_dir_fd=folder, dst_dir_fd=target)
-
-# %% ../../nbs/api/utils/02_files.ipynb #08f25aeb
-_all_ = ['FileEntry']
 
 # %% ../../nbs/api/utils/02_files.ipynb #59429805
 def _hidden(name:str)->bool:
@@ -309,6 +196,119 @@ def truncate(self:FileTree, path:str, size:int):
     with jail.open(names, os.O_RDWR) as file:
         if size>os.fstat(file.fileno()).st_size: raise ValueError(f'{path} is shorter than {size} bytes')
         file.truncate(size)
+
+# %% ../../nbs/api/utils/02_files.ipynb #47ebc9a6
+_by_descriptor = os.open in os.supports_dir_fd and hasattr(os, 'O_NOFOLLOW')
+_no_link,_close = getattr(os,'O_NOFOLLOW',0),getattr(os,'O_CLOEXEC',0)
+_folder = os.O_RDONLY|getattr(os,'O_DIRECTORY',0)|_close
+
+@contextmanager
+def _folder_below(root:Path, names:tuple):
+    "For a `with`: the descriptor of a folder, the last of `names`, which lie one in the other; raises `OSError`"
+    fd = os.open(root, _folder)
+    try:
+        for name in names:
+            deeper = os.open(name, _folder|_no_link, dir_fd=fd)
+            os.close(fd)
+            fd = deeper
+        yield fd
+    finally: os.close(fd)
+
+# %% ../../nbs/api/utils/02_files.ipynb #63d86cda
+class _Jail:
+    "A folder that may come and go, and what is below it; no symbolic link is followed"
+    def __init__(self, folder:str|Path, writable:bool=False, hide=lambda name: False):      # `hide`: as for `mount`
+        self.folder,self.writable,self.hide = Path(folder),writable,hide
+
+    def __repr__(self): return f'Jail({self.folder.name!r})'
+
+    def _path(self, names:tuple)->Path:
+        "The path of a file, where there are no descriptors; raises `FileNotFoundError` for one with a link in it"
+        root = self.folder.resolve()
+        path = root.joinpath(*names)
+        if path.resolve()!=path: raise _not_found(names)
+        return path
+
+    @contextmanager
+    def at(self, names:tuple):
+        "For a `with`: a name and a `dir_fd`, to be given to a function of `os`"
+        if not names: raise _error(errno.EISDIR, '/')
+        if not _by_descriptor: yield self._path(names),None
+        else:
+            with _folder_below(self.folder, names[:-1]) as fd: yield names[-1],fd
+
+    def open(self, names:tuple, flags:int=os.O_RDONLY):
+        "The open file, not buffered; raises `OSError`"
+        try:
+            with self.at(names) as (name,folder): fd = os.open(name, flags|_plain, 0o644, dir_fd=folder)
+        except OSError as e: raise _as_not_found(e, names) from None
+        try: return self._checked(fd, names, 'rb' if flags&3==os.O_RDONLY else 'r+b')
+        except BaseException:
+            os.close(fd)
+            raise
+
+    def _checked(self, fd:int, names:tuple, mode:str):
+        "The file of a descriptor, if it is a plain one; raises `OSError`"
+        found = os.fstat(fd)
+        if stat.S_ISDIR(found.st_mode): raise _error(errno.EISDIR, names)
+        if not stat.S_ISREG(found.st_mode): raise _not_found(names)
+        if not _by_descriptor and not os.path.samestat(found, os.stat(self._path(names))): raise _not_found(names)
+        return os.fdopen(fd, mode, buffering=0)
+
+# %% ../../nbs/api/utils/02_files.ipynb #fc816393
+_plain = getattr(os,'O_NONBLOCK',0)|getattr(os,'O_BINARY',0)|getattr(os,'O_NOCTTY',0)|_no_link|_close
+
+def _as_not_found(error:OSError, names:tuple)->OSError:
+    "A link, or a file where a folder should be, is just not there"
+    return _not_found(names) if error.errno in (errno.ELOOP,errno.ENOTDIR,errno.ENXIO) else error
+
+# %% ../../nbs/api/utils/02_files.ipynb #83531b88
+def _entry(name:str, found:os.stat_result)->FileEntry|None:
+    "The entry of a file or a folder; `None` for a link or a device"
+    if stat.S_ISDIR(found.st_mode): return FileEntry(name, 0, found.st_mtime, True)
+    if stat.S_ISREG(found.st_mode): return FileEntry(name, found.st_size, found.st_mtime)
+
+# %% ../../nbs/api/utils/02_files.ipynb #5cdc83e0
+@patch
+def entries(self:_Jail, names:tuple=())->list:
+    "A `FileEntry` for all that is in a folder; raises `OSError`"
+    found = []
+    try:
+        folder = _folder_below(self.folder, names) if _by_descriptor else nullcontext(self._path(names))
+        with folder as here, os.scandir(here) as listed:
+            for one in listed:              # one that is gone is left out
+                with suppress(OSError): found.append(_entry(one.name, one.stat(follow_symlinks=False)))
+    except OSError as e: raise _as_not_found(e, names) from None
+    return [*filter(None, found)]
+
+# %% ../../nbs/api/utils/02_files.ipynb #08234ae9
+@patch
+def entry(self:_Jail, names:tuple)->FileEntry:
+    "The `FileEntry` of one; raises `OSError`"
+    if not names: return FileEntry('', 0, os.stat(self.folder).st_mtime, True)
+    try:
+        with self.at(names) as (name,folder): s = os.stat(name, dir_fd=folder, follow_symlinks=False)
+    except OSError as e: raise _as_not_found(e, names) from None
+    if found := _entry(names[-1], s): return found
+    raise _not_found(names)
+
+# %% ../../nbs/api/utils/02_files.ipynb #c25f0599
+_verbs = dict(unlink=os.unlink, mkdir=partial(os.mkdir, mode=0o755), rmdir=os.rmdir)
+
+@patch
+def change(self:_Jail, what:str, names:tuple):
+    "Change a file or a folder, by 'unlink', 'mkdir' or 'rmdir' of `os`; raises `OSError`"
+    with self.at(names) as (name,folder): _verbs[what](name, dir_fd=folder)
+
+# %% ../../nbs/api/utils/02_files.ipynb #56fad1a0
+@patch
+def rename(self:_Jail, names:tuple, to:tuple):
+    "Give a file or a folder another name, which must be free; raises `OSError`"
+    with self.at(names) as (name,folder), self.at(to) as (new,target):
+        with suppress(FileNotFoundError):
+            os.stat(new, dir_fd=target, follow_symlinks=False)
+            raise _error(errno.EEXIST, to)
+        os.rename(name, new, src_dir_fd=folder, dst_dir_fd=target)
 
 # %% ../../nbs/api/utils/02_files.ipynb #d5deae78
 def read_secret(path:Path)->bytes:

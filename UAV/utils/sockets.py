@@ -14,8 +14,8 @@ from . import clock
 from .threads import _begin_thread, Closes, timers
 
 # %% auto #0
-__all__ = ['log', 'Loop', 'listen_tcp', 'url_host', 'host_in', 'plain_host', 'is_loopback', 'get_web', 'Deadline', 'web_path',
-           'ask_web', 'LoopThread', 'LoopClosed', 'set_within']
+__all__ = ['log', 'Loop', 'listen_tcp', 'get_web', 'Deadline', 'web_path', 'ask_web', 'url_host', 'host_in', 'plain_host',
+           'is_loopback', 'LoopThread', 'LoopClosed', 'set_within']
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #0dce5f49
 log = get_logger('sockets')
@@ -110,59 +110,6 @@ def serve(self:Loop, listener, # From `listen_tcp`
         welcome(sock, address)
     listener.setblocking(False)
     self.call(lambda: self.watch(listener, accept))
-
-# %% ../../nbs/api/utils/01_sockets.ipynb #54eeb0bc
-def url_host(host:str, # An address or a name
-            )->str:
-    "Return a host as a URL needs it: IPv6 in brackets"
-    return f'[{host}]' if ':' in host else host
-
-def host_in(parts, # From `urlsplit`
-           )->str:
-    "Return the host of a split URL, '' if there is none"
-    return re.sub('%25(?=.)', '%', parts.hostname or '')
-
-def plain_host(host:str, # An address, or a name
-              )->str:
-    "Return an address without its IPv6 wrapping and zone; a name as it is"
-    try: address = ipaddress.ip_address(host.partition('%')[0])
-    except ValueError: return host
-    return str(getattr(address, 'ipv4_mapped', None) or address)
-
-def is_loopback(host:str, # An address, or a name
-               )->bool:
-    "True if it always means this computer; other names are not looked up"
-    if host=='localhost' or host.endswith('.localhost'): return True
-    try: return ipaddress.ip_address(plain_host(host)).is_loopback
-    except ValueError: return False
-
-# %% ../../nbs/api/utils/01_sockets.ipynb #0d5e7c92
-class _Guesses:
-    "Slows down who guesses passwords, by address"
-    def __init__(self, free:int=10, # Wrong ones in a row that nothing waits for
-                 pace:float=.5, # s between two looks after that
-                 most:int=1000): # Addresses that are remembered
-        store_attr()
-        self._until = {}            # when all is forgiven, monotonic s
-
-    @staticmethod
-    def _place(host:str)->str:
-        try: address = ipaddress.ip_address(host.partition('%')[0])
-        except ValueError: return host
-        if address.version==4: return host
-        return str(address.ipv4_mapped or ipaddress.ip_network((int(address)>>64<<64, 64)))
-
-    def wait(self, host:str)->float: # s until the next password from there may be looked at
-        "Return how long to wait; 0: not at all"
-        return max(0., self._until.get(self._place(host), 0.)-(self.free-.5)*self.pace-clock.monotonic())
-
-    def wrong(self, host:str):
-        "Note that a password from there was wrong"
-        place,now = self._place(host),clock.monotonic()
-        self._until[place] = max(now, self._until.get(place, 0.))+self.pace
-        if len(self._until)<=self.most: return
-        last = sorted(self._until, key=self._until.get)[-self.most//2:]
-        self._until = {place: self._until[place] for place in last if self._until[place]>now}
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #fcdf5a79
 def get_web(url:str, # http:// or https://
@@ -289,6 +236,31 @@ def _get(deadline:Deadline, url:str, hosts, most:int, take)->bytes:
         url = urljoin(url, to)
     raise OSError('too many redirects')
 
+# %% ../../nbs/api/utils/01_sockets.ipynb #54eeb0bc
+def url_host(host:str, # An address or a name
+            )->str:
+    "Return a host as a URL needs it: IPv6 in brackets"
+    return f'[{host}]' if ':' in host else host
+
+def host_in(parts, # From `urlsplit`
+           )->str:
+    "Return the host of a split URL, '' if there is none"
+    return re.sub('%25(?=.)', '%', parts.hostname or '')
+
+def plain_host(host:str, # An address, or a name
+              )->str:
+    "Return an address without its IPv6 wrapping and zone; a name as it is"
+    try: address = ipaddress.ip_address(host.partition('%')[0])
+    except ValueError: return host
+    return str(getattr(address, 'ipv4_mapped', None) or address)
+
+def is_loopback(host:str, # An address, or a name
+               )->bool:
+    "True if it always means this computer; other names are not looked up"
+    if host=='localhost' or host.endswith('.localhost'): return True
+    try: return ipaddress.ip_address(plain_host(host)).is_loopback
+    except ValueError: return False
+
 # %% ../../nbs/api/utils/01_sockets.ipynb #b66fbad3
 class LoopThread(Closes):
     "An asyncio loop in a thread, until `close`"
@@ -377,3 +349,31 @@ async def set_within(event:asyncio.Event, # Set by others, or by the timer
     timer = asyncio.get_running_loop().call_later(seconds, event.set)
     try: await event.wait()
     finally: timer.cancel()
+
+# %% ../../nbs/api/utils/01_sockets.ipynb #0d5e7c92
+class _Guesses:
+    "Slows down who guesses passwords, by address"
+    def __init__(self, free:int=10, # Wrong ones in a row that nothing waits for
+                 pace:float=.5, # s between two looks after that
+                 most:int=1000): # Addresses that are remembered
+        store_attr()
+        self._until = {}            # when all is forgiven, monotonic s
+
+    @staticmethod
+    def _place(host:str)->str:
+        try: address = ipaddress.ip_address(host.partition('%')[0])
+        except ValueError: return host
+        if address.version==4: return host
+        return str(address.ipv4_mapped or ipaddress.ip_network((int(address)>>64<<64, 64)))
+
+    def wait(self, host:str)->float: # s until the next password from there may be looked at
+        "Return how long to wait; 0: not at all"
+        return max(0., self._until.get(self._place(host), 0.)-(self.free-.5)*self.pace-clock.monotonic())
+
+    def wrong(self, host:str):
+        "Note that a password from there was wrong"
+        place,now = self._place(host),clock.monotonic()
+        self._until[place] = max(now, self._until.get(place, 0.))+self.pace
+        if len(self._until)<=self.most: return
+        last = sorted(self._until, key=self._until.get)[-self.most//2:]
+        self._until = {place: self._until[place] for place in last if self._until[place]>now}

@@ -86,6 +86,51 @@ class Encoder(Closes):
         else: _log.info('%s: pictures again', self.name)
         self._set(fault=fault)
 
+# %% ../../nbs/api/video/01_encoder.ipynb #6533fdfb
+@patch
+def key_frame(self:Encoder):
+    "Make the next picture a key frame"
+    with self._changed: self._key_wanted = True
+
+# %% ../../nbs/api/video/01_encoder.ipynb #20bf4d2d
+@patch
+def add(self:Encoder, sink): # With `put(unit)`, which is called on our thread and must return at once
+    "Give it all units from the next key frame on; raises `RuntimeError` when closed"
+    with self._changed:
+        if self._closed: raise RuntimeError(f'the encoder {self.name} is closed')
+        if sink in self._sinks: return
+        self._sinks[sink],self._key_wanted,sink.source = False,True,self
+        if self._thread is None: self._thread = _begin_thread(self._run, f'encoder {self.name}')
+
+# %% ../../nbs/api/video/01_encoder.ipynb #ab874709
+@patch
+def remove(self:Encoder,
+    sink, # One of `sinks`; others are ignored
+    wait:bool=True, # Until its last unit is delivered, and until the thread has ended when it was the last sink?
+):
+    "Give it nothing any more"
+    with self._changed:
+        if self._sinks.pop(sink, None) is None: return
+        sink.source,thread = None,self._thread
+        self._changed.notify_all()
+    if wait: self._settle(thread)
+
+# %% ../../nbs/api/video/01_encoder.ipynb #6d0ab033
+@patch
+def _settle(self:Encoder, thread):
+    "Wait until no unit is under way to a sink that has gone, and until a thread without sinks has ended"
+    if thread in (None,clock.current_thread()): return
+    if self._delivering.acquire(timeout=self.patience): self._delivering.release()
+    if not self._sinks: thread.join(self.patience)
+
+# %% ../../nbs/api/video/01_encoder.ipynb #b62ff7b8
+@patch
+def close(self:Encoder):
+    "Let all sinks go, and end the thread; may be called twice"
+    with self._changed: self._closed,thread = True,self._thread
+    for sink in self.sinks: self.remove(sink, wait=False)
+    self._settle(thread)
+
 # %% ../../nbs/api/video/01_encoder.ipynb #1ab769dc
 class _Pace:
     "At most so many pictures a second on average, and none of them delayed"
@@ -217,51 +262,6 @@ def _run(self:Encoder):
             self._number = -1               # a source that comes back may count anew
             self._rest(self.pause)
         finally: self._codec = None
-
-# %% ../../nbs/api/video/01_encoder.ipynb #6533fdfb
-@patch
-def key_frame(self:Encoder):
-    "Make the next picture a key frame"
-    with self._changed: self._key_wanted = True
-
-# %% ../../nbs/api/video/01_encoder.ipynb #20bf4d2d
-@patch
-def add(self:Encoder, sink): # With `put(unit)`, which is called on our thread and must return at once
-    "Give it all units from the next key frame on; raises `RuntimeError` when closed"
-    with self._changed:
-        if self._closed: raise RuntimeError(f'the encoder {self.name} is closed')
-        if sink in self._sinks: return
-        self._sinks[sink],self._key_wanted,sink.source = False,True,self
-        if self._thread is None: self._thread = _begin_thread(self._run, f'encoder {self.name}')
-
-# %% ../../nbs/api/video/01_encoder.ipynb #ab874709
-@patch
-def remove(self:Encoder,
-    sink, # One of `sinks`; others are ignored
-    wait:bool=True, # Until its last unit is delivered, and until the thread has ended when it was the last sink?
-):
-    "Give it nothing any more"
-    with self._changed:
-        if self._sinks.pop(sink, None) is None: return
-        sink.source,thread = None,self._thread
-        self._changed.notify_all()
-    if wait: self._settle(thread)
-
-# %% ../../nbs/api/video/01_encoder.ipynb #6d0ab033
-@patch
-def _settle(self:Encoder, thread):
-    "Wait until no unit is under way to a sink that has gone, and until a thread without sinks has ended"
-    if thread in (None,clock.current_thread()): return
-    if self._delivering.acquire(timeout=self.patience): self._delivering.release()
-    if not self._sinks: thread.join(self.patience)
-
-# %% ../../nbs/api/video/01_encoder.ipynb #b62ff7b8
-@patch
-def close(self:Encoder):
-    "Let all sinks go, and end the thread; may be called twice"
-    with self._changed: self._closed,thread = True,self._thread
-    for sink in self.sinks: self.remove(sink, wait=False)
-    self._settle(thread)
 
 # %% ../../nbs/api/video/01_encoder.ipynb #3e3a3752
 class _Glance:

@@ -20,7 +20,7 @@ from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPR
 from .rtsp import _authorization, _challenges, _head_lines, _Interleaved, _RequestReader, _Response, RTSPError
 
 # %% auto #0
-__all__ = ['transports', 'receivers', 'Player', 'Decoded', 'RTSPReceiver', 'PlayerError', 'strip']
+__all__ = ['transports', 'receivers', 'Player', 'Decoded', 'PlayerError', 'strip', 'RTSPReceiver']
 
 # %% ../../nbs/api/video/08_player.ipynb #b6158c85
 class Player(Closes):
@@ -79,8 +79,30 @@ def _close_players():
     "Close every player that is still open"
     for player in _players: player.close()
 
-# %% ../../nbs/api/video/08_player.ipynb #26d78d0d
-def _url_name(url)->str: return re.sub(r'(?<=://)[^/]+@', '', str(url))      # for people: without user and password
+# %% ../../nbs/api/video/08_player.ipynb #6f1a0323
+@patch
+def read(self:Player, timeout:float|None=None, # s to wait for it; `None` waits until there is one
+        )->Decoded|None:
+    "Return the next picture; `None` when none comes in time, the file is at its end, or the player is closed"
+    return self._pictures.take(timeout)
+
+# %% ../../nbs/api/video/08_player.ipynb #c1f4b713
+@patch
+def next(self:Player, after:int=-1, # The number of the last picture seen
+         timeout:float|None=None, # s to wait; `None` waits until there is one
+        )->Decoded|None:
+    "Return the newest picture later than `after`, as a source gives it; `None` as for `read`"
+    return self._pictures.next(after, timeout)
+
+# %% ../../nbs/api/video/08_player.ipynb #2c9bb91d
+@patch
+def __aiter__(self:Player): "Each new frame, for an `async for`"; return self
+
+@patch
+async def __anext__(self:Player):
+    frame = await self._pictures.take_async()
+    if frame is None: raise StopAsyncIteration
+    return frame
 
 # %% ../../nbs/api/video/08_player.ipynb #aec379e9
 @patch
@@ -106,6 +128,9 @@ def _lose(self:Player, error)->bool:
     self._note(fault, None if isinstance(error, OSError) else error)
     return isinstance(error, TimeoutError) and not self._source.connects
 
+# %% ../../nbs/api/video/08_player.ipynb #26d78d0d
+def _url_name(url)->str: return re.sub(r'(?<=://)[^/]+@', '', str(url))      # for people: without user and password
+
 # %% ../../nbs/api/video/08_player.ipynb #03ee16cb
 @patch
 def _run(self:Player):
@@ -123,31 +148,6 @@ def _run(self:Player):
         if not listens and self._closing.wait(retry): break
         retry = min(2*retry, self.last_retry)
     self._source.close()
-
-# %% ../../nbs/api/video/08_player.ipynb #6f1a0323
-@patch
-def read(self:Player, timeout:float|None=None, # s to wait for it; `None` waits until there is one
-        )->Decoded|None:
-    "Return the next picture; `None` when none comes in time, the file is at its end, or the player is closed"
-    return self._pictures.take(timeout)
-
-# %% ../../nbs/api/video/08_player.ipynb #c1f4b713
-@patch
-def next(self:Player, after:int=-1, # The number of the last picture seen
-         timeout:float|None=None, # s to wait; `None` waits until there is one
-        )->Decoded|None:
-    "Return the newest picture later than `after`, as a source gives it; `None` as for `read`"
-    return self._pictures.next(after, timeout)
-
-# %% ../../nbs/api/video/08_player.ipynb #2c9bb91d
-@patch
-def __aiter__(self:Player): "Each new frame, for an `async for`"; return self
-
-@patch
-async def __anext__(self:Player):
-    frame = await self._pictures.take_async()
-    if frame is None: raise StopAsyncIteration
-    return frame
 
 # %% ../../nbs/api/video/08_player.ipynb #cbbf7d17
 class Decoded:
@@ -206,6 +206,114 @@ class _Decoding:
         self._inside.pop(self._number-self.most, None)
         pictures = _decode(self._decoder, unit.data, self._number)
         return [(picture, *self._inside.pop(picture.pts, times)) for picture in pictures]
+
+# %% ../../nbs/api/video/08_player.ipynb #c62616e2
+def _open_pictures(url, timeout:float=5., paced:bool=True, transport:str|None=None):
+    "Open the source of `url`, as in the table of URLs; raises `ValueError` or `PlayerError`"
+    scheme,(url,named) = _scheme(url),_in_our_schemes(url)
+    path = re.sub('^file://', '', os.fspath(url))
+    if scheme=='file': return _FilePictures(path, paced)
+    if scheme=='rtsp': return _LivePictures(RTSPReceiver(url, timeout, transport or named))
+    if scheme!='sdp': return _LivePictures(receivers[scheme](url, timeout))
+    if not os.path.isfile(path): raise PlayerError(f'there is no file {path!r}')
+    return _LivePictures(RTPReceiver(path, timeout))
+
+# %% ../../nbs/api/video/08_player.ipynb #fa0de566
+class PlayerError(OSError): "There is no such video"
+
+# %% ../../nbs/api/video/08_player.ipynb #df7e9f83
+_theirs = dict(rtspt='rtsp', rtspu='rtsp', mpegts='udp', udp264='rtp', udp265='rtp')     # schemes of GStreamer and QGC
+
+def _in_our_schemes(url)->tuple:
+    "`(url, transport)` in our schemes, in small letters; `transport` is `None` unless an RTSP scheme names it"
+    if '://' not in str(url): return url,None
+    scheme,_,rest = str(url).partition('://')
+    scheme = scheme.lower()
+    if scheme in ('udp264','udp265'): rest += ('&' if '?' in rest else '?')+f'codec=h{scheme[3:]}'
+    return f'{_theirs.get(scheme, scheme)}://{rest}',dict(rtspt='tcp', rtspu='udp').get(scheme)
+
+def _scheme(url)->str:
+    "'rtsp', 'udp' …, 'sdp' or 'file'; raises `ValueError` for one that we do not know"
+    url,_ = _in_our_schemes(url)
+    scheme = str(url).partition('://')[0] if '://' in str(url) else 'file'
+    if scheme=='file': return 'sdp' if str(url).lower().endswith('.sdp') else 'file'
+    if scheme not in receivers: raise ValueError(f'{_url_name(url)}: a player knows {", ".join(receivers)} and files')
+    if scheme!='rtsp' and urlsplit(url).port is None: raise ValueError(f'{_url_name(url)} has no port')
+    return scheme
+
+# %% ../../nbs/api/video/08_player.ipynb #b889899a
+class _LivePictures(GetAttr):
+    "The pictures of a receiver"
+    _default = 'receiver'
+    def __init__(self, receiver):
+        self.receiver,self.sinks = receiver,[]      # `sinks` get the access units as they came
+
+    def pictures(self):
+        "`(av.VideoFrame, time, time_utc)` of each; raises `OSError`"
+        vain,patience = None,self.receiver.patience         # since when no unit can be decoded, monotonic s
+        with closing(self.receiver.units()) as units:
+            decoding = _Decoding()
+            for unit in units:
+                for sink in list(self.sinks): sink.put(unit)
+                pictures = decoding(unit)
+                for picture,time,utc in pictures: yield picture,min(time, clock.monotonic()),utc
+                if pictures: vain = None
+                elif vain is None: vain = clock.monotonic()
+                elif clock.monotonic()-vain>patience:
+                    vain = float('inf')
+                    self.receiver.on_fault(f'no picture can be decoded for {patience:g} s')
+
+# %% ../../nbs/api/video/08_player.ipynb #30aaeb4c
+class _FilePictures:
+    "The pictures of a file"
+    receiver,connects,port,lost = None,False,None,0
+    def __init__(self, path:str, paced:bool):
+        self._paced,self._began,self._stopped = paced,None,clock.Event()
+        if not os.path.isfile(path): raise PlayerError(f'there is no file {path!r}')
+        try: self._container = av.open(path)
+        except av.FFmpegError as e: raise PlayerError(f'{path!r} is no video: {e.strerror}') from None
+        if self._container.streams.video: return
+        self._container.close()
+        raise PlayerError(f'{path!r} has no pictures')
+
+    def stop(self):
+        "End `pictures`, from any thread"
+        self._stopped.set()
+
+    def close(self):
+        "Give the file back; not while another thread reads"
+        self._container.close()
+
+    def pictures(self):
+        "`(av.VideoFrame, time, time_utc)` of each; raises `_Stopped`"
+        began,began_utc = self._began = self._began or (clock.monotonic(),clock.time())
+        for picture in self._container.decode(video=0):
+            due = picture.time or 0
+            if self._stopped.wait(max(0, began+due-clock.monotonic()) if self._paced else 0): raise _Stopped
+            yield picture,began+due,began_utc+due
+
+# %% ../../nbs/api/video/08_player.ipynb #29b1fd7b
+def strip(player, # `Player`
+          count:int=6, # Pictures
+          every:float=.5, # s between them
+          width:int=160, # Of each, pixels
+          columns:int=6, # In a row
+          patience:float=5., # s to wait for the first picture
+         )->Thumbnail:
+    "Return the next seconds of a stream as a row of small pictures with times; raises `PlayerError` if none comes"
+    frame = player.read(patience)
+    if frame is None: raise PlayerError(f'no picture from {player}')
+    began,images = frame.time,[frame.image]
+    for n in range(1, count): images.append(_picture_at(player, began+n*every, every, images[0]))
+    labels = [f'{n*every:g} s' for n in range(count)]
+    return Thumbnail(contact_sheet(images, columns=columns, width=width, labels=labels), width=columns*(width+4)+4)
+
+# %% ../../nbs/api/video/08_player.ipynb #ec973838
+def _picture_at(player, due, patience, like):
+    "Return the first picture from `due` on; grey when none comes"
+    while (frame := player.read(max(0, due+patience-clock.monotonic()) if player.newest else None)) is not None:
+        if frame.time>=due-1e-3: return frame.image
+    return np.full_like(like, 128)
 
 # %% ../../nbs/api/video/08_player.ipynb #473100ff
 @dataclass
@@ -382,8 +490,10 @@ def _setup(self:RTSPReceiver, url):
 def _agreed(self:RTSPReceiver, headers):
     "Remember what the server agreed to in its answer to SETUP"
     self._session,after = (part.strip() for part in headers.get('session', '').partition(';')[::2])
-    self._alive,way = max(1, int(_find(r'timeout *= *(\d{1,6})', after, 60))/2),headers.get('transport', '')
-    self._channel,port = int(_find(r'interleaved=(\d{1,3})', way, 0)),int(_find(r'server_port=(\d{1,5})', way, 0))
+    self._alive = max(1, int(_find(r'timeout *= *(\d{1,6})', after, 60))/2)         # s; half the session's
+    way = headers.get('transport', '')
+    self._channel = int(_find(r'interleaved=(\d{1,3})', way, 0))
+    port = int(_find(r'server_port=(\d{1,5})', way, 0))
     if not (self._udp and port): return
     host,port = self._sock.getpeername()[0],min(port, 65534)
     for n,sock in enumerate(self._udp):         # so that a firewall lets those of the server in
@@ -446,8 +556,9 @@ def _play(self:RTSPReceiver, url):
         if clock.monotonic()>=self._ping_at:
             if self._waits: self._ping = 'OPTIONS'
             self._send(self._ping, url, {})
-            self._waits,after = self._ping!='OPTIONS',self._alive
-            self._ping_at = clock.monotonic()+(min(after, self.timeout) if self._waits else after)
+            self._waits = self._ping!='OPTIONS'         # every server answers OPTIONS: nothing to find out
+            pause = min(self._alive, self.timeout) if self._waits else self._alive
+            self._ping_at = clock.monotonic()+pause
         self._listen_until(min(silent_at, self._ping_at), silent_at)
 
 # %% ../../nbs/api/video/08_player.ipynb #cb011e52
@@ -475,112 +586,5 @@ def _watch(self:RTSPReceiver):
             for sock in self._udp or (): sock.close()
             with suppress(OSError): self._session and self._send('TEARDOWN', session_url, {})
 
-# %% ../../nbs/api/video/08_player.ipynb #fa0de566
-class PlayerError(OSError): "There is no such video"
-
+# %% ../../nbs/api/video/08_player.ipynb #356d2c60
 receivers = dict(rtsp=RTSPReceiver, udp=TSReceiver, tcp=TSReceiver, rtp=RTPReceiver)
-
-# %% ../../nbs/api/video/08_player.ipynb #df7e9f83
-_theirs = dict(rtspt='rtsp', rtspu='rtsp', mpegts='udp', udp264='rtp', udp265='rtp')     # schemes of GStreamer and QGC
-
-def _in_our_schemes(url)->tuple:
-    "`(url, transport)` in our schemes, in small letters; `transport` is `None` unless an RTSP scheme names it"
-    if '://' not in str(url): return url,None
-    scheme,_,rest = str(url).partition('://')
-    scheme = scheme.lower()
-    if scheme in ('udp264','udp265'): rest += ('&' if '?' in rest else '?')+f'codec=h{scheme[3:]}'
-    return f'{_theirs.get(scheme, scheme)}://{rest}',dict(rtspt='tcp', rtspu='udp').get(scheme)
-
-def _scheme(url)->str:
-    "'rtsp', 'udp' …, 'sdp' or 'file'; raises `ValueError` for one that we do not know"
-    url,_ = _in_our_schemes(url)
-    scheme = str(url).partition('://')[0] if '://' in str(url) else 'file'
-    if scheme=='file': return 'sdp' if str(url).lower().endswith('.sdp') else 'file'
-    if scheme not in receivers: raise ValueError(f'{_url_name(url)}: a player knows {", ".join(receivers)} and files')
-    if scheme!='rtsp' and urlsplit(url).port is None: raise ValueError(f'{_url_name(url)} has no port')
-    return scheme
-
-# %% ../../nbs/api/video/08_player.ipynb #b889899a
-class _LivePictures(GetAttr):
-    "The pictures of a receiver"
-    _default = 'receiver'
-    def __init__(self, receiver):
-        self.receiver,self.sinks = receiver,[]      # `sinks` get the access units as they came
-
-    def pictures(self):
-        "`(av.VideoFrame, time, time_utc)` of each; raises `OSError`"
-        vain,patience = None,self.receiver.patience         # since when no unit can be decoded, monotonic s
-        with closing(self.receiver.units()) as units:
-            decoding = _Decoding()
-            for unit in units:
-                for sink in list(self.sinks): sink.put(unit)
-                pictures = decoding(unit)
-                for picture,time,utc in pictures: yield picture,min(time, clock.monotonic()),utc
-                if pictures: vain = None
-                elif vain is None: vain = clock.monotonic()
-                elif clock.monotonic()-vain>patience:
-                    vain = float('inf')
-                    self.receiver.on_fault(f'no picture can be decoded for {patience:g} s')
-
-# %% ../../nbs/api/video/08_player.ipynb #30aaeb4c
-class _FilePictures:
-    "The pictures of a file"
-    receiver,connects,port,lost = None,False,None,0
-    def __init__(self, path:str, paced:bool):
-        self._paced,self._began,self._stopped = paced,None,clock.Event()
-        if not os.path.isfile(path): raise PlayerError(f'there is no file {path!r}')
-        try: self._container = av.open(path)
-        except av.FFmpegError as e: raise PlayerError(f'{path!r} is no video: {e.strerror}') from None
-        if self._container.streams.video: return
-        self._container.close()
-        raise PlayerError(f'{path!r} has no pictures')
-
-    def stop(self):
-        "End `pictures`, from any thread"
-        self._stopped.set()
-
-    def close(self):
-        "Give the file back; not while another thread reads"
-        self._container.close()
-
-    def pictures(self):
-        "`(av.VideoFrame, time, time_utc)` of each; raises `_Stopped`"
-        began,began_utc = self._began = self._began or (clock.monotonic(),clock.time())
-        for picture in self._container.decode(video=0):
-            due = picture.time or 0
-            if self._stopped.wait(max(0, began+due-clock.monotonic()) if self._paced else 0): raise _Stopped
-            yield picture,began+due,began_utc+due
-
-# %% ../../nbs/api/video/08_player.ipynb #c62616e2
-def _open_pictures(url, timeout:float=5., paced:bool=True, transport:str|None=None):
-    "Open the source of `url`, as in the table above; raises `ValueError` or `PlayerError`"
-    scheme,(url,named) = _scheme(url),_in_our_schemes(url)
-    path = re.sub('^file://', '', os.fspath(url))
-    if scheme=='file': return _FilePictures(path, paced)
-    if scheme=='rtsp': return _LivePictures(RTSPReceiver(url, timeout, transport or named))
-    if scheme!='sdp': return _LivePictures(receivers[scheme](url, timeout))
-    if not os.path.isfile(path): raise PlayerError(f'there is no file {path!r}')
-    return _LivePictures(RTPReceiver(path, timeout))
-
-# %% ../../nbs/api/video/08_player.ipynb #29b1fd7b
-def strip(player, # `Player`
-          count:int=6, # Pictures
-          every:float=.5, # s between them
-          width:int=160, # Of each, pixels
-          columns:int=6, # In a row
-          patience:float=5., # s to wait for the first picture
-         )->Thumbnail:
-    "Return the next seconds of a stream as a row of small pictures with times; raises `PlayerError` if none comes"
-    frame = player.read(patience)
-    if frame is None: raise PlayerError(f'no picture from {player}')
-    began,images = frame.time,[frame.image]
-    for n in range(1, count): images.append(_picture_at(player, began+n*every, every, images[0]))
-    labels = [f'{n*every:g} s' for n in range(count)]
-    return Thumbnail(contact_sheet(images, columns=columns, width=width, labels=labels), width=columns*(width+4)+4)
-
-# %% ../../nbs/api/video/08_player.ipynb #ec973838
-def _picture_at(player, due, patience, like):
-    "Return the first picture from `due` on; grey when none comes"
-    while (frame := player.read(max(0, due+patience-clock.monotonic()) if player.newest else None)) is not None:
-        if frame.time>=due-1e-3: return frame.image
-    return np.full_like(like, 128)

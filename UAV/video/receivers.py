@@ -259,7 +259,10 @@ class _SenderTimes:
     jump,off,gain = 10.,5.,1/128        # s that no stamp steps; s that none is off by; share of a difference to make up
     def __init__(self, bits:int=32):
         self._half = 1<<bits-1
-        self._stamp,self._time,self._came,self._same,self._trusted = None,0.,0.,0,True
+        self._stamp,self._time = None,0.        # of the picture before: its stamp, and when it is to be shown
+        self._came = 0.                         # when it came, monotonic s
+        self._same = 0                          # pictures in a row with one stamp
+        self._trusted = True                    # is the sender's clock believed?
 
     def __call__(self, stamp:int, now:float)->float:
         "Return when to show a picture with this stamp that has come `now`, monotonic s"

@@ -56,87 +56,6 @@ class RTSPServer(Closes):
         idle = [c for c in connections if c.session.state!='playing' and not (c.held and c.host==host)]
         if idle: min(idle, key=lambda c: c.session.state!='init').close()
 
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #7ea8425f
-class _Videos(dict):
-    "Encoders by path; `videos[path]` is the format of one, as soon as that is known"
-    patience = 5.       # s
-    def __getitem__(self, path:str):
-        "Return its `VideoFormat`; raises `RTSPError` (503) when that is not known in time"
-        encoder,format = self.get(path),None
-        try: format = encoder and encoder.wait_format(self.patience)
-        except Exception as e: log.warning('rtsp %s: %s', path, e)
-        if not format: raise RTSPError(503)
-        return format
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #c6f33185
-@patch
-def _crowd(self:RTSPServer, host:str)->list:
-    "Return the connections that are too many for one more from `host`: its own, or all; empty if there is a place"
-    every = list(self.connections.values())
-    same = [c for c in every if c.host==host]
-    if len(same)>=self.each: return same
-    return every if len(every)>=self.most else []
-
-@patch
-def _admit(self:RTSPServer, sock, address:tuple):
-    "Open a connection for a newcomer, if there is a place"
-    host = plain_host(address[0])
-    for connection in self._crowd(host): connection.ready(0)            # has it hung up?
-    self._make_room(self._crowd(host), host)
-    if self._crowd(host): return self._turn_away(sock)
-    try: _tune(sock)
-    except OSError: return sock.close()                         # it has gone already
-    self.connections[sock] = _Connection(self, sock, address)
-    self.connections[sock].watch()
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #c087461e
-@patch
-def _turn_away(self:RTSPServer, sock):
-    "Answer 503: all places are taken"
-    with sock:
-        try: sock.send(bytes(_Response(503)))
-        except OSError as e: log.debug('rtsp server %d: %s', self.port, e)
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #9f14118c
-@patch
-def _drop_lost(self:RTSPServer):
-    "End what gives no sign of life, or has no encoder any more; send the answers that waited long enough"
-    for connection in sorted(self.connections.values(), key=lambda c: c.held or 0.):
-        connection.send_late(clock.monotonic())
-        if connection.held: connection._go_on()
-        session,viewer = connection.session,connection.viewer
-        if viewer: session.last_seen = max(session.last_seen, viewer.taken)
-        if session.overdue(clock.monotonic()): connection.close()
-        else: connection._check_viewer()
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #e662357e
-@patch
-def _read_report(self:RTSPServer, events:int):
-    "Read a player's report over UDP, a sign of life"
-    try: data,address = self.udp[1].recvfrom(2048)
-    except OSError: return
-    for connection in self.connections.values():
-        viewer = connection.viewer
-        if isinstance(viewer, _UDPViewer) and viewer.addresses[1]==address and _is_report(data):
-            connection.session.last_seen = clock.monotonic()
-
-# %% ../../nbs/api/video/05_rtsp_server.ipynb #110b6971
-@patch
-def close(self:RTSPServer):
-    "End all, and leave nothing behind; may be called twice"
-    viewers = []
-    def end():
-        for connection in list(self.connections.values()):
-            if connection.viewer: viewers.append(connection.viewer)
-            connection.close()
-        for sock in (self.listener,*self.udp):
-            self.loop.forget(sock)
-            sock.close()
-    self.loop.ask(end)
-    self.loop.close()
-    for viewer in viewers: viewer.close()
-    for helper in list(self.helpers): helper.join(_Videos.patience)
-
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #0a339aff
 @patch
 def add(self:RTSPServer, path:str, # Behind `rtsp://host:port/`
@@ -206,6 +125,87 @@ def wake(self:RTSPServer, path:str):
     start = self.resting.get(path)
     try: start and start()
     except Exception as e: log.warning('rtsp %s: %s', path, e)      # and it is not there: 404
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #110b6971
+@patch
+def close(self:RTSPServer):
+    "End all, and leave nothing behind; may be called twice"
+    viewers = []
+    def end():
+        for connection in list(self.connections.values()):
+            if connection.viewer: viewers.append(connection.viewer)
+            connection.close()
+        for sock in (self.listener,*self.udp):
+            self.loop.forget(sock)
+            sock.close()
+    self.loop.ask(end)
+    self.loop.close()
+    for viewer in viewers: viewer.close()
+    for helper in list(self.helpers): helper.join(_Videos.patience)
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #7ea8425f
+class _Videos(dict):
+    "Encoders by path; `videos[path]` is the format of one, as soon as that is known"
+    patience = 5.       # s
+    def __getitem__(self, path:str):
+        "Return its `VideoFormat`; raises `RTSPError` (503) when that is not known in time"
+        encoder,format = self.get(path),None
+        try: format = encoder and encoder.wait_format(self.patience)
+        except Exception as e: log.warning('rtsp %s: %s', path, e)
+        if not format: raise RTSPError(503)
+        return format
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #c6f33185
+@patch
+def _crowd(self:RTSPServer, host:str)->list:
+    "Return the connections that are too many for one more from `host`: its own, or all; empty if there is a place"
+    every = list(self.connections.values())
+    same = [c for c in every if c.host==host]
+    if len(same)>=self.each: return same
+    return every if len(every)>=self.most else []
+
+@patch
+def _admit(self:RTSPServer, sock, address:tuple):
+    "Open a connection for a newcomer, if there is a place"
+    host = plain_host(address[0])
+    for connection in self._crowd(host): connection.ready(0)            # has it hung up?
+    self._make_room(self._crowd(host), host)
+    if self._crowd(host): return self._turn_away(sock)
+    try: _tune(sock)
+    except OSError: return sock.close()                         # it has gone already
+    self.connections[sock] = _Connection(self, sock, address)
+    self.connections[sock].watch()
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #c087461e
+@patch
+def _turn_away(self:RTSPServer, sock):
+    "Answer 503: all places are taken"
+    with sock:
+        try: sock.send(bytes(_Response(503)))
+        except OSError as e: log.debug('rtsp server %d: %s', self.port, e)
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #9f14118c
+@patch
+def _drop_lost(self:RTSPServer):
+    "End what gives no sign of life, or has no encoder any more; send the answers that waited long enough"
+    for connection in sorted(self.connections.values(), key=lambda c: c.held or 0.):
+        connection.send_late(clock.monotonic())
+        if connection.held: connection._go_on()
+        session,viewer = connection.session,connection.viewer
+        if viewer: session.last_seen = max(session.last_seen, viewer.taken)
+        if session.overdue(clock.monotonic()): connection.close()
+        else: connection._check_viewer()
+
+# %% ../../nbs/api/video/05_rtsp_server.ipynb #e662357e
+@patch
+def _read_report(self:RTSPServer, events:int):
+    "Read a player's report over UDP, a sign of life"
+    try: data,address = self.udp[1].recvfrom(2048)
+    except OSError: return
+    for connection in self.connections.values():
+        viewer = connection.viewer
+        if isinstance(viewer, _UDPViewer) and viewer.addresses[1]==address and _is_report(data):
+            connection.session.last_seen = clock.monotonic()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #950acff7
 class _Viewer(Sink):
