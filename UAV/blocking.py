@@ -19,6 +19,56 @@ from .utils.values import UAVError
 # %% auto #0
 __all__ = ['MAVCom', 'capture_together', 'ask_all', 'Blocking', 'BlockingMAVCom']
 
+# %% ../nbs/api/02_blocking.ipynb #c00b3d7d
+class Blocking:
+    "A handle whose methods wait for their results"
+    def __init__(self, target, # The async handle
+                 loop:LoopThread): # Runs its coroutines
+        vars(self).update(_target=target, _loop=loop)
+
+    def __getattr__(self, name):
+        if '_target' not in vars(self): raise AttributeError(name)      # a copy that is being made
+        try: return _wrapped(getattr(self._target, name), self._loop)
+        except UAVError as e: raise _short(e)
+
+    def __setattr__(self, name, value): setattr(self._target, name, _bare(value))
+    def __dir__(self): return dir(self._target)
+    def __repr__(self): return repr(self._target)
+    def __eq__(self, other): return self._target==_bare(other)
+    def __hash__(self): return hash(self._target)
+    def __bool__(self): return bool(self._target)
+
+# %% ../nbs/api/02_blocking.ipynb #3ae2a4e8
+class BlockingMAVCom(Blocking):
+    "A `UAV.MAVCom` for programs without `async`"
+    @wraps(UAV.MAVCom.__init__)
+    def __init__(self, *args, **kwargs):
+        try: target = UAV.MAVCom(*map(_bare, args), **kwargs)
+        except UAVError as e: raise _short(e)
+        super().__init__(target, LoopThread('blocking'))
+        _open.add(self)
+
+    def close(self):
+        "Close the links and end the thread; safe to call twice"
+        try: self._loop.close()                     # first, so what still runs can clean up over the link
+        finally: self._target.close()
+        _open.discard(self)
+
+    def __enter__(self): return self
+    def __exit__(self, *error): self.close()
+
+# %% ../nbs/api/02_blocking.ipynb #6a301359
+_all_ = ["MAVCom"]
+MAVCom = BlockingMAVCom      # the name that programs import
+
+# %% ../nbs/api/02_blocking.ipynb #49884f67
+_open = Opened()
+
+@atexit.register
+def _close_all():
+    "Close all at exit, so that open generators don't wait for a stopped thread"
+    for com in _open: com.close()
+
 # %% ../nbs/api/02_blocking.ipynb #6adb2304
 _in_a_loop = ("an event loop runs in this thread, and waiting would stop it: write `from UAV import MAVCom` and "
               "`await`, or call this in a thread of its own, with `asyncio.to_thread`")
@@ -104,25 +154,6 @@ def _call(f, loop:LoopThread):
         except UAVError as e: raise _short(e)
     return call
 
-# %% ../nbs/api/02_blocking.ipynb #c00b3d7d
-class Blocking:
-    "A handle whose methods wait for their results"
-    def __init__(self, target, # The async handle
-                 loop:LoopThread): # Runs its coroutines
-        vars(self).update(_target=target, _loop=loop)
-
-    def __getattr__(self, name):
-        if '_target' not in vars(self): raise AttributeError(name)      # a copy that is being made
-        try: return _wrapped(getattr(self._target, name), self._loop)
-        except UAVError as e: raise _short(e)
-
-    def __setattr__(self, name, value): setattr(self._target, name, _bare(value))
-    def __dir__(self): return dir(self._target)
-    def __repr__(self): return repr(self._target)
-    def __eq__(self, other): return self._target==_bare(other)
-    def __hash__(self): return hash(self._target)
-    def __bool__(self): return bool(self._target)
-
 # %% ../nbs/api/02_blocking.ipynb #f9558874
 def _forward(name:str):
     "Return a method that calls the handle's special method `name`"
@@ -166,37 +197,6 @@ def _kind(kind:type)->type:
     if '__aiter__' in has: body['__iter__'] = _iterate
     if '__aenter__' in has and '__enter__' not in has: body.update(__enter__=_enter, __exit__=_exit)
     return type(kind.__name__, (Blocking,), dict(body, __doc__=kind.__doc__))
-
-# %% ../nbs/api/02_blocking.ipynb #3ae2a4e8
-class BlockingMAVCom(Blocking):
-    "A `UAV.MAVCom` for programs without `async`"
-    @wraps(UAV.MAVCom.__init__)
-    def __init__(self, *args, **kwargs):
-        try: target = UAV.MAVCom(*map(_bare, args), **kwargs)
-        except UAVError as e: raise _short(e)
-        super().__init__(target, LoopThread('blocking'))
-        _open.add(self)
-
-    def close(self):
-        "Close the links and end the thread; safe to call twice"
-        try: self._loop.close()                     # first, so what still runs can clean up over the link
-        finally: self._target.close()
-        _open.discard(self)
-
-    def __enter__(self): return self
-    def __exit__(self, *error): self.close()
-
-# %% ../nbs/api/02_blocking.ipynb #6a301359
-_all_ = ["MAVCom"]
-MAVCom = BlockingMAVCom      # the name that programs import
-
-# %% ../nbs/api/02_blocking.ipynb #49884f67
-_open = Opened()
-
-@atexit.register
-def _close_all():
-    "Close all at exit, so that open generators don't wait for a stopped thread"
-    for com in _open: com.close()
 
 # %% ../nbs/api/02_blocking.ipynb #a84ab4e6
 def _together(name:str):

@@ -19,7 +19,7 @@ from ..utils import clock
 from ..utils.threads import Closes, Opened
 
 # %% auto #0
-__all__ = ['MiB', 'storage_kinds', 'lost_line', 'Storage', 'lock_file', 'write_file']
+__all__ = ['MiB', 'storage_kinds', 'lost_line', 'Storage', 'write_file', 'lock_file']
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #3823c991
 MiB = 2**20
@@ -28,7 +28,7 @@ _all_ = ['MiB']
 # %% ../../nbs/api/cameras/02_storage.ipynb #b35fcb98
 class Storage(Closes):
     "The pictures of one camera, in a folder that outlives crashes; raises `StorageInUse` when it is another storage's"
-    settled = 2.5       # s that a folder was left alone, until its time of change tells of the next change
+    settled = 2.5       # s a folder must be left alone before its modification time is trusted
     def __init__(self,
                  folder:str|Path|None=None, # Where pictures go; `None` is a temporary folder that `close` removes
                  quota:float|None=None, # MiB the pictures may fill; `None` is the whole disk
@@ -39,11 +39,14 @@ class Storage(Closes):
                  format_time:float=0.): # s that a format takes, as on a slow card
         if quota is not None and not quota >= 0: raise ValueError(f'quota must be 0 MiB or more, not {quota}')
         store_attr('quota,reserve,storage_id,name,format_time')
-        self.kind,self.formatting = one_of('kind', kind, storage_kinds),False
+        self.kind = one_of('kind', kind, storage_kinds)
+        self.formatting = False
         self.folder = Path(folder or tempfile.mkdtemp(prefix='uav_'))
         self.folder.mkdir(parents=True, exist_ok=True)
-        self.log_file,self._format_log = self.folder/'pictures.jsonl',self.folder/'formatting.jsonl'
-        self._lock,self._log = clock.RLock(),get_logger('storage')
+        self.log_file = self.folder/'pictures.jsonl'
+        self._format_log = self.folder/'formatting.jsonl'       # the log, while its pictures are being deleted
+        self._lock = clock.RLock()
+        self._log = get_logger('storage')
         self._folder_lock = _FolderLock(self.folder)
         self._release = weakref.finalize(self, _let_go, self._folder_lock, None if folder else self.folder)
         self._release.atexit = False        # at exit the camera closes its storage, after its last picture
@@ -55,7 +58,7 @@ class Storage(Closes):
     def _warn(self, what, error): self._log.warning('%s: %s', what, getattr(error, 'strerror', None) or error)
 
     def close(self):
-        "Let others have the folder, and remove it if it was a temporary one; what is known of the pictures stays"
+        "Let others have the folder, and remove it if it was a temporary one; the list of pictures stays"
         self._release()
         _storages.discard(self)
 
@@ -67,48 +70,357 @@ def _let_go(lock:_FolderLock, temporary:Path|None):
     lock.release()
     if temporary: shutil.rmtree(temporary, ignore_errors=True)
 
-# %% ../../nbs/api/cameras/02_storage.ipynb #f73c4201
-def _file_size(path:Path)->int:
-    "Bytes, and 0 when it is gone"
-    try: return path.stat().st_size
-    except OSError: return 0
+# %% ../../nbs/api/cameras/02_storage.ipynb #5a714bab
+@patch(as_prop=True)
+def temporary(self:Storage)->bool:
+    "True if closing deletes the folder, or it's closed already"
+    alive = self._release.peek()
+    if alive is None: return True
+    _,_,(_,folder),_ = alive        # what `_let_go` will be called with
+    return folder is not None
 
-# %% ../../nbs/api/cameras/02_storage.ipynb #f96048f8
-class _FileSizes:
-    "The sizes of our files in a folder, bytes; once it was left alone for `settled` s, its time tells of a change"
-    def __init__(self, folder:Path, names, settled:float=2.5):
-        store_attr('folder,settled')
-        self.sizes = {name: _file_size(folder/name) for name in names}
-        self.sum,self.largest = sum(self.sizes.values()),max(self.sizes.values(), default=0)
-        self._away = None,0         # when the folder had changed last, and how many bytes were missing then
+@patch
+def _renumber(self:Storage, number:int):
+    "Take another number, which the camera gives"
+    self.storage_id,self.pictures = number,[replace(p, storage_id=number) for p in self.pictures]
 
-    def add(self, name:str, size:int):
-        self.sizes[name],self.sum,self.largest = size,self.sum+size,max(self.largest, size)
+# %% ../../nbs/api/cameras/02_storage.ipynb #1ae690e7
+@patch
+def save(self:Storage, jpeg:bytes, # A JPEG file
+         time_utc:float, # When it was taken, s since 1970
+         pose:Pose|None=None, # Where it was taken
+         information:CameraInformation|None=None, # Which camera took it
+         tags:dict|None=None, # More EXIF tags, by their names
+         beside=(), # Pairs of a suffix and bytes: files beside it; an `.xmp` with the pose comes with these
+        )->Picture:
+    "Keep one picture, with metadata; raises `StorageFull` or `StorageError`, and leaves nothing behind"
+    wrong = [suffix for suffix,_ in beside if not _suffix.fullmatch(suffix)]
+    if wrong: raise ValueError(f"a file beside a picture has a suffix such as '.nef', not {wrong[0]!r}")
+    with self._lock:
+        index,more = self.next_index,dict(beside)
+        if beside and pose: more['.xmp'] = sidecar(pose, information.vendor if information else '')
+        jpeg = add_metadata(jpeg, index, time_utc, pose, information, tags)
+        name = _file_names(self.folder, index, self.ours, tuple(more))[-1]  # a file that is there stays
+        files = {name[:-4]+suffix: content for suffix,content in more.items()} | {name: jpeg}
+        size = sum(map(len, files.values()))
+        self._sizes.largest = max(self._sizes.largest, size)    # the next attempt knows what it needs
+        self.check_room(size)
+        picture = Picture(index, time_utc, True, name, pose, storage_id=self.storage_id, beside=tuple(more) or None)
+        self._write(picture, files)
+        for file,content in files.items(): self._sizes.add(file, len(content))
+        return self._note(picture)
 
-    def there(self)->int:
-        "Bytes of our files that are there; lists the folder when it has changed. Raises `OSError` when that is gone"
-        changed,(when,missing) = self.folder.stat().st_mtime_ns,self._away
-        if when != changed:
-            sizes = dict(self.sizes)
-            missing = sum(sizes[name] for name in sizes.keys()-os.listdir(self.folder))
-            self._away = changed if clock.time_ns()-changed > self.settled*1e9 else None,missing
-        return self.sum - missing
+# %% ../../nbs/api/cameras/02_storage.ipynb #a495daf6
+@patch
+def _write(self:Storage, picture:Picture, files:dict):
+    "Write the files of a picture (name to content) and its line, or nothing; raises `StorageFull`, `StorageError`"
+    paths = {self.folder/name: content for name,content in files.items()}
+    try:
+        _write_files(paths)
+        _append_line(self.log_file, _as_line(picture))
+    except OSError as e:
+        for path in paths: path.unlink(missing_ok=True)
+        raise self._error(e) from e
 
-# %% ../../nbs/api/cameras/02_storage.ipynb #5c0a5007
-def lock_file(file):
-    "Lock an open file, or raise `OSError`; the lock ends when the file is closed"
-    if os.name == 'posix':
-        import fcntl
-        fcntl.flock(file, fcntl.LOCK_EX|fcntl.LOCK_NB)
-    else:
-        import msvcrt
-        file.seek(1<<20)          # Windows keeps others from reading what is locked: lock a byte that is not there
-        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+# %% ../../nbs/api/cameras/02_storage.ipynb #7021aaf5
+@patch
+def _without_file(self:Storage, time_utc:float, **about)->Picture:
+    "Keep the record of a shot that has no file here"
+    with self._lock:
+        picture = Picture(self.next_index, time_utc, storage_id=self.storage_id, **about)
+        try: self._append(_as_line(picture))
+        except StorageError as e: self._warn(f'picture {picture.index} is not in the log', e)   # the count must go on
+        return self._note(picture)
 
-# %% ../../nbs/api/cameras/02_storage.ipynb #5c0a5008
-_busy = errno.EACCES, errno.EAGAIN, errno.EDEADLK
-_unable = 'EROFS','EPERM','EACCES','ENOLCK','ENOSYS','EINVAL','ENOSPC','EDQUOT','ENOTSUP','EIO','EBADF','ESTALE'
-_no_lock = {getattr(errno, name, errno.ENOSYS) for name in _unable}
+@patch
+def fail(self:Storage, time_utc:float, # When it was tried, s since 1970
+         error:str='', # Why it failed
+        )->Picture:
+    "Keep the record of a shot that failed"
+    return self._without_file(time_utc, ok=False, error=error)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #b1d8f183
+@patch
+def elsewhere(self:Storage, time_utc:float, # When it was taken, s since 1970
+              pose:Pose|None=None, # Where it was taken
+             )->Picture:
+    "Keep the record of a shot whose file isn't here, such as one on the card of a device"
+    return self._without_file(time_utc, pose=pose)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #5c357ffb
+@patch
+def _note(self:Storage, picture:Picture)->Picture:
+    "Count one shot"
+    self.pictures.append(picture)
+    self.next_index = picture.index+1
+    return picture
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #fab5485b
+@patch
+def _error(self:Storage, error:OSError)->StorageError:
+    "The disk refused a write"
+    if error.errno in (errno.ENOSPC, errno.EDQUOT): return StorageFull(f'the disk of storage {self.name!r} is full')
+    return StorageError(f'storage {self.name!r}: {error.strerror}')
+
+@patch
+def _append(self:Storage, line:bytes):
+    "Add a line to our log; raises `StorageError`"
+    self.check_closed()
+    try: _append_line(self.log_file, line)
+    except OSError as e: raise self._error(e) from e
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #3c60b15f
+@patch
+def check_room(self:Storage, size:int|None=None): # Bytes; `None`: as large as the largest picture so far
+    "Raise `StorageError` (closed, gone, read-only, another's), `StorageFull` unless `size` fits, `CameraBusy` (format)"
+    self.check_closed()
+    if self.formatting: raise CameraBusy(f'storage {self.name!r} is being formatted')
+    now = self.information()
+    why = dict(ready='', empty=' is gone: its folder is not there').get(now.status, f' is {now.status}')
+    if why: raise StorageError(f'storage {self.name!r}{why}')
+    if not (now.available or self.is_writable()): raise StorageError(f'storage {self.name!r} is read-only')
+    try: self._folder_lock.renew()
+    except OSError as e: raise self._error(e) from e
+    needed = max(self._sizes.largest if size is None else size, 1)
+    if now.available*MiB < needed: raise StorageFull(f'storage {self.name!r} is full')
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #af2ca83f
+@patch
+def information(self:Storage)->StorageInformation:
+    "How full the storage is, MiB; 'empty' when its folder is gone, 'unformatted' when a format could not be finished"
+    what = dict(storage_id=self.storage_id, name=self.name, kind=self.kind)
+    try:
+        total,used,free = shutil.disk_usage(self.folder)
+        free -= self.reserve*MiB
+        if self.quota is not None:
+            total,used = self.quota*MiB,self._sizes.there()+sum(map(_file_size, self.recordings))
+            free = min(free, total-used)
+    except OSError: return StorageInformation(status='empty', **what)
+    if not self.is_writable(): free = 0
+    status = 'unformatted' if self._format_log.exists() and not self.formatting else 'ready'
+    return StorageInformation(status=status, total=total/MiB, used=used/MiB, available=max(free, 0)/MiB, **what)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #d48aa293
+@patch
+def is_writable(self:Storage)->bool:
+    "Can anything be written here? Not on a card that is locked, or a disk that has become read-only"
+    return os.access(self.folder, os.W_OK, effective_ids=os.access in os.supports_effective_ids)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #8b556244
+@patch
+def check_closed(self:Storage):
+    "Raise `StorageError` when it is closed"
+    if not self._release.alive: raise StorageError(f'storage {self.name!r} is closed')
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #7739a536
+@patch
+def new_recording(self:Storage)->Path:
+    "The path of the next file of a recording, which is ours from now on; raises `StorageError`"
+    with self._lock:
+        names = map('VID_{:06}.mp4'.format, itertools.count(1))
+        name = next(name for name in names if not (self.folder/name).exists())
+        self._append(_ours_line(name))
+        if name not in self.ours: self.ours.append(name)
+        return self.folder/name
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #5a3582c4
+@patch(as_prop=True)
+def recordings(self:Storage)->list:
+    "The files of our recordings, oldest first"
+    return [file for name in self.ours if name.startswith('VID') and (file := self.folder/name).is_file()]
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #bf67f7ce
+@patch
+def _recover(self:Storage):
+    "Clear up, read the log, and take in what a crash left"
+    self._clear_up()
+    log = _ShotLog(self.log_file)
+    self.ours = list(dict.fromkeys(log.ours))
+    found = log.pictures | {i: self._lost(i) for i in log.missing()}
+    self.count,self.next_index = log.count,max([log.next_index, *(i+1 for i in found)])
+    while picture := _orphan(self.folder, self.next_index, self.ours):          # a crash left it without a line
+        found[self.next_index] = picture
+        self.next_index += 1
+    self.pictures = [replace(found[i], storage_id=self.storage_id) for i in sorted(found)]
+    if not log.whole or len(log.pictures) < len(found):
+        lines = _log_lines(self.pictures, self.count, self.next_index, self.ours)
+        try: write_file(self.log_file, b''.join(lines))
+        except OSError as e: self._warn(f'{self.log_file.name} cannot be repaired', e)
+    self._add_up()
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #8df34dda
+_written = 'IMG_*','pictures.jsonl','usage.json'        # each completely or not at all
+
+@patch
+def _clear_up(self:Storage):
+    "Remove half-written files, take in older lists, and finish a format"
+    for part in (part for name in _written for part in self.folder.glob(f'{name}.part')):
+        try: part.unlink(missing_ok=True)
+        except OSError as e: self._warn(f'{part.name} stays', e)
+    try:
+        self._take_older()
+        self._finish_format()
+    except OSError as e: self._warn(f'{self.folder}: its log cannot be brought up to date', e)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #8d730c1b
+lost_line = 'its line in the log is lost'
+
+@patch
+def _lost(self:Storage, index:int):
+    "Rebuild a shot's entry from its file"
+    return _orphan(self.folder, index, self.ours) or Picture(index, 0., ok=False, error=lost_line)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #b7c20665
+@patch
+def _finish_format(self:Storage):
+    "Delete what the log of a format lists, and that log at last; a crash may have come between"
+    if not self._format_log.exists(): return
+    log = _ShotLog(self._format_log)
+    for name in (*_files_of(log.pictures.values()), *log.ours, 'formatting.jsonl'):
+        (self.folder/name).unlink(missing_ok=True)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #ef84831a
+@patch
+def _take_older(self:Storage):
+    "Move the names that an older version has noted into the log; raises `OSError`"
+    log = self._format_log if self._format_log.exists() else self.log_file
+    for old in filter(Path.is_file, (self.folder/name for name in ('kept.txt','recordings.txt'))):
+        names = old.read_text(errors='replace').split()
+        _append_line(log, b'\n'+b''.join(map(_ours_line, names)))       # the last line may be cut short
+        old.unlink()
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #28c14da9
+@patch
+def _add_up(self:Storage):
+    "Add up the sizes of our pictures; recordings may grow"
+    names = [*_files_of(self.pictures), *(name for name in self.ours if name.startswith('IMG'))]
+    self._sizes = _FileSizes(self.folder, names, self.settled)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #c025b775
+class _ShotLog:
+    "Read a log; a missing one is empty"
+    def __init__(self, path:Path):
+        self.path,self.pictures = path,{}           # pictures by index
+        self.elsewhere = []                         # ranges of indexes on other storages
+        self.ours = []                              # names of other files of ours
+        self.count,self.next_index = '',0           # the count's name, if it has one
+        lines = path.read_bytes().splitlines(keepends=True) if path.exists() else []
+        self.most = len(lines) + sum(1 for _ in path.parent.glob('IMG_*.jpg'))  # lost at a stretch
+        self.whole = all([self._take(line) for line in lines])
+
+    def _take(self, line:bytes)->bool:
+        "Take in one line; false when it is damaged"
+        if found := _count_pattern.fullmatch(line):
+            self.count,first = found[1].decode(),int(found[2])
+            if first > self.next_index: self.elsewhere.append(range(self.next_index, first))
+            self.next_index = max(self.next_index, first)
+        elif found := _ours_pattern.fullmatch(line): self.ours.append(found[1].decode())
+        else:
+            try: picture = _from_line(line)
+            except ValueError: return False
+            if picture.index in self.pictures or not self._possible(picture): return False
+            self.pictures[picture.index] = picture
+            self.next_index = max(self.next_index, picture.index+1)
+        return line.endswith(b'\n')
+
+    def _possible(self, picture:Picture)->bool:
+        "Check a number for plausibility"
+        if picture.index < self.most + sum(map(len, self.elsewhere)): return True
+        return bool(picture.file and _picture_in(self.path.parent/picture.file, picture.index))
+
+    def missing(self)->list:
+        "Indexes of which this log should know, and does not"
+        found,at = [],0
+        for gap in [*self.elsewhere, range(self.next_index, self.next_index)]:
+            found += [i for i in range(at, min(gap.start, at+self.most)) if i not in self.pictures]
+            at = gap.stop
+        return found
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #7621e39e
+def _count_line(name:str, first:int)->bytes:
+    "The line after which the pictures, from index `first` on, belong to a count"
+    return b'{"count": "%s", "first": %d}\n' % (name.encode(), first)
+
+def _ours_line(name:str)->bytes:
+    "The line that makes a file ours: a recording, or a picture of an earlier count"
+    return b'{"ours": "%s"}\n' % name.encode()
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #1ad6de13
+_count_pattern = re.compile(rb'\{"count": "(\w{1,40})", "first": (\d{1,9})\}\n?')
+_ours_pattern = re.compile(rb'\{"ours": "(IMG_\d{6,}_*\.[a-z0-9]{1,8}|VID_\d{6,}\.mp4)"\}\n?')
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #2e5f4f4e
+def _files_of(pictures)->list:
+    "The names of all files of pictures"
+    return [p.file[:-4]+suffix for p in pictures if p.file for suffix in ('.jpg',*(p.beside or ()))]
+
+def _log_lines(pictures:list, count:str='', next_index:int=0, ours:list=()):
+    "The lines of a log, one by one"
+    yield from map(_ours_line, ours)
+    at = -1
+    for picture in pictures:
+        if count and picture.index != at: yield _count_line(count, picture.index)
+        yield _as_line(picture)
+        at = picture.index+1
+    if count and next_index > at: yield _count_line(count, next_index)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #dc3859f7
+def write_file(path:Path, # Replaced when it is there
+               content:bytes): # All of it
+    "Write a file completely or not at all; raises `OSError`"
+    _write_files({path: content})
+
+def _write_files(files:dict):
+    "The same for several, path to content: all or none; the last one appears when all others are there"
+    parts,done = {path: path.with_name(f'{path.name}.part') for path in files},[]
+    try:
+        for path,part in parts.items():
+            with part.open('wb') as f:
+                f.write(files[path])
+                f.flush()
+                os.fsync(f.fileno())
+        for path,part in parts.items():
+            os.replace(part, path)
+            done.append(path)
+        for path in (*done, *{path.parent for path in done}): clock.stamp(path)      # `_FileSizes` reads the folder's
+    except BaseException:
+        for path in (*parts.values(), *done): path.unlink(missing_ok=True)
+        raise
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #eecd3a41
+def _append_line(path:Path, line:bytes):
+    "Add a line to a file completely or not at all; raises `OSError`"
+    with path.open('ab') as f:
+        end = f.tell()
+        try:
+            f.write(line)
+            f.flush()
+        except OSError:
+            f.truncate(end)
+            raise
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #f8b11afe
+def _file_names(folder:Path, index:int, kept:list=(), beside:tuple=())->list:
+    "The names for picture `index` that are taken; the last one is free, and with the suffixes `beside`, too"
+    names = [f'IMG_{index:06}.jpg']
+    def taken(name): return any((folder/name).with_suffix(suffix).exists() for suffix in ('.jpg',*beside))
+    while names[-1] in kept or taken(names[-1]): names.append(f'{names[-1][:-4]}_.jpg')
+    return names
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #0660a06a
+def _picture_in(path:Path, index:int)->Picture|None:
+    "The picture in a file, if it was saved as `index`, whatever the log says"
+    if not path.is_file(): return
+    with path.open('rb') as f: mark = re.search(rb'UAV picture (\d+)\0', f.read(1<<16))
+    if not mark or int(mark[1]) != index: return
+    beside = sorted(p.suffix for p in path.parent.glob(f'{path.stem}.*') if _suffix.fullmatch(p.suffix))
+    return Picture(index, path.stat().st_mtime, file=path.name, beside=tuple(beside) or None)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #34f369ee
+def _orphan(folder:Path, index:int, kept:list=())->Picture|None:
+    "The newest picture that was saved as `index`, whatever the log says, if there is one"
+    names = (name for name in reversed(_file_names(folder, index, kept)) if name not in kept)
+    return next(filter(None, (_picture_in(folder/name, index) for name in names)), None)
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #c8218eac
 class _FolderLock:
@@ -130,8 +442,10 @@ class _FolderLock:
         try:
             lock_file(file)
             if os.path.samestat(os.fstat(file.fileno()), os.stat(self.path)): self.file = file
-        except FileNotFoundError: pass
-        except OSError as e: raise self._in_use(file) if e.errno in _busy else e from None
+        except FileNotFoundError: pass          # removed: once more
+        except OSError as e:
+            if e.errno not in _busy: raise
+            raise self._in_use(file) from None
         finally:
             if self.file is None: file.close()
 
@@ -169,377 +483,55 @@ def renew(self:_FolderLock):
     self.file.close()
     self.file = new.file
 
-# %% ../../nbs/api/cameras/02_storage.ipynb #dc3859f7
-def write_file(path:Path, # Replaced when it is there
-               content:bytes): # All of it
-    "Write a file completely or not at all; raises `OSError`"
-    _write_files({path: content})
+# %% ../../nbs/api/cameras/02_storage.ipynb #5c0a5007
+def lock_file(file):
+    "Lock an open file, or raise `OSError`; the lock ends when the file is closed"
+    if os.name == 'posix':
+        import fcntl
+        fcntl.flock(file, fcntl.LOCK_EX|fcntl.LOCK_NB)
+    else:
+        import msvcrt
+        file.seek(1<<20)          # Windows keeps others from reading what is locked: lock a byte that is not there
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
 
-def _write_files(files:dict):
-    "The same for several, path to content: all or none; the last one appears when all others are there"
-    parts,done = {path: path.with_name(f'{path.name}.part') for path in files},[]
-    try:
-        for path,part in parts.items():
-            with part.open('wb') as f:
-                f.write(files[path])
-                f.flush()
-                os.fsync(f.fileno())
-        for path,part in parts.items():
-            os.replace(part, path)
-            done.append(path)
-        for path in (*done, *{path.parent for path in done}): clock.stamp(path)      # `_FileSizes` reads the folder's
-    except BaseException:
-        for path in (*parts.values(), *done): path.unlink(missing_ok=True)
-        raise
+# %% ../../nbs/api/cameras/02_storage.ipynb #5c0a5008
+_busy = errno.EACCES, errno.EAGAIN, errno.EDEADLK
+_unable = ('EROFS','EPERM','EACCES',                        # opening: the folder is read-only, or not ours to write
+           'ENOSPC','EDQUOT',                               # writing the owner's name: no room
+           'ENOLCK','ENOSYS','EINVAL','ENOTSUP','EBADF',    # locking: a file system or server without locks
+           'EIO','ESTALE')                                  # any of these: a card or a server that fails
+_no_lock = {getattr(errno, name, errno.ENOSYS) for name in _unable}     # Windows has not all of them
 
-# %% ../../nbs/api/cameras/02_storage.ipynb #eecd3a41
-def _append_line(path:Path, line:bytes):
-    "Add a line to a file completely or not at all; raises `OSError`"
-    with path.open('ab') as f:
-        end = f.tell()
-        try:
-            f.write(line)
-            f.flush()
-        except OSError:
-            f.truncate(end)
-            raise
+# %% ../../nbs/api/cameras/02_storage.ipynb #f96048f8
+class _FileSizes:
+    "Sizes of our files in a folder, bytes; the folder is listed only when its modification time changes"
+    def __init__(self, folder:Path, names, settled:float=2.5):
+        store_attr('folder,settled')
+        self.sizes = {name: _file_size(folder/name) for name in names}
+        self.sum,self.largest = sum(self.sizes.values()),max(self.sizes.values(), default=0)
+        self._away = None,0         # modification time of the folder as listed, and how many bytes were missing
 
-# %% ../../nbs/api/cameras/02_storage.ipynb #0660a06a
-def _picture_in(path:Path, index:int)->Picture|None:
-    "The picture in a file, if it was saved as `index`, whatever the log says"
-    if not path.is_file(): return
-    with path.open('rb') as f: mark = re.search(rb'UAV picture (\d+)\0', f.read(1<<16))
-    if not mark or int(mark[1]) != index: return
-    beside = sorted(p.suffix for p in path.parent.glob(f'{path.stem}.*') if _suffix.fullmatch(p.suffix))
-    return Picture(index, path.stat().st_mtime, file=path.name, beside=tuple(beside) or None)
+    def add(self, name:str, size:int):
+        self.sizes[name] = size
+        self.sum += size
+        self.largest = max(self.largest, size)
 
-# %% ../../nbs/api/cameras/02_storage.ipynb #f8b11afe
-def _file_names(folder:Path, index:int, kept:list=(), beside:tuple=())->list:
-    "The names for picture `index` that are taken; the last one is free, and with the suffixes `beside`, too"
-    names = [f'IMG_{index:06}.jpg']
-    def taken(name): return any((folder/name).with_suffix(suffix).exists() for suffix in ('.jpg',*beside))
-    while names[-1] in kept or taken(names[-1]): names.append(f'{names[-1][:-4]}_.jpg')
-    return names
+    def there(self)->int:
+        "Bytes of our files that are there; lists the folder when it has changed. Raises `OSError` when that is gone"
+        changed = self.folder.stat().st_mtime_ns
+        listed,missing = self._away
+        if listed != changed:
+            sizes = dict(self.sizes)            # a picture may be added meanwhile
+            missing = sum(sizes[name] for name in sizes.keys()-os.listdir(self.folder))
+            left_alone = clock.time_ns()-changed > self.settled*1e9
+            self._away = (changed if left_alone else None), missing
+        return self.sum - missing
 
-# %% ../../nbs/api/cameras/02_storage.ipynb #34f369ee
-def _orphan(folder:Path, index:int, kept:list=())->Picture|None:
-    "The newest picture that was saved as `index`, whatever the log says, if there is one"
-    names = (name for name in reversed(_file_names(folder, index, kept)) if name not in kept)
-    return next(filter(None, (_picture_in(folder/name, index) for name in names)), None)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #7621e39e
-def _count_line(name:str, first:int)->bytes:
-    "The line after which the pictures, from index `first` on, belong to a count"
-    return b'{"count": "%s", "first": %d}\n' % (name.encode(), first)
-
-def _ours_line(name:str)->bytes:
-    "The line that makes a file ours: a recording, or a picture of an earlier count"
-    return b'{"ours": "%s"}\n' % name.encode()
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #1ad6de13
-_count_pattern = re.compile(rb'\{"count": "(\w{1,40})", "first": (\d{1,9})\}\n?')
-_ours_pattern = re.compile(rb'\{"ours": "(IMG_\d{6,}_*\.[a-z0-9]{1,8}|VID_\d{6,}\.mp4)"\}\n?')
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #c025b775
-class _ShotLog:
-    "Read a log; a missing one is empty"
-    def __init__(self, path:Path):
-        self.path,self.pictures,self.elsewhere = path,{},[]         # by index; ranges of indexes on other storages
-        self.ours = []                                              # names of other files of ours
-        self.count,self.next_index = '',0                           # the count's name; '': it has none
-        lines = path.read_bytes().splitlines(keepends=True) if path.exists() else []
-        self.most = len(lines) + sum(1 for _ in path.parent.glob('IMG_*.jpg'))  # lost at a stretch
-        self.whole = all([self._take(line) for line in lines])
-
-    def _take(self, line:bytes)->bool:
-        "Take in one line; false when it is damaged"
-        if found := _count_pattern.fullmatch(line):
-            self.count,first = found[1].decode(),int(found[2])
-            if first > self.next_index: self.elsewhere.append(range(self.next_index, first))
-            self.next_index = max(self.next_index, first)
-        elif found := _ours_pattern.fullmatch(line): self.ours.append(found[1].decode())
-        else:
-            try: picture = _from_line(line)
-            except ValueError: return False
-            if picture.index in self.pictures or not self._possible(picture): return False
-            self.pictures[picture.index] = picture
-            self.next_index = max(self.next_index, picture.index+1)
-        return line.endswith(b'\n')
-
-    def _possible(self, picture:Picture)->bool:
-        "Check a number for plausibility"
-        if picture.index < self.most + sum(map(len, self.elsewhere)): return True
-        return bool(picture.file and _picture_in(self.path.parent/picture.file, picture.index))
-
-    def missing(self)->list:
-        "Indexes of which this log should know, and does not"
-        found,at = [],0
-        for gap in [*self.elsewhere, range(self.next_index, self.next_index)]:
-            found += [i for i in range(at, min(gap.start, at+self.most)) if i not in self.pictures]
-            at = gap.stop
-        return found
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #2e5f4f4e
-def _files_of(pictures)->list:
-    "The names of all files of pictures"
-    return [p.file[:-4]+suffix for p in pictures if p.file for suffix in ('.jpg',*(p.beside or ()))]
-
-def _log_lines(pictures:list, count:str='', next_index:int=0, ours:list=()):
-    "The lines of a log, one by one"
-    yield from map(_ours_line, ours)
-    at = -1
-    for picture in pictures:
-        if count and picture.index != at: yield _count_line(count, picture.index)
-        yield _as_line(picture)
-        at = picture.index+1
-    if count and next_index > at: yield _count_line(count, next_index)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #8d730c1b
-lost_line = 'its line in the log is lost'
-
-@patch
-def _lost(self:Storage, index:int):
-    "Rebuild a shot's entry from its file"
-    return _orphan(self.folder, index, self.ours) or Picture(index, 0., ok=False, error=lost_line)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #b7c20665
-@patch
-def _finish_format(self:Storage):
-    "Delete what the log of a format lists, and that log at last; a crash may have come between"
-    if not self._format_log.exists(): return
-    log = _ShotLog(self._format_log)
-    for name in (*_files_of(log.pictures.values()), *log.ours, 'formatting.jsonl'):
-        (self.folder/name).unlink(missing_ok=True)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #28c14da9
-@patch
-def _add_up(self:Storage):
-    "Learn how large our pictures are; recordings may grow"
-    names = [*_files_of(self.pictures), *(name for name in self.ours if name.startswith('IMG'))]
-    self._sizes = _FileSizes(self.folder, names, self.settled)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #ef84831a
-@patch
-def _take_older(self:Storage):
-    "Move the names that an older version has noted into the log; raises `OSError`"
-    log = self._format_log if self._format_log.exists() else self.log_file
-    for old in filter(Path.is_file, (self.folder/name for name in ('kept.txt','recordings.txt'))):
-        names = old.read_text(errors='replace').split()
-        _append_line(log, b'\n'+b''.join(map(_ours_line, names)))       # the last line may be cut short
-        old.unlink()
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #8df34dda
-_written = 'IMG_*','pictures.jsonl','usage.json'        # each completely or not at all
-
-@patch
-def _clear_up(self:Storage):
-    "Remove half-written files, take in older lists, and finish a format"
-    for part in (part for name in _written for part in self.folder.glob(f'{name}.part')):
-        try: part.unlink(missing_ok=True)
-        except OSError as e: self._warn(f'{part.name} stays', e)
-    try:
-        self._take_older()
-        self._finish_format()
-    except OSError as e: self._warn(f'{self.folder}: its log cannot be brought up to date', e)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #bf67f7ce
-@patch
-def _recover(self:Storage):
-    "Clear up, read the log, and take in what a crash left"
-    self._clear_up()
-    log = _ShotLog(self.log_file)
-    self.ours = list(dict.fromkeys(log.ours))
-    found = log.pictures | {i: self._lost(i) for i in log.missing()}
-    self.count,self.next_index = log.count,max([log.next_index, *(i+1 for i in found)])
-    while picture := _orphan(self.folder, self.next_index, self.ours):          # a crash left it without a line
-        found[self.next_index] = picture
-        self.next_index += 1
-    self.pictures = [replace(found[i], storage_id=self.storage_id) for i in sorted(found)]
-    if not log.whole or len(log.pictures) < len(found):
-        lines = _log_lines(self.pictures, self.count, self.next_index, self.ours)
-        try: write_file(self.log_file, b''.join(lines))
-        except OSError as e: self._warn(f'{self.log_file.name} cannot be repaired', e)
-    self._add_up()
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #5a714bab
-@patch(as_prop=True)
-def temporary(self:Storage)->bool:
-    "Whether closing deletes the folder"
-    return (alive := self._release.peek()) is None or alive[2][1] is not None
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #865be62b
-@patch
-def _renumber(self:Storage, number:int):
-    "A camera has given us another number"
-    self.storage_id,self.pictures = number,[replace(p, storage_id=number) for p in self.pictures]
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #5c357ffb
-@patch
-def _note(self:Storage, picture:Picture)->Picture:
-    "Count one shot"
-    self.pictures.append(picture)
-    self.next_index = picture.index+1
-    return picture
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #5a3582c4
-@patch(as_prop=True)
-def recordings(self:Storage)->list:
-    "The files of our recordings, oldest first"
-    return [file for name in self.ours if name.startswith('VID') and (file := self.folder/name).is_file()]
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #d48aa293
-@patch
-def is_writable(self:Storage)->bool:
-    "Can anything be written here? Not on a card that is locked, or a disk that has become read-only"
-    return os.access(self.folder, os.W_OK, effective_ids=os.access in os.supports_effective_ids)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #af2ca83f
-@patch
-def information(self:Storage)->StorageInformation:
-    "How full the storage is, MiB; 'empty' when its folder is gone, 'unformatted' when a format could not be finished"
-    what = dict(storage_id=self.storage_id, name=self.name, kind=self.kind)
-    try:
-        total,used,free = shutil.disk_usage(self.folder)
-        free -= self.reserve*MiB
-        if self.quota is not None:
-            total,used = self.quota*MiB,self._sizes.there()+sum(map(_file_size, self.recordings))
-            free = min(free, total-used)
-    except OSError: return StorageInformation(status='empty', **what)
-    if not self.is_writable(): free = 0
-    status = 'unformatted' if self._format_log.exists() and not self.formatting else 'ready'
-    return StorageInformation(status=status, total=total/MiB, used=used/MiB, available=max(free, 0)/MiB, **what)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #8b556244
-@patch
-def check_closed(self:Storage):
-    "Raise `StorageError` when it is closed"
-    if not self._release.alive: raise StorageError(f'storage {self.name!r} is closed')
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #fab5485b
-@patch
-def _error(self:Storage, error:OSError)->StorageError:
-    "The disk refused a write"
-    if error.errno in (errno.ENOSPC, errno.EDQUOT): return StorageFull(f'the disk of storage {self.name!r} is full')
-    return StorageError(f'storage {self.name!r}: {error.strerror}')
-
-@patch
-def _append(self:Storage, line:bytes):
-    "Add a line to our log; raises `StorageError`"
-    self.check_closed()
-    try: _append_line(self.log_file, line)
-    except OSError as e: raise self._error(e) from e
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #3c60b15f
-@patch
-def check_room(self:Storage, size:int|None=None): # Bytes; `None`: as large as the largest picture so far
-    "Raise `StorageError` (closed, gone, read-only, another's), `StorageFull` unless `size` fits, `CameraBusy` (format)"
-    self.check_closed()
-    if self.formatting: raise CameraBusy(f'storage {self.name!r} is being formatted')
-    now = self.information()
-    why = dict(ready='', empty=' is gone: its folder is not there').get(now.status, f' is {now.status}')
-    if why: raise StorageError(f'storage {self.name!r}{why}')
-    if not (now.available or self.is_writable()): raise StorageError(f'storage {self.name!r} is read-only')
-    try: self._folder_lock.renew()
-    except OSError as e: raise self._error(e) from e
-    needed = max(self._sizes.largest if size is None else size, 1)
-    if now.available*MiB < needed: raise StorageFull(f'storage {self.name!r} is full')
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #a495daf6
-@patch
-def _write(self:Storage, picture:Picture, files:dict):
-    "Write the files of a picture (name to content) and its line, or nothing; raises `StorageFull`, `StorageError`"
-    paths = {self.folder/name: content for name,content in files.items()}
-    try:
-        _write_files(paths)
-        _append_line(self.log_file, _as_line(picture))
-    except OSError as e:
-        for path in paths: path.unlink(missing_ok=True)
-        raise self._error(e) from e
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #1ae690e7
-@patch
-def save(self:Storage, jpeg:bytes, # A JPEG file
-         time_utc:float, # When it was taken, s since 1970
-         pose:Pose|None=None, # Where it was taken
-         information:CameraInformation|None=None, # Which camera took it
-         tags:dict|None=None, # More EXIF tags, by their names
-         beside=(), # Pairs of a suffix and bytes: files beside it; an `.xmp` with the pose comes with these
-        )->Picture:
-    "Keep one picture, with metadata; raises `StorageFull` or `StorageError`, and leaves nothing behind"
-    wrong = [suffix for suffix,_ in beside if not _suffix.fullmatch(suffix)]
-    if wrong: raise ValueError(f"a file beside a picture has a suffix such as '.nef', not {wrong[0]!r}")
-    with self._lock:
-        index,more = self.next_index,dict(beside)
-        if beside and pose: more['.xmp'] = sidecar(pose, information.vendor if information else '')
-        jpeg = add_metadata(jpeg, index, time_utc, pose, information, tags)
-        name = _file_names(self.folder, index, self.ours, tuple(more))[-1]  # a file that is there stays
-        files = {name[:-4]+suffix: content for suffix,content in more.items()} | {name: jpeg}
-        size = sum(map(len, files.values()))
-        self._sizes.largest = max(self._sizes.largest, size)    # the next attempt knows what it needs
-        self.check_room(size)
-        picture = Picture(index, time_utc, True, name, pose, storage_id=self.storage_id, beside=tuple(more) or None)
-        self._write(picture, files)
-        for file,content in files.items(): self._sizes.add(file, len(content))
-        return self._note(picture)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #7021aaf5
-@patch
-def _without_file(self:Storage, time_utc:float, **about)->Picture:
-    "Keep the record of a shot that has no file here"
-    with self._lock:
-        picture = Picture(self.next_index, time_utc, storage_id=self.storage_id, **about)
-        try: self._append(_as_line(picture))
-        except StorageError as e: self._warn(f'picture {picture.index} is not in the log', e)   # the count must go on
-        return self._note(picture)
-
-@patch
-def fail(self:Storage, time_utc:float, # When it was tried, s since 1970
-         error:str='', # Why it failed
-        )->Picture:
-    "Keep the record of a shot that failed"
-    return self._without_file(time_utc, ok=False, error=error)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #b1d8f183
-@patch
-def elsewhere(self:Storage, time_utc:float, # When it was taken, s since 1970
-              pose:Pose|None=None, # Where it was taken
-             )->Picture:
-    "Keep the record of a shot whose file isn't here, such as one on the card of a device"
-    return self._without_file(time_utc, pose=pose)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #7739a536
-@patch
-def new_recording(self:Storage)->Path:
-    "The path of the next file of a recording, which is ours from now on; raises `StorageError`"
-    with self._lock:
-        names = map('VID_{:06}.mp4'.format, itertools.count(1))
-        name = next(name for name in names if not (self.folder/name).exists())
-        self._append(_ours_line(name))
-        if name not in self.ours: self.ours.append(name)
-        return self.folder/name
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #267f6e34
-@patch
-def _wait_for_card(self:Storage, cancelled):
-    "Wait for `format_time`; raises `TakenBack`, or `StorageError` when it is closed meanwhile"
-    end = clock.monotonic()+self.format_time
-    while True:
-        self.check_closed()
-        if cancelled(): raise TakenBack(f'the format of storage {self.name!r} was taken back')
-        if (left := end-clock.monotonic()) <= 0: return
-        clock.sleep(min(left, .02))
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #3069712b
-@patch
-def _delete(self:Storage):
-    "Delete all that is ours; raises `OSError`"
-    self._finish_format()           # an earlier one, which failed
-    if self.log_file.exists(): os.replace(self.log_file, self._format_log)
-    else: self._format_log.touch()
-    files = _files_of(self.pictures)        # some lines may not be in the log
-    self.pictures,self.ours,self.count,self.next_index = [],[],'',0
-    for name in files: (self.folder/name).unlink(missing_ok=True)
-    self._finish_format()
+# %% ../../nbs/api/cameras/02_storage.ipynb #f73c4201
+def _file_size(path:Path)->int:
+    "Bytes, and 0 when it is gone"
+    try: return path.stat().st_size
+    except OSError: return 0
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #463709b7
 @patch
@@ -556,16 +548,28 @@ def format(self:Storage, cancelled=lambda: False): # Says whether it is to end w
         self.formatting = False
         self._add_up()
 
-# %% ../../nbs/api/cameras/02_storage.ipynb #5998fd62
+# %% ../../nbs/api/cameras/02_storage.ipynb #3069712b
 @patch
-def reset_log(self:Storage):
-    "Count from 0 again; the pictures stay. Raises `StorageError`"
-    with self._lock:
-        self.check_room(0)
-        ours = self.ours+_files_of(self.pictures)
-        try: write_file(self.log_file, b''.join(map(_ours_line, ours)))
-        except OSError as e: raise self._error(e) from e
-        self.pictures,self.ours,self.count,self.next_index = [],ours,'',0
+def _delete(self:Storage):
+    "Delete all that is ours; raises `OSError`"
+    self._finish_format()           # an earlier one, which failed
+    if self.log_file.exists(): os.replace(self.log_file, self._format_log)
+    else: self._format_log.touch()
+    files = _files_of(self.pictures)        # some lines may not be in the log
+    self.pictures,self.ours,self.count,self.next_index = [],[],'',0
+    for name in files: (self.folder/name).unlink(missing_ok=True)
+    self._finish_format()
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #267f6e34
+@patch
+def _wait_for_card(self:Storage, cancelled):
+    "Wait for `format_time`; raises `TakenBack`, or `StorageError` when it is closed meanwhile"
+    end = clock.monotonic()+self.format_time
+    while True:
+        self.check_closed()
+        if cancelled(): raise TakenBack(f'the format of storage {self.name!r} was taken back')
+        if (left := end-clock.monotonic()) <= 0: return
+        clock.sleep(min(left, .02))
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #ae53a201
 @patch
@@ -580,11 +584,22 @@ def join(self:Storage, count:str, # Its name; 1 to 40 letters and figures
 # %% ../../nbs/api/cameras/02_storage.ipynb #c92bf85c
 @patch
 def name_count(self:Storage, count:str): # Its name
-    "Give our count a name, so that another storage can join; a storage that is gone is told all the same"
+    "Give our count a name, so that another storage can join; if the storage is gone, that is logged"
     with self._lock:
         self.count = count
         try: self._append(_count_line(count, self.next_index))
         except StorageError as e: self._warn(f'storage {self.name!r} does not know its count', e)
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #5998fd62
+@patch
+def reset_log(self:Storage):
+    "Count from 0 again; the pictures stay. Raises `StorageError`"
+    with self._lock:
+        self.check_room(0)
+        ours = self.ours+_files_of(self.pictures)
+        try: write_file(self.log_file, b''.join(map(_ours_line, ours)))
+        except OSError as e: raise self._error(e) from e
+        self.pictures,self.ours,self.count,self.next_index = [],ours,'',0
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #c57c4e82
 @patch

@@ -20,7 +20,44 @@ from ..wire.signing import state_file
 from typing import Literal
 
 # %% auto #0
-__all__ = ['main', 'sim_vehicle', 'fly']
+__all__ = ['main', 'fly', 'sim_vehicle']
+
+# %% ../../nbs/api/cli/05_gui.ipynb #6e080ac0
+def fly(
+    connection:str=None, # MAVLink links, separated by commas; or set UAV_CONNECTION (default: udpin:0.0.0.0:14550)
+    sim:bool=False, # Simulate a vehicle with a camera on a gimbal
+    path:Literal['hover','circle']=None, # Flight path of that vehicle
+    browser:bool=False, # Open the page in your browser
+    port:between(0, 65535, int)=0, # TCP port of the page; 0: a free one
+    host:address='127.0.0.1', # Address of the page; 0.0.0.0: reachable from other computers
+    token:str=None, # Token, at the end of the page's address: #token=TOKEN; or set UAV_GUI_TOKEN; default: a new one
+    sign:str=None, # Sign the link with the key in this file
+    system:number=253, # System id of the panel
+    component:number=mavlink.MAV_COMP_ID_MISSIONPLANNER, # Component id of the panel
+):
+    """Serve a control panel for cameras and gimbals to your browser, until Ctrl-C
+
+    examples:
+      uav-gui --sim --browser     # a simulated vehicle
+      uav-gui                     # listen on UDP port 14550, where vehicles send to
+      uav-gui --connection /dev/ttyUSB0,57600 --port 8440     # a radio; the page keeps its address"""
+    typed,printer = SimpleNamespace(**locals()),StatusPrinter()
+    log_to(printer)
+    if typed.sim: logging.getLogger().handlers[0].setLevel(logging.WARNING)     # keep the vehicle's log out of ours
+    try:
+        with ExitStack() as stack:
+            with or_exit('uav-gui'): gui,server = _opened(typed, stack)
+            _introduce(gui, _shown_url(server, printer, _own_token(token) is not None, stack), printer)
+            if browser and not webbrowser.open(server.url):
+                printer.line('There is no browser here: open the address yourself')
+            _follow(gui, printer)
+    except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
+    printer.line('stopped')
+
+# %% ../../nbs/api/cli/05_gui.ipynb #eab6d74a
+_groups = {'the vehicle':'connection sign sim path', 'the page':'browser port host token',
+           'the panel on MAVLink':'system component'}
+main = partial(run_with_options, fly, 'uav-gui', groups=_groups)
 
 # %% ../../nbs/api/cli/05_gui.ipynb #57fbd6ac
 @contextmanager
@@ -114,40 +151,3 @@ def _follow(gui, printer:StatusPrinter, period:float=1.):
         now = _present(gui.status())
         for line in _changes(now, last): printer.line(line)
         last = now
-
-# %% ../../nbs/api/cli/05_gui.ipynb #6e080ac0
-def fly(
-    connection:str=None, # MAVLink links, separated by commas; or set UAV_CONNECTION (default: udpin:0.0.0.0:14550)
-    sim:bool=False, # Simulate a vehicle with a camera on a gimbal
-    path:Literal['hover','circle']=None, # Flight path of that vehicle
-    browser:bool=False, # Open the page in your browser
-    port:between(0, 65535, int)=0, # TCP port of the page; 0: a free one
-    host:address='127.0.0.1', # Address of the page; 0.0.0.0: reachable from other computers
-    token:str=None, # Token, at the end of the page's address: #token=TOKEN; or set UAV_GUI_TOKEN; default: a new one
-    sign:str=None, # Sign the link with the key in this file
-    system:number=253, # System id of the panel
-    component:number=mavlink.MAV_COMP_ID_MISSIONPLANNER, # Component id of the panel
-):
-    """Serve a control panel for cameras and gimbals to your browser, until Ctrl-C
-
-    examples:
-      uav-gui --sim --browser     # a simulated vehicle
-      uav-gui                     # listen on UDP port 14550, where vehicles send to
-      uav-gui --connection /dev/ttyUSB0,57600 --port 8440     # a radio; the page keeps its address"""
-    typed,printer = SimpleNamespace(**locals()),StatusPrinter()
-    log_to(printer)
-    if typed.sim: logging.getLogger().handlers[0].setLevel(logging.WARNING)     # keep the vehicle's log out of ours
-    try:
-        with ExitStack() as stack:
-            with or_exit('uav-gui'): gui,server = _opened(typed, stack)
-            _introduce(gui, _shown_url(server, printer, _own_token(token) is not None, stack), printer)
-            if browser and not webbrowser.open(server.url):
-                printer.line('There is no browser here: open the address yourself')
-            _follow(gui, printer)
-    except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
-    printer.line('stopped')
-
-# %% ../../nbs/api/cli/05_gui.ipynb #eab6d74a
-_groups = {'the vehicle':'connection sign sim path', 'the page':'browser port host token',
-           'the panel on MAVLink':'system component'}
-main = partial(run_with_options, fly, 'uav-gui', groups=_groups)

@@ -30,7 +30,136 @@ from argparse import ArgumentTypeError
 from typing import Literal
 
 # %% auto #0
-__all__ = ['main', 'add_streams', 'serving', 'Aboard', 'StatusPrinter', 'log_to', 'serve_camera']
+__all__ = ['main', 'serve_camera', 'add_streams', 'serving', 'Aboard', 'StatusPrinter', 'log_to']
+
+# %% ../../nbs/api/cli/02_serve.ipynb #4b62626b
+def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
+    device:str=None, # Camera/gimbal: siyi|viewsheen|topotek://HOST, onvif://USER:PASSWORD@HOST, gphoto2://, picamera://
+    camera:str=None, # sim (the default), dual (with heat), 0, /dev/video0, FILE, URL, PIPELINE.toml, or 'source ! …'
+    system:number=1, # System id of the vehicle
+    component:between(100, 105, int)=100, # Component id of the camera, 100 to 105
+    name:str=None, # Name that ground stations show; default: the model
+    folder:str='uav_pictures', # Folder for pictures and recordings
+    quota:float=None, # Limit each storage to this many MiB; default: the whole disk
+    storage:str=None, # Folders of further storages, separated by commas; choose with `uav-camera storage`
+    rtsp:between(-1, 65535, int)=8554, # Serve RTSP on this port; 0: a free one, -1: none
+    rtsp_user:str=None, # Only this user may watch over RTSP, with the password in UAV_RTSP_PASSWORD
+    rtsp_password_file:str=None, # Read that password from this file
+    rtp:_host_port=None, # Send RTP to HOST:PORT, for example a ground station
+    mpegts:_host_port=None, # Send MPEG-TS over UDP to HOST:PORT
+    tcp:between(0, 65535, int)=None, # Serve MPEG-TS over TCP on this port
+    host:address=None, # Our address in stream URLs; default: the one that reaches each client
+    codec:Literal['h264','h265']='h264', # Video codec
+    size:_picture_size=None, # Video size, such as 1280x720; default: the camera's
+    rate:between(.1, 240)=15., # Frames per second, at most
+    bitrate:between(.01, 1000)=None, # Video bit rate, Mbit/s; default: by size and rate
+    sign:str=None, # Sign the link with the key in this file
+    guard:_guarding=None, # Only these may format, reset and delete: 255,254/190 or signed (all else may be unsigned)
+    forward:bool=False, # Forward MAVLink between the links
+    gimbal:str=None, # Add a gimbal, component 154: sim, which carries the simulated camera, or a URL
+    role:Literal['both','device']='both', # Gimbal role: device if an autopilot manages it (ArduPilot: MNT1_TYPE 6)
+    mounted:_mounting=None, # Fixed camera: down, forward, or ROLL,PITCH,YAW in degrees
+    path:Literal['hover','circle']=None, # Simulate a vehicle that flies this path
+    autopilot:bool=False): # Also simulate the autopilot: QGroundControl shows no camera without one
+    """Serve a camera to ground stations until Ctrl-C, with stills, video and storage
+
+    examples:
+      uav-camera-server      # a simulated camera, for an autopilot or Python on this machine
+      uav-camera-server --camera 0 --connection /dev/serial0,921600     # USB, behind an autopilot
+      uav-camera-server --device siyi://192.168.144.25      # camera and gimbal of a SIYI
+      uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # a file, sent as RTP
+      uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal"""
+    return _serve(SimpleNamespace(**locals()))
+
+# %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
+_groups = {'the link':'connection system component sign guard forward',
+           'the camera':'device camera name mounted folder quota storage',
+           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate',
+           'gimbal and vehicle':'gimbal role path autopilot'}
+main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)
+
+# %% ../../nbs/api/cli/02_serve.ipynb #3fa5d9e4
+def _named(guard)->str:
+    "Return a guard, as from `_guarding`, as text"
+    texts = ('/'.join(map(str, one)) if isinstance(one, tuple) else str(one) for one in guard)
+    return 'those who sign' if guard=='signed' else ', '.join(texts)
+
+def _serve(typed):
+    "Serve, and print the status until Ctrl-C"
+    log_to(printer := StatusPrinter())
+    try:
+        with ExitStack() as stack:
+            with or_exit('uav-camera-server'): camera,com = _opened(typed, stack)
+            _introduce(camera, com, printer)
+            for status in _statuses(camera, com): printer.status(*status)
+    except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
+    printer.line(f'stopped; the pictures are in {" and ".join(_places(typed))}')
+
+def _introduce(camera, com, printer:StatusPrinter):
+    "Print what is served, and on which links"
+    for component_id,component in com.component.items():
+        device = getattr(component, 'camera', None) or getattr(component, 'gimbal', None)
+        model = device and (getattr(component, 'name', None) or device.information.model)
+        name = f'{device.information.vendor} {model}' if device else type(component).__name__
+        printer.line(f'{name} is {com.source_system}/{component_id}')
+    server = next(c for c in com.component.values() if isinstance(c, CameraServer))
+    for channel in com.channels: printer.line(f'  on {channel.name}')
+    if server.guard: printer.line(f'  only these may format, reset and delete: {_named(server.guard)}')
+    for storage in repr(camera.storages).splitlines()*(len(camera.storages)>1): printer.line(f'  storage {storage}')
+    for stream in camera.streams:
+        printer.line(f'  {stream.kind}: {stream.uri(server.video.host_for())}, {stream.format}')
+
+# %% ../../nbs/api/cli/02_serve.ipynb #00cdc623
+def _opened(typed, stack:ExitStack)->tuple:
+    "Open everything and return `(camera, MAVCom)`; raises `ValueError`, `CameraError`, `MAVError` or `OSError`"
+    if typed.name is not None: _checked_name(typed.name, '--name')
+    connections = links(typed.connection)
+    signing = _signing_of(typed)
+    streams,places = _wanted_streams(typed),_places(typed)
+    rtsp = stack.enter_context(_with_password(streams, _viewer(typed.rtsp_user, typed.rtsp_password_file)))
+    storage = dict(folder=typed.folder, quota=typed.quota)
+    if typed.storage: storage = dict(storages=[Storage(place, typed.quota, name=Path(place).name) for place in places])
+    gimbal,camera = _device(typed, stack, storage)
+    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, typed.camera or 'sim',
+                                        typed.role, typed.mounted, **({} if camera or typed.camera else storage)))
+    camera = camera or _camera_of(typed, stack, aboard, storage)
+    camera.mounted = typed.mounted
+    if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
+    bitrate = None if typed.bitrate is None else int(typed.bitrate*1e6)
+    add_streams(camera, [] if isinstance(camera, CardCamera) else streams, rtsp, codec=typed.codec, size=typed.size,
+                rate=typed.rate, bitrate=bitrate)
+    com = serving(camera, connections, typed.system, typed.component, typed.host, typed.guard, typed.name,
+                  aboard.components, signing=signing, forward=typed.forward)
+    return camera,stack.enter_context(com)
+
+# %% ../../nbs/api/cli/02_serve.ipynb #e2ed96e7
+def _places(typed)->list:
+    "Return the folders of all storages"
+    return [typed.folder] if typed.storage is None else [typed.folder, *listed('--storage', typed.storage)]
+
+# %% ../../nbs/api/cli/02_serve.ipynb #64f0c6f9
+def _device(typed, stack:ExitStack, storage:dict)->tuple:
+    "Open `--device` and return `(gimbal, camera)`, either may be `None`; raises `ValueError`, and errors of its driver"
+    if typed.device is None: return None,None
+    device = stack.enter_context(open_device(typed.device, **({} if typed.camera else storage)))
+    gimbal,camera = (device,device.camera) if isinstance(device, Gimbal) else (None,device)
+    shown = device_url(typed.device)            # without its password
+    if gimbal and typed.gimbal: raise ValueError(f'--device {shown} is the gimbal: leave --gimbal out')
+    if takes_orders(gimbal): return gimbal,None if typed.camera else camera         # `--camera` is its video
+    if camera and typed.camera: raise ValueError(f'--device {shown} has its own camera: leave --camera out')
+    if not (camera or typed.camera): raise ValueError(f'--device {shown} gives no picture: add --camera rtsp://HOST/…')
+    return gimbal,camera
+
+# %% ../../nbs/api/cli/02_serve.ipynb #5b1fa3d8
+def _camera_of(typed, stack:ExitStack, aboard:Aboard, storage:dict)->Camera:
+    "Open that of the gimbal, or `--camera` with the gimbal's camera verbs; raises `ValueError`, `CameraError`"
+    own = getattr(aboard.gimbal, 'camera', None)
+    orders = aboard.gimbal if takes_orders(aboard.gimbal) else None
+    if own and not (orders or typed.camera):
+        raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
+    if orders and not typed.camera: return own or stack.enter_context(gimbal_camera(orders, **storage))
+    if orders and own: own.close()
+    return stack.enter_context(_make_camera(typed.camera or 'sim', typed.size, aboard.mount, orders, **storage))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #834fa745
 def _is_device(text:str)->bool: return text.partition('://')[0].lower() in device_schemes()
@@ -281,131 +410,3 @@ def log_to(printer:StatusPrinter):
     "Make all loggers print above the status"
     form = f'{printer.over if printer.live else ""}%(levelname)s %(name)s: %(message)s'
     logging.basicConfig(stream=printer.out, level=logging.INFO, format=form)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #e2ed96e7
-def _places(typed)->list:
-    "Return the folders of all storages"
-    return [typed.folder] if typed.storage is None else [typed.folder, *listed('--storage', typed.storage)]
-
-# %% ../../nbs/api/cli/02_serve.ipynb #64f0c6f9
-def _device(typed, stack:ExitStack, storage:dict)->tuple:
-    "Open `--device` and return `(gimbal, camera)`, either may be `None`; raises `ValueError`, and errors of its driver"
-    if typed.device is None: return None,None
-    device = stack.enter_context(open_device(typed.device, **({} if typed.camera else storage)))
-    gimbal,camera = (device,device.camera) if isinstance(device, Gimbal) else (None,device)
-    shown = device_url(typed.device)            # without its password
-    if gimbal and typed.gimbal: raise ValueError(f'--device {shown} is the gimbal: leave --gimbal out')
-    if takes_orders(gimbal): return gimbal,None if typed.camera else camera         # `--camera` is its video
-    if camera and typed.camera: raise ValueError(f'--device {shown} has its own camera: leave --camera out')
-    if not (camera or typed.camera): raise ValueError(f'--device {shown} gives no picture: add --camera rtsp://HOST/…')
-    return gimbal,camera
-
-# %% ../../nbs/api/cli/02_serve.ipynb #5b1fa3d8
-def _camera_of(typed, stack:ExitStack, aboard:Aboard, storage:dict)->Camera:
-    "Open that of the gimbal, or `--camera` with the gimbal's camera verbs; raises `ValueError`, `CameraError`"
-    own = getattr(aboard.gimbal, 'camera', None)
-    orders = aboard.gimbal if takes_orders(aboard.gimbal) else None
-    if own and not (orders or typed.camera):
-        raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
-    if orders and not typed.camera: return own or stack.enter_context(gimbal_camera(orders, **storage))
-    if orders and own: own.close()
-    return stack.enter_context(_make_camera(typed.camera or 'sim', typed.size, aboard.mount, orders, **storage))
-
-# %% ../../nbs/api/cli/02_serve.ipynb #00cdc623
-def _opened(typed, stack:ExitStack)->tuple:
-    "Open everything and return `(camera, MAVCom)`; raises `ValueError`, `CameraError`, `MAVError` or `OSError`"
-    if typed.name is not None: _checked_name(typed.name, '--name')
-    connections,signing = links(typed.connection),_signing_of(typed)
-    streams,places = _wanted_streams(typed),_places(typed)
-    rtsp = stack.enter_context(_with_password(streams, _viewer(typed.rtsp_user, typed.rtsp_password_file)))
-    storage = dict(folder=typed.folder, quota=typed.quota)
-    if typed.storage: storage = dict(storages=[Storage(place, typed.quota, name=Path(place).name) for place in places])
-    gimbal,camera = _device(typed, stack, storage)
-    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, typed.camera or 'sim',
-                                        typed.role, typed.mounted, **({} if camera or typed.camera else storage)))
-    camera = camera or _camera_of(typed, stack, aboard, storage)
-    camera.mounted = typed.mounted
-    if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
-    bitrate = None if typed.bitrate is None else int(typed.bitrate*1e6)
-    add_streams(camera, [] if isinstance(camera, CardCamera) else streams, rtsp, codec=typed.codec, size=typed.size,
-                rate=typed.rate, bitrate=bitrate)
-    com = serving(camera, connections, typed.system, typed.component, typed.host, typed.guard, typed.name,
-                  aboard.components, signing=signing, forward=typed.forward)
-    return camera,stack.enter_context(com)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #3fa5d9e4
-def _named(guard)->str:
-    "Return a guard, as from `_guarding`, as text"
-    texts = ('/'.join(map(str, one)) if isinstance(one, tuple) else str(one) for one in guard)
-    return 'those who sign' if guard=='signed' else ', '.join(texts)
-
-def _serve(typed):
-    "Serve, and print the status until Ctrl-C"
-    log_to(printer := StatusPrinter())
-    try:
-        with ExitStack() as stack:
-            with or_exit('uav-camera-server'): camera,com = _opened(typed, stack)
-            _introduce(camera, com, printer)
-            for status in _statuses(camera, com): printer.status(*status)
-    except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
-    printer.line(f'stopped; the pictures are in {" and ".join(_places(typed))}')
-
-def _introduce(camera, com, printer:StatusPrinter):
-    "Print what is served, and on which links"
-    for component_id,component in com.component.items():
-        device = getattr(component, 'camera', None) or getattr(component, 'gimbal', None)
-        model = device and (getattr(component, 'name', None) or device.information.model)
-        name = f'{device.information.vendor} {model}' if device else type(component).__name__
-        printer.line(f'{name} is {com.source_system}/{component_id}')
-    server = next(c for c in com.component.values() if isinstance(c, CameraServer))
-    for channel in com.channels: printer.line(f'  on {channel.name}')
-    if server.guard: printer.line(f'  only these may format, reset and delete: {_named(server.guard)}')
-    for storage in repr(camera.storages).splitlines()*(len(camera.storages)>1): printer.line(f'  storage {storage}')
-    for stream in camera.streams:
-        printer.line(f'  {stream.kind}: {stream.uri(server.video.host_for())}, {stream.format}')
-
-# %% ../../nbs/api/cli/02_serve.ipynb #4b62626b
-def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
-    device:str=None, # Camera/gimbal: siyi|viewsheen|topotek://HOST, onvif://USER:PASSWORD@HOST, gphoto2://, picamera://
-    camera:str=None, # sim (the default), dual (with heat), 0, /dev/video0, FILE, URL, PIPELINE.toml, or 'source ! …'
-    system:number=1, # System id of the vehicle
-    component:between(100, 105, int)=100, # Component id of the camera, 100 to 105
-    name:str=None, # Name that ground stations show; default: the model
-    folder:str='uav_pictures', # Folder for pictures and recordings
-    quota:float=None, # Limit each storage to this many MiB; default: the whole disk
-    storage:str=None, # Folders of further storages, separated by commas; choose with `uav-camera storage`
-    rtsp:between(-1, 65535, int)=8554, # Serve RTSP on this port; 0: a free one, -1: none
-    rtsp_user:str=None, # Only this user may watch over RTSP, with the password in UAV_RTSP_PASSWORD
-    rtsp_password_file:str=None, # Read that password from this file
-    rtp:_host_port=None, # Send RTP to HOST:PORT, for example a ground station
-    mpegts:_host_port=None, # Send MPEG-TS over UDP to HOST:PORT
-    tcp:between(0, 65535, int)=None, # Serve MPEG-TS over TCP on this port
-    host:address=None, # Our address in stream URLs; default: the one that reaches each client
-    codec:Literal['h264','h265']='h264', # Video codec
-    size:_picture_size=None, # Video size, such as 1280x720; default: the camera's
-    rate:between(.1, 240)=15., # Frames per second, at most
-    bitrate:between(.01, 1000)=None, # Video bit rate, Mbit/s; default: by size and rate
-    sign:str=None, # Sign the link with the key in this file
-    guard:_guarding=None, # Only these may format, reset and delete: 255,254/190 or signed (all else may be unsigned)
-    forward:bool=False, # Forward MAVLink between the links
-    gimbal:str=None, # Add a gimbal, component 154: sim, which carries the simulated camera, or a URL
-    role:Literal['both','device']='both', # Gimbal role: device if an autopilot manages it (ArduPilot: MNT1_TYPE 6)
-    mounted:_mounting=None, # Fixed camera: down, forward, or ROLL,PITCH,YAW in degrees
-    path:Literal['hover','circle']=None, # Simulate a vehicle that flies this path
-    autopilot:bool=False): # Also simulate the autopilot: QGroundControl shows no camera without one
-    """Serve a camera to ground stations until Ctrl-C, with stills, video and storage
-
-    examples:
-      uav-camera-server      # a simulated camera, for an autopilot or Python on this machine
-      uav-camera-server --camera 0 --connection /dev/serial0,921600     # USB, behind an autopilot
-      uav-camera-server --device siyi://192.168.144.25      # camera and gimbal of a SIYI
-      uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # a file, sent as RTP
-      uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal"""
-    return _serve(SimpleNamespace(**locals()))
-
-# %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
-_groups = {'the link':'connection system component sign guard forward',
-           'the camera':'device camera name mounted folder quota storage',
-           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate',
-           'gimbal and vehicle':'gimbal role path autopilot'}
-main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)

@@ -94,23 +94,6 @@ class CameraClient(Component):
         self._cameras = {}          # `{(system, component): RemoteCamera}`
         self.ftp_numbers,self.command_numbers = FtpNumbers(),CommandNumbers()
 
-# %% ../../nbs/api/mavlink/16_camera_client.ipynb #600a3756
-class CommandNumbers:
-    "Numbers that distinguish a new command of ours from a copy of the last one"
-    last_shot = 2**24-1     # highest number of a shot: exact in a float32
-
-    def __init__(self): self._shot,self._step = secrets.randbelow(self.last_shot),0
-
-    def shot(self)->int:
-        "Return a new number for a single shot, 1 to `last_shot`"
-        self._shot = self._shot%self.last_shot+1
-        return self._shot
-
-    def step(self)->list:
-        "Return parameters 4 to 7 of a step: 0 or NaN each, unlike those of the 15 steps before"
-        self._step = (self._step+1)%16
-        return [NAN if self._step&bit else 0 for bit in (1,2,4,8)]
-
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #439ca40c
 @patch
 def camera(self:CameraClient, system:int|None=None, component:int|None=None)->RemoteCamera:
@@ -140,6 +123,61 @@ def _on_param_ext(self:CameraClient, msg):
     for camera in list(self._cameras.values()):
         settings = vars(camera).get('settings')
         if settings is not None and settings.target==address(msg): settings.note(msg)
+
+# %% ../../nbs/api/mavlink/16_camera_client.ipynb #600a3756
+class CommandNumbers:
+    "Numbers that distinguish a new command of ours from a copy of the last one"
+    last_shot = 2**24-1     # highest number of a shot: exact in a float32
+
+    def __init__(self): self._shot,self._step = secrets.randbelow(self.last_shot),0
+
+    def shot(self)->int:
+        "Return a new number for a single shot, 1 to `last_shot`"
+        self._shot = self._shot%self.last_shot+1
+        return self._shot
+
+    def step(self)->list:
+        "Return parameters 4 to 7 of a step: 0 or NaN each, unlike those of the 15 steps before"
+        self._step = (self._step+1)%16
+        return [NAN if self._step&bit else 0 for bit in (1,2,4,8)]
+
+# %% ../../nbs/api/mavlink/16_camera_client.ipynb #84f6b2fc
+@patch
+async def find_cameras(self:CameraClient, count:int|None=None, # Return as soon as this many are found
+                       timeout:float=1.5, # Seconds to listen; heartbeats come once a second
+                      )->list[RemoteCamera]:
+    "Return a `RemoteCamera` for each camera, ordered by address; raises `LinkError` without a link"
+    check_count(count)
+    check_seconds('timeout', timeout)
+    start = clock.monotonic()
+    def enough(): return count is not None and len(cameras_heard(self, start-1.5))>=count
+    await self._listen(start, start+timeout, enough)
+    found = await asyncio.gather(*(self._known(there) for there in cameras_heard(self, start-1.5)))
+    return Found(found, f'no camera in {timeout:g} s; {self._who_was_heard(start)}')
+
+# %% ../../nbs/api/mavlink/16_camera_client.ipynb #2b7420a3
+@patch
+async def find_camera(self:CameraClient, name:str|None=None, # Part of its vendor and model
+                      system:int|None=None, # Only of this system
+                      component:int|None=None, # Only with this id
+                      timeout:float=5., # Seconds to listen
+                     )->RemoteCamera:
+    "Return the first camera that answers; raises `NoAnswer` with the components seen instead"
+    check_seconds('timeout', timeout)
+    check_which(name, system, component)
+    start,seen = clock.monotonic(),{}
+    def meant(s): return s not in seen and system in (None,s[0]) and component in (None,s[1])
+    def new(): return [*filter(meant, cameras_heard(self, start-1.5))]
+    while True:
+        for there in new():
+            camera = seen[there] = await self._known(there)
+            if (name or '').lower() in camera.name.lower(): return camera
+        await self._listen(start, start+timeout, new)
+        if not new(): break
+    asked = dict(name=name, system=system, component=component)
+    which = ', '.join(f'{k}={v!r}' for k,v in asked.items() if v is not None)
+    heard = ', '.join(map(str, seen.values())) or self._who_was_heard(start)
+    raise NoAnswer(f'no camera{which and f" with {which}"} in {timeout:g} s; {heard}')
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #43084bea
 @patch
@@ -185,44 +223,6 @@ def _who_was_heard(self:CameraClient, start:float)->str:
     odd = [f'{system}/{component}' for system,component in cameras_heard(self, start-1.5, sure=False)]
     without = f'; no CAMERA_INFORMATION came from {" and ".join(odd)}, at the id of a camera' if odd else ''
     return self.mav_com.who_was_heard()+without
-
-# %% ../../nbs/api/mavlink/16_camera_client.ipynb #84f6b2fc
-@patch
-async def find_cameras(self:CameraClient, count:int|None=None, # Return as soon as this many are found
-                       timeout:float=1.5, # Seconds to listen; heartbeats come once a second
-                      )->list[RemoteCamera]:
-    "Return a `RemoteCamera` for each camera, ordered by address; raises `LinkError` without a link"
-    check_count(count)
-    check_seconds('timeout', timeout)
-    start = clock.monotonic()
-    def enough(): return count is not None and len(cameras_heard(self, start-1.5))>=count
-    await self._listen(start, start+timeout, enough)
-    found = await asyncio.gather(*(self._known(there) for there in cameras_heard(self, start-1.5)))
-    return Found(found, f'no camera in {timeout:g} s; {self._who_was_heard(start)}')
-
-# %% ../../nbs/api/mavlink/16_camera_client.ipynb #2b7420a3
-@patch
-async def find_camera(self:CameraClient, name:str|None=None, # Part of its vendor and model
-                      system:int|None=None, # Only of this system
-                      component:int|None=None, # Only with this id
-                      timeout:float=5., # Seconds to listen
-                     )->RemoteCamera:
-    "Return the first camera that answers; raises `NoAnswer` with the components seen instead"
-    check_seconds('timeout', timeout)
-    check_which(name, system, component)
-    start,seen = clock.monotonic(),{}
-    def meant(s): return s not in seen and system in (None,s[0]) and component in (None,s[1])
-    def new(): return [*filter(meant, cameras_heard(self, start-1.5))]
-    while True:
-        for there in new():
-            camera = seen[there] = await self._known(there)
-            if (name or '').lower() in camera.name.lower(): return camera
-        await self._listen(start, start+timeout, new)
-        if not new(): break
-    asked = dict(name=name, system=system, component=component)
-    which = ', '.join(f'{k}={v!r}' for k,v in asked.items() if v is not None)
-    heard = ', '.join(map(str, seen.values())) or self._who_was_heard(start)
-    raise NoAnswer(f'no camera{which and f" with {which}"} in {timeout:g} s; {heard}')
 
 # %% ../../nbs/api/mavlink/16_camera_client.ipynb #22894b19
 @patch

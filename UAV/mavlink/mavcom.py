@@ -173,6 +173,51 @@ def _twins(self:MAVCom)->list:
     alike = [com for com in _open if com is not self and com.source_system==self.source_system]
     return [com for com in alike if leads(com)&leads(self)]
 
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0bead309
+@patch
+def _ground(self:MAVCom, name:str):
+    "Return our component of the class `UAV.mavlink.name`, made if there is none"
+    from UAV import mavlink as door         # it loads modules above this one on demand
+    kind = getattr(door, name)
+    found = next((c for c in self.component.values() if isinstance(c, kind)), None)
+    if found is not None: return found
+    free = (i for i in range(mavlink.MAV_COMP_ID_MISSIONPLANNER, 256) if i not in self.component)
+    return self.add_component(kind(next(free)))
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0a2ed3be
+@patch
+async def find_camera(self:MAVCom, name:str|None=None, # Part of its vendor and model
+                      system:int|None=None, # Only of this system
+                      component:int|None=None, # Only with this id
+                      timeout:float=5., # Seconds to listen
+                     )->RemoteCamera:
+    "Return the first camera that answers; raises `NoAnswer`, which lists the components seen"
+    return await self._ground('CameraClient').find_camera(name, system, component, timeout)
+
+@patch
+async def find_cameras(self:MAVCom, count:int|None=None, # Return as soon as this many are found
+                       timeout:float=1.5, # Seconds to listen
+                      )->list[RemoteCamera]:
+    "Return a `RemoteCamera` for each camera that sends heartbeats, ordered by address"
+    return await self._ground('CameraClient').find_cameras(count, timeout)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #224fa461
+@patch
+async def find_gimbal(self:MAVCom, name:str|None=None, # Part of its vendor and model
+                      system:int|None=None, # Only of this system
+                      component:int|None=None, # Only the manager or device with this id
+                      timeout:float=5., # Seconds to listen
+                     )->RemoteGimbal:
+    "Return the first gimbal that answers; raises `NoAnswer`, which lists the components seen"
+    return await self._ground('GimbalClient').find_gimbal(name, system, component, timeout)
+
+@patch
+async def find_gimbals(self:MAVCom, count:int|None=None, # Return as soon as this many are found
+                       timeout:float=1.5, # Seconds to listen
+                      )->list[RemoteGimbal]:
+    "Return a `RemoteGimbal` for each gimbal, ordered by address"
+    return await self._ground('GimbalClient').find_gimbals(count, timeout)
+
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #c2f728ea
 @patch
 def route(self:MAVCom, msg, # A received message, or one of ours
@@ -213,12 +258,6 @@ def close_all(cls:MAVCom):
 
 @atexit.register
 def _close_all(): MAVCom.close_all()
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #7bfb7815
-def _link_name(link:str|Link)->str:
-    "Return the name of a link"
-    if isinstance(link, str): return link
-    return type(link).__name__.lstrip('_')+(f'({link._name})' if hasattr(link,'_name') else '')
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #7b653934
 class Channel:
@@ -313,6 +352,12 @@ def _come_back(self:Channel):
     for reader in self.readers.values(): reader.restart()
     self.com.log.warning('%s is back', self.name)
     self.com.heart.beat()
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #7bfb7815
+def _link_name(link:str|Link)->str:
+    "Return the name of a link"
+    if isinstance(link, str): return link
+    return type(link).__name__.lstrip('_')+(f'({link._name})' if hasattr(link,'_name') else '')
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #79155edb
 class Heart:
@@ -456,6 +501,38 @@ def lost(self:MAVCom, source:tuple)->str:
     "Return why a component is lost, or '' if it is not"
     return self.heart.lost(source)
 
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #f914a4d9
+@patch
+def write(self:MAVCom, frame:bytes, # A packed message of ours
+          to:tuple|None=None): # `(system, component)` of its receiver; `None`: the target in the frame
+    "Send a frame to its target, signed if we sign"
+    if self._closed: return
+    if frame[7:10]==b'\0\0\0': self.heart.sent.note(_essence(frame))
+    if self.message_log is not None: self.keep(frame, True)
+    to = to or target(frame)
+    if to in self.here: return
+    one_way = len(self.channels)==1 and len(self.channels[0].readers)<2
+    known = self.where(*to) if to[0] and not one_way else ()
+    for channel,peer in known or self._everywhere:
+        channel.write(frame if self.signing is None else self.signing.sign(frame, channel.number), peer)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #ec74f403
+@patch
+def write(self:Channel, frame:bytes, peer=None):
+    "Send `frame` to one peer of the link, or to all (`None`)"
+    if not self.up: return
+    try: self.link.write(frame) if peer is None else self.link.write(frame, peer)
+    except Exception: self.com.log.exception('%s cannot be written to', self)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #9c6fe928
+@patch
+def keep(self:MAVCom, frame:bytes, sent:bool):
+    "Add `frame` to the message log; one that raises is reported once, and no longer used"
+    try: self.message_log.add(frame, sent)
+    except Exception:
+        self.message_log = None
+        self.log.exception('the message log failed, and is no longer used')
+
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #b87b128e
 @patch
 def where(self:MAVCom, system:int, component:int,
@@ -475,6 +552,39 @@ def reaches(self:MAVCom, system:int, component:int)->bool:
     "True if a link to a component is open, as far as links can detect, or if it was never seen"
     ways = self.where(system, component)
     return not ways or any(channel.up and not channel.link.gone(peer) for channel,peer in ways)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #e45406d0
+@patch
+def share(self:MAVCom, frame:bytes, # A packed message
+          msg_id:int, # Its MAVLINK_MSG_ID
+          origin): # The component that sent it
+    "Deliver `frame` to our other components"
+    if msg_id in self.wanted and not self._closed: self.route(decode(frame), origin)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #f6c0b688
+_never_forwarded = mavlink.MAVLINK_MSG_ID_RADIO_STATUS,mavlink.MAVLINK_MSG_ID_SETUP_SIGNING
+
+@patch
+def _forward(self:MAVCom, origin:Channel, frame:bytes, msg_id:int, source:tuple):
+    "Forward a frame that came by the link `origin`"
+    to = target(frame)
+    if msg_id in _never_forwarded or source in self.here or to in self.here: return
+    with self._lock:
+        first = self._passed.find(frame, origin)
+        if first is origin: self._passed.note(frame, origin)
+    if first is not origin: return          # it circles between routers
+    for channel,peer in self.where(*to, besides=origin) if to[0] else self._everywhere:
+        if channel is not origin: channel.write(frame, peer)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #c287ad9d
+@patch
+def _check(self:Channel, frame:bytes, msg_id:int, source:tuple)->bool:
+    "True if the frame's signature is accepted; then also log it, and have `take` forward it"
+    com = self.com
+    if com.signing is not None and not com.signing.check(frame, msg_id, source): return False
+    if com.message_log is not None: com.keep(frame, False)
+    if com.forward: self._passing.append((frame, msg_id, source))
+    return True
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #69f71005
 def own_host(host:str, # Host of the other side
@@ -522,71 +632,6 @@ def beating_hosts(self:MAVCom)->set:
     "IP addresses from which heartbeats come, except hidden ones"
     ways = [(channel, peer) for channel in self.channels for peer in list(channel.readers)]
     return {ends(*way)[1] for way in ways if self.heart.ways.find(way)}-{None}
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #ec74f403
-@patch
-def write(self:Channel, frame:bytes, peer=None):
-    "Send `frame` to one peer of the link, or to all (`None`)"
-    if not self.up: return
-    try: self.link.write(frame) if peer is None else self.link.write(frame, peer)
-    except Exception: self.com.log.exception('%s cannot be written to', self)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #f914a4d9
-@patch
-def write(self:MAVCom, frame:bytes, # A packed message of ours
-          to:tuple|None=None): # `(system, component)` of its receiver; `None`: the target in the frame
-    "Send a frame to its target, signed if we sign"
-    if self._closed: return
-    if frame[7:10]==b'\0\0\0': self.heart.sent.note(_essence(frame))
-    if self.message_log is not None: self.keep(frame, True)
-    to = to or target(frame)
-    if to in self.here: return
-    one_way = len(self.channels)==1 and len(self.channels[0].readers)<2
-    known = self.where(*to) if to[0] and not one_way else ()
-    for channel,peer in known or self._everywhere:
-        channel.write(frame if self.signing is None else self.signing.sign(frame, channel.number), peer)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #9c6fe928
-@patch
-def keep(self:MAVCom, frame:bytes, sent:bool):
-    "Add `frame` to the message log; one that raises is reported once, and no longer used"
-    try: self.message_log.add(frame, sent)
-    except Exception:
-        self.message_log = None
-        self.log.exception('the message log failed, and is no longer used')
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #e45406d0
-@patch
-def share(self:MAVCom, frame:bytes, # A packed message
-          msg_id:int, # Its MAVLINK_MSG_ID
-          origin): # The component that sent it
-    "Deliver `frame` to our other components"
-    if msg_id in self.wanted and not self._closed: self.route(decode(frame), origin)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #f6c0b688
-_never_forwarded = mavlink.MAVLINK_MSG_ID_RADIO_STATUS,mavlink.MAVLINK_MSG_ID_SETUP_SIGNING
-
-@patch
-def _forward(self:MAVCom, origin:Channel, frame:bytes, msg_id:int, source:tuple):
-    "Forward a frame that came by the link `origin`"
-    to = target(frame)
-    if msg_id in _never_forwarded or source in self.here or to in self.here: return
-    with self._lock:
-        first = self._passed.find(frame, origin)
-        if first is origin: self._passed.note(frame, origin)
-    if first is not origin: return          # it circles between routers
-    for channel,peer in self.where(*to, besides=origin) if to[0] else self._everywhere:
-        if channel is not origin: channel.write(frame, peer)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #c287ad9d
-@patch
-def _check(self:Channel, frame:bytes, msg_id:int, source:tuple)->bool:
-    "True if the frame's signature is accepted; then also log it, and have `take` forward it"
-    com = self.com
-    if com.signing is not None and not com.signing.check(frame, msg_id, source): return False
-    if com.message_log is not None: com.keep(frame, False)
-    if com.forward: self._passing.append((frame, msg_id, source))
-    return True
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #ad531127
 @patch(as_prop=True)
@@ -690,51 +735,6 @@ def summary(self:MAVCom)->str:
     dropped = self.signing.dropped if self.signing is not None else {}
     if dropped: lines.append('  dropped: '+', '.join(f'{n} {why}' for why,n in sorted(dropped.items())))
     return '\n'.join(lines+[f'  {c!r}' for c in list(self.component.values())])
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0bead309
-@patch
-def _ground(self:MAVCom, name:str):
-    "Return our component of the class `UAV.mavlink.name`, made if there is none"
-    from UAV import mavlink as door         # it loads modules above this one on demand
-    kind = getattr(door, name)
-    found = next((c for c in self.component.values() if isinstance(c, kind)), None)
-    if found is not None: return found
-    free = (i for i in range(mavlink.MAV_COMP_ID_MISSIONPLANNER, 256) if i not in self.component)
-    return self.add_component(kind(next(free)))
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0a2ed3be
-@patch
-async def find_camera(self:MAVCom, name:str|None=None, # Part of its vendor and model
-                      system:int|None=None, # Only of this system
-                      component:int|None=None, # Only with this id
-                      timeout:float=5., # Seconds to listen
-                     )->RemoteCamera:
-    "Return the first camera that answers; raises `NoAnswer`, which lists the components seen"
-    return await self._ground('CameraClient').find_camera(name, system, component, timeout)
-
-@patch
-async def find_cameras(self:MAVCom, count:int|None=None, # Return as soon as this many are found
-                       timeout:float=1.5, # Seconds to listen
-                      )->list[RemoteCamera]:
-    "Return a `RemoteCamera` for each camera that sends heartbeats, ordered by address"
-    return await self._ground('CameraClient').find_cameras(count, timeout)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #224fa461
-@patch
-async def find_gimbal(self:MAVCom, name:str|None=None, # Part of its vendor and model
-                      system:int|None=None, # Only of this system
-                      component:int|None=None, # Only the manager or device with this id
-                      timeout:float=5., # Seconds to listen
-                     )->RemoteGimbal:
-    "Return the first gimbal that answers; raises `NoAnswer`, which lists the components seen"
-    return await self._ground('GimbalClient').find_gimbal(name, system, component, timeout)
-
-@patch
-async def find_gimbals(self:MAVCom, count:int|None=None, # Return as soon as this many are found
-                       timeout:float=1.5, # Seconds to listen
-                      )->list[RemoteGimbal]:
-    "Return a `RemoteGimbal` for each gimbal, ordered by address"
-    return await self._ground('GimbalClient').find_gimbals(count, timeout)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #efb3cddf
 @patch

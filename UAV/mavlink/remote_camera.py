@@ -33,8 +33,8 @@ from .camera_downloads import place_on_disk, RemoteFiles
 from .parameter_client import RemoteSettings
 
 # %% auto #0
-__all__ = ['Picture', 'RemoteCamera', 'printable', 'text_of', 'flags_of', 'is_camera', 'cameras_heard', 'CameraStatus',
-           'status_of', 'FieldOfView', 'fov_of', 'storage_of', 'RemotePicture']
+__all__ = ['Picture', 'RemoteCamera', 'printable', 'text_of', 'flags_of', 'RemotePicture', 'CameraStatus', 'status_of',
+           'FieldOfView', 'fov_of', 'storage_of', 'is_camera', 'cameras_heard']
 
 # %% ../../nbs/api/mavlink/15_remote_camera.ipynb #f3ff60aa
 class RemoteCamera:
@@ -94,114 +94,266 @@ def flags_of(info)->list:
     flags,names = info.flags if info else 0,mavlink.enums['CAMERA_CAP_FLAGS']
     return [names[i].name.removeprefix('CAMERA_CAP_FLAGS_') for i in sorted(names) if flags&i==i and i.bit_count()==1]
 
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #5aae7c22
-@patch(as_prop=True)
-def _label(self:RemoteCamera)->str: return self.client.mav_com.name_of(self.address)
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #acefdbb1
+@patch
+@for_async
+async def capture(self:RemoteCamera,
+    count:int=1, # Number of pictures; 0: until you leave the loop
+    interval:float=0, # Seconds between two pictures; 0: as fast as the camera can
+    timeout:float=5., # Seconds without progress before giving up; more on a slow link, or if the picture exists
+):
+    """Take pictures and yield the CAMERA_IMAGE_CAPTURED of each; raises `CommandError`, `Lost`, `NoAnswer`
+
+    Each has `image_index` (from 0), `capture_result` (1: taken, 0: failed), `file_url` (for `files.fetch`),
+    `time_utc` (µs since 1970; 0: unknown), `lat` and `lon` (1e-7 degrees), `alt` and `relative_alt` (mm).
+    A picture that fails is yielded, too, and raises nothing. Leaving the loop ends the series.
+
+    async for notice in camera.capture(3, interval=.5): data = await camera.files.fetch(notice)
+    """
+    self._check_camera()
+    _check_series(count, interval, timeout)
+    shots = Capture(self._pictures, interval, count, timeout)
+    with self._pictures.capturing(shots):
+        try:
+            while (msg := await shots.next()) is not None: yield msg
+        except (GeneratorExit, asyncio.CancelledError):
+            await shots.leave()
+            raise
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #94f971df
+_longest_interval = 86400. # s between two pictures of a series: more is probably µs or ms
+
+def _check_series(count:int, interval:float, timeout:float):
+    "Check the arguments of `capture`; raises `TypeError`, `ValueError`"
+    if count is None: raise TypeError('count is a whole number, not None: write 0 for no end')
+    check_count(count)
+    for name,seconds in dict(interval=interval, timeout=timeout).items(): check_seconds(name, seconds)
+    if interval>_longest_interval:
+        raise ValueError(f'interval is in s, at most {_longest_interval:.0f}, not {interval:g}')
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #248f13ec
+@patch
+async def take_picture(self:RemoteCamera,
+    to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: keep the bytes
+    timeout:float=5., # As for `capture`
+    progress=None, # As for `files.fetch`
+    any_host:bool|None=None, # As for `files.fetch`
+)->RemotePicture:
+    """Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`
+
+    The `RemotePicture` has `path` or `data`, `time`, `lat`, `lon`, `alt`, `relative_alt`, `index` and `notice`.
+    """
+    if to is not None: place_on_disk(to, '')         # or an error before there is a picture
+    return await self._fetched(await self._shot(timeout), to, progress, any_host)
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #c2cfea24
+@patch
+async def _shot(self:RemoteCamera, timeout:float, ready=None):
+    "Take one picture after awaiting `ready`; return its CAMERA_IMAGE_CAPTURED. Raises as `capture`, and `Failed`"
+    self._check_camera()
+    shots = Capture(self._pictures, 0, 1, timeout)
+    shots.ready = ready
+    with self._pictures.capturing(shots): notice = await shots.next()
+    if notice is None: raise Failed(f'{self._label} was stopped')
+    if notice.capture_result!=1: raise shots.failed()
+    return notice
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #66be06a7
+@patch
+async def _fetched(self:RemoteCamera, notice, to:str|Path|None, progress=None, any_host:bool|None=None)->RemotePicture:
+    "Fetch the file of a notice; return its `RemotePicture`"
+    if not notice.file_url.strip(): raise MAVError(f'{self._label} does not say where its picture is')
+    try: return RemotePicture(notice, await self.files.fetch(notice, to, progress, any_host=any_host))
+    except (ValueError, Lost) as e:
+        kind = Lost if isinstance(e, Lost) else MAVError
+        raise kind(f'{self._label} has taken the picture, but its file did not come: {e}') from None
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #10f63cae
+class RemotePicture:
+    """A picture with its time and place, and its file if fetched
+
+    index: its number in the camera, from 0
+    time: when it was taken, a `datetime` in UTC; `None` if unknown
+    lat, lon, alt, relative_alt: where, in degrees, m above the sea and m above home; `None` if unknown
+    path: its file on our disk; `None` without `to`
+    data: the bytes of its file, without `to`; `None` with it, or if not fetched
+    notice: its CAMERA_IMAGE_CAPTURED
+    """
+    def __init__(self, notice, # Its CAMERA_IMAGE_CAPTURED
+                 file:bytes|Path|None=None): # Its bytes, or its local path; `None`: not fetched
+        self.notice,self.index = notice,notice.image_index
+        self.path,self.data = (None,file) if isinstance(file, bytes) else (file,None)
+        self.time = None
+        with suppress(ValueError, OverflowError, OSError):          # no year has so many microseconds
+            if notice.time_utc: self.time = datetime.fromtimestamp(notice.time_utc/1e6, timezone.utc)
+        place = notice.lat/1e7,notice.lon/1e7,notice.alt/1e3,notice.relative_alt/1e3       # degrees and m
+        there = any(place[:2]) and abs(place[0])<=90 and abs(place[1])<=180
+        self.lat,self.lon,self.alt,self.relative_alt = place if there else [None]*4
+
+    def __fspath__(self): return os.fspath(self.path)
+    def _repr_jpeg_(self): return self.path.read_bytes() if self.path else self.data
+
+    def __repr__(self):
+        where = [f'{self.lat:.6f} {self.lon:.6f}, {self.alt:.0f} m'] if self.lat is not None else []
+        when = [f'{self.time:%H:%M:%S} UTC'] if self.time else []
+        return f'Picture {self.path or self.index}: '+(', '.join(when+where) or 'time and place are not known')
+
+Picture = RemotePicture     # the name that programs import
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #0b81a984
+@patch
+@for_async
+async def pictures(self:RemoteCamera):
+    """Yield each CAMERA_IMAGE_CAPTURED from now on, your own and others'; raises `Lost`
+
+    Its fields are those that `capture` yields.
+    """
+    self._check_camera()
+    with self._pictures.following(PictureLog(count=0)) as log:
+        status = await self.request(CAMERA_CAPTURE_STATUS)
+        log.begin(status and status.image_count, math.inf)
+        log.since = status.time_boot_ms if status else 0
+        while True:
+            await self._pictures.wait_for(log, 1, math.inf, longest=5.)
+            for msg in log.take(): yield msg
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #790c9b63
+@patch
+async def wait_images(self:RemoteCamera, count:int=1, # Number of pictures
+                      timeout:float=5., # Seconds without a new one before giving up
+                     )->list:
+    "Return the next `count` CAMERA_IMAGE_CAPTURED, requesting lost ones; fewer if no more come. Raises `Lost`"
+    self._check_camera()
+    await self._pictures.start_log()
+    log = self._pictures.keep()
+    log.most = max(log.most, count)
+    try: await self._pictures.wait_for(log, count, timeout)
+    except Lost as e: raise Lost(f'{len(log.ready(count))} of {count} pictures came: {e}') from None
+    return log.take(count)
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #9f893879
+def _given(what:str, **values)->tuple:
+    "Return the only `(word, value)` that is not `None`; raises `TypeError`"
+    found = [(word, value) for word,value in values.items() if value is not None]
+    if len(found)!=1: raise TypeError(f'{what} takes one of {", ".join(values)}')
+    return found[0]
+
+_zooms = dict(percent=mavlink.ZOOM_TYPE_RANGE, mm=mavlink.ZOOM_TYPE_FOCAL_LENGTH, steps=mavlink.ZOOM_TYPE_STEP,
+              speed=mavlink.ZOOM_TYPE_CONTINUOUS, degrees=mavlink.ZOOM_TYPE_HORIZONTAL_FOV)
+_focuses = dict(percent=mavlink.FOCUS_TYPE_RANGE, metres=mavlink.FOCUS_TYPE_METERS, steps=mavlink.FOCUS_TYPE_STEP,
+                speed=mavlink.FOCUS_TYPE_CONTINUOUS)
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #b9fe6c6e
+@patch
+async def zoom(self:RemoteCamera, percent:float|None=None, # Of the range
+               mm:float|None=None, # Focal length
+               steps:float|None=None, # Steps in; negative: out
+               speed:float|None=None, # -1 to 1 until 0
+               degrees:float|None=None, # Horizontal field of view
+              )->Ack:
+    "Zoom; pass exactly one of these"
+    word,value = _given('zoom', percent=percent, mm=mm, steps=steps, speed=speed, degrees=degrees)
+    mark = self.client.command_numbers.step()
+    return await self._send(mavlink.MAV_CMD_SET_CAMERA_ZOOM, _zooms[word], value, 0, *mark)
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #87738209
+@patch
+async def focus(self:RemoteCamera, percent:float|None=None, # Of the range
+                metres:float|None=None, # Distance
+                steps:float|None=None, # Steps to the far end; negative: nearer
+                speed:float|None=None, # -1 to 1 until 0
+                auto:str|None=None, # 'auto', 'auto_single' or 'auto_continuous'
+               )->Ack:
+    "Focus; pass exactly one of these"
+    word,value = _given('focus', percent=percent, metres=metres, steps=steps, speed=speed, auto=auto)
+    if word=='auto': kind,level = number_of('SET_FOCUS_TYPE', value, 'FOCUS_TYPE_'),0
+    else: kind,level = _focuses[word],value
+    mark = self.client.command_numbers.step()
+    return await self._send(mavlink.MAV_CMD_SET_CAMERA_FOCUS, kind, level, 0, *mark)
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #c325254e
+@patch
+async def mode(self:RemoteCamera, mode:int|str, # A CAMERA_MODE, or its word: 'image', 'video' or 'image_survey'
+              )->Ack:
+    "Set the mode: pictures, video or survey"
+    number = number_of('CAMERA_MODE', mode, 'CAMERA_MODE_')
+    return await self._send(mavlink.MAV_CMD_SET_CAMERA_MODE, 0, number, *[NAN]*5)
 
 @patch
-async def _send(self:RemoteCamera, command_id:int, *params)->Ack:
-    return await self.client.send_command(*self.address, command_id, params)
+async def record(self:RemoteCamera, stream_id:int=0, # 0: all
+                 frequency:float=1, # CAMERA_CAPTURE_STATUS messages per second while recording
+                )->Ack:
+    "Start recording"
+    return await self._send(mavlink.MAV_CMD_VIDEO_START_CAPTURE, stream_id, frequency)
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #c1907453
+@patch
+async def stop_recording(self:RemoteCamera, stream_id:int=0, # 0: all
+                        )->Ack:
+    "Stop recording"
+    return await self._send(mavlink.MAV_CMD_VIDEO_STOP_CAPTURE, stream_id)
 
 @patch
-def _follow_wait(self:RemoteCamera)->float:
-    "Return the seconds to wait for messages that follow an ack"
-    remote = self.client.remotes.get(self.address)
-    spread = remote and remote.round_trip.rttvar
-    return self._first_wait+4*(spread or 0.)
+async def stop(self:RemoteCamera)->Ack:
+    "Stop taking pictures; ends a running `capture` of ours"
+    return await self.client.image_stop_capture(*self.address)
 
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #608294dd
-_older = {CAMERA_INFORMATION:(mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION,None),     # and the field that has its number
-          CAMERA_SETTINGS:(mavlink.MAV_CMD_REQUEST_CAMERA_SETTINGS,None),
-          CAMERA_CAPTURE_STATUS:(mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS,None),
-          CAMERA_IMAGE_CAPTURED:(mavlink.MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE,'image_index'),
-          STORAGE_INFORMATION:(mavlink.MAV_CMD_REQUEST_STORAGE_INFORMATION,'storage_id'),
-          VIDEO_STREAM_INFORMATION:(mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION,'stream_id'),
-          CAMERA_THERMAL_RANGE:(None,'stream_id')}
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #58e31001
+@patch
+async def format(self:RemoteCamera, storage_id:int=1, # As in STORAGE_INFORMATION
+                )->Ack:
+    "Delete all pictures on a storage; the picture count restarts at 0"
+    ack = await self._send(mavlink.MAV_CMD_STORAGE_FORMAT, storage_id, 1)
+    if ack: self._pictures.log = None
+    return ack
 
 @patch
-async def _ask_for(self:RemoteCamera, msg_id:int, number:int=0)->tuple:
-    "Request a message, by REQUEST_MESSAGE or the older command: `(message or None, the last ack)`"
-    after,request = max(.5, self._follow_wait()),self.client._request
-    older,field = _older.get(msg_id, (None,None))
-    def fits(msg):
-        is_any = field is None or number==0 and field!='image_index'        # pictures count from 0
-        return is_any or getattr(msg, field)==number
-    msg,ack = await request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, number], msg_id, self.address, after, fits=fits)
-    if msg is None and older and not ack.lost:
-        params = {None:[1], 'storage_id':[number, 1]}.get(field, [number])
-        msg,ack = await request(older, params, msg_id, self.address, after, fits=fits)
-    if msg is None: self.client._warn_unheard(msg_id, ack)
-    return msg,ack
+async def reset(self:RemoteCamera)->Ack:
+    "Reset all settings to their defaults"
+    return await self._send(mavlink.MAV_CMD_RESET_CAMERA_SETTINGS, 1)
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #3b091cb0
+@patch
+async def track(self:RemoteCamera,
+    *where, # A point (2 numbers), or left, top, right, bottom of a rectangle; fractions of the picture, 0…1
+    radius:float=0., # Radius of a point, fraction of the width; 0: the camera chooses
+)->Ack:
+    "Track the object there; `camera.tracking` follows it"
+    if len(where)==4: return await self.tracking.rectangle(*where)
+    return await self.tracking.point(*where, radius=radius)
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #73c20ec1
+@patch
+async def trigger_every(self:RemoteCamera, metres:float|None=None, # Metres flown between pictures; 0: stop
+                        seconds:float|None=None, # Seconds between pictures; 0: unchanged
+                        first:bool=False, # True: take the first picture at once (metres)
+                        shutter:float=0., # Milliseconds of exposure; 0: unchanged
+                       )->Ack:
+    "Take a picture every N metres flown, or every N seconds"
+    word,value = _given('trigger_every', metres=metres, seconds=seconds)
+    if word=='metres': return await self._send(mavlink.MAV_CMD_DO_SET_CAM_TRIGG_DIST, value, shutter, int(first))
+    return await self._send(mavlink.MAV_CMD_DO_SET_CAM_TRIGG_INTERVAL, value*1e3 or -1., shutter)
 
 @patch
-async def request(self:RemoteCamera, msg_id:int, # `CAMERA_SETTINGS`, for example
-                  number:int=0): # Picture (from 0), storage or stream (0: any)
-    "Return a requested message, or `None`"
-    return (await self._ask_for(msg_id, number))[0]
+async def trigger(self:RemoteCamera, enable:int=-1, # 1: resume, 0: stop, -1: unchanged
+                  reset:int=-1, # 1: count from 0
+                  pause:int=-1, # 1: pause
+                 )->Ack:
+    "Resume or stop the triggering set by `trigger_every`"
+    return await self._send(mavlink.MAV_CMD_DO_TRIGGER_CONTROL, enable, reset, pause)
 
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #0b5dd117
-def _none(msg_id:int, ack:Ack)->list:
-    "Return an empty list after a refusal; raises `NoAnswer` otherwise"
-    if ack or ack.result is None: raise NoAnswer(f'no {message_name(msg_id)}: {ack}')
-    return []
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #2b8b34f1
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #235d8199
 @patch
-async def _ask_each(self:RemoteCamera, msg_id:int, total:str)->list:
-    "Return all messages `msg_id` by number, `total` of them; empty after a refusal. Raises `NoAnswer`"
-    found,number = {},_older[msg_id][1]
-    def complete(msg):
-        if comes_from(msg, *self.address): found[getattr(msg, number)] = msg
-        return bool(found) and len(found)>=max(getattr(m, total) for m in found.values())
-    with self.client.expecting(msg_id, complete, self.address) as all_there:
-        msg,ack = await self._ask_for(msg_id)
-        if msg is None: return _none(msg_id, ack)
-        await all_there.wait(self._follow_wait())
-        for i in range(1, getattr(msg, total)+1):
-            if i in found: continue
-            last,ack = await self._ask_for(msg_id, i)
-            if last is None and (ack or ack.result is None): break      # not refused, but missing
-    return [found[i] for i in sorted(found)]
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #414d8c4a
-@patch
-async def _next_message(self:RemoteCamera, msg_id:int, timeout:float, unless=lambda: False):
-    "Wait for the next message `msg_id`; `None` after `timeout` or if `unless()`. Raises `Lost` if the sender is"
-    with self.client.expecting(msg_id, lambda msg: comes_from(msg, *self.address), self.address) as wanted:
-        if why := self.client.mav_com.lost(self.address): raise Lost(why)
-        return None if unless() else await wanted.wait(timeout)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #a7fdc1ea
-def is_camera(source:tuple, mav_type:int)->bool:
-    "True if a component with this address and MAV_TYPE may be a camera"
-    return mav_type==mavlink.MAV_TYPE_CAMERA or mavlink.MAV_COMP_ID_CAMERA<=source[1]<=mavlink.MAV_COMP_ID_CAMERA6
-
-def _is_sure(client, source:tuple, mav_type:int)->bool:
-    "True if its MAV_TYPE or its CAMERA_INFORMATION says that it is a camera"
-    handle = client._cameras.get(source)
-    return mav_type==mavlink.MAV_TYPE_CAMERA or handle is not None and handle.information is not None
-
-def cameras_heard(client, # A `CameraClient` of ours
-                  since:float=0., # Monotonic time
-                  sure:bool=True, # False: those with the id of a camera, another MAV_TYPE, and no CAMERA_INFORMATION
-                 )->list:
-    "Return the addresses of cameras with a heartbeat after `since`"
-    us = client.source_system,client.source_component
-    beating = {s:r.type for s,r in client.remotes.items() if r.heard>=since and r.type is not None and s!=us}
-    return sorted(s for s,t in beating.items() if is_camera(s, t) and _is_sure(client, s, t)==sure)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #c7c590f5
-@patch
-def _check_camera(self:RemoteCamera):
-    "Raise `MAVError` unless this is one camera"
-    if 0 in self.address: raise MAVError('pictures are waited for from one camera: name its system and component')
-    remote = self.client.remotes.get(self.address)
-    kind = remote and remote.type
-    unclear = None,mavlink.MAV_TYPE_GENERIC,mavlink.MAV_TYPE_ONBOARD_CONTROLLER
-    if kind in unclear or is_camera(self.address, kind) or self._pictures.seen: return
-    cameras = ' and '.join(self.client.mav_com.name_of(s) for s in cameras_heard(self.client) if s[0]==self.system)
-    theirs = cameras or 'a camera that was not heard yet'
-    raise MAVError(f'{self._label} is no camera: its pictures come from {theirs}')
+async def gimbal(self:RemoteCamera, timeout:float=5., # Seconds to listen
+                )->RemoteGimbal:
+    "Return the gimbal that carries it; raises `NoAnswer`"
+    number = self.information.gimbal_device_id if self.information else 0
+    com = self.client.mav_com
+    is_component = not 1<=number<=6         # 1 to 6: a gimbal without MAVLink, by its number at the manager
+    if is_component: return await com.find_gimbal(None, self.system, number or None, timeout)
+    found = [g for g in await com.find_gimbals() if g.system==self.system and g.gimbal[2]==number]
+    if not found: raise NoAnswer(f'{self._label} is on gimbal {number}, of which nothing was heard')
+    return found[0]
 
 # %% ../../nbs/api/mavlink/15_remote_camera.ipynb #63052507
 @dataclass(frozen=True, repr=False)
@@ -318,262 +470,113 @@ async def thermal_range(self:RemoteCamera, stream_id:int=0, # 0: any thermal one
     hot,cold = (msg.max_point_x,msg.max_point_y),(msg.min_point_x,msg.min_point_y)
     return ThermalRange(msg.stream_id, msg.max, hot, msg.min, cold)
 
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #94f971df
-_longest_interval = 86400. # s between two pictures of a series: more is probably µs or ms
-
-def _check_series(count:int, interval:float, timeout:float):
-    "Check the arguments of `capture`; raises `TypeError`, `ValueError`"
-    if count is None: raise TypeError('count is a whole number, not None: write 0 for no end')
-    check_count(count)
-    for name,seconds in dict(interval=interval, timeout=timeout).items(): check_seconds(name, seconds)
-    if interval>_longest_interval:
-        raise ValueError(f'interval is in s, at most {_longest_interval:.0f}, not {interval:g}')
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #acefdbb1
-@patch
-@for_async
-async def capture(self:RemoteCamera,
-    count:int=1, # Number of pictures; 0: until you leave the loop
-    interval:float=0, # Seconds between two pictures; 0: as fast as the camera can
-    timeout:float=5., # Seconds without progress before giving up; more on a slow link, or if the picture exists
-):
-    """Take pictures and yield the CAMERA_IMAGE_CAPTURED of each; raises `CommandError`, `Lost`, `NoAnswer`
-
-    Each has `image_index` (from 0), `capture_result` (1: taken, 0: failed), `file_url` (for `files.fetch`),
-    `time_utc` (µs since 1970; 0: unknown), `lat` and `lon` (1e-7 degrees), `alt` and `relative_alt` (mm).
-    A picture that fails is yielded, too, and raises nothing. Leaving the loop ends the series.
-
-    async for notice in camera.capture(3, interval=.5): data = await camera.files.fetch(notice)
-    """
-    self._check_camera()
-    _check_series(count, interval, timeout)
-    shots = Capture(self._pictures, interval, count, timeout)
-    with self._pictures.capturing(shots):
-        try:
-            while (msg := await shots.next()) is not None: yield msg
-        except (GeneratorExit, asyncio.CancelledError):
-            await shots.leave()
-            raise
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #0b81a984
-@patch
-@for_async
-async def pictures(self:RemoteCamera):
-    """Yield each CAMERA_IMAGE_CAPTURED from now on, your own and others'; raises `Lost`
-
-    Its fields are those that `capture` yields.
-    """
-    self._check_camera()
-    with self._pictures.following(PictureLog(count=0)) as log:
-        status = await self.request(CAMERA_CAPTURE_STATUS)
-        log.begin(status and status.image_count, math.inf)
-        log.since = status.time_boot_ms if status else 0
-        while True:
-            await self._pictures.wait_for(log, 1, math.inf, longest=5.)
-            for msg in log.take(): yield msg
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #790c9b63
-@patch
-async def wait_images(self:RemoteCamera, count:int=1, # Number of pictures
-                      timeout:float=5., # Seconds without a new one before giving up
-                     )->list:
-    "Return the next `count` CAMERA_IMAGE_CAPTURED, requesting lost ones; fewer if no more come. Raises `Lost`"
-    self._check_camera()
-    await self._pictures.start_log()
-    log = self._pictures.keep()
-    log.most = max(log.most, count)
-    try: await self._pictures.wait_for(log, count, timeout)
-    except Lost as e: raise Lost(f'{len(log.ready(count))} of {count} pictures came: {e}') from None
-    return log.take(count)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #10f63cae
-class RemotePicture:
-    """A picture with its time and place, and its file if fetched
-
-    index: its number in the camera, from 0
-    time: when it was taken, a `datetime` in UTC; `None` if unknown
-    lat, lon, alt, relative_alt: where, in degrees, m above the sea and m above home; `None` if unknown
-    path: its file on our disk; `None` without `to`
-    data: the bytes of its file, without `to`; `None` with it, or if not fetched
-    notice: its CAMERA_IMAGE_CAPTURED
-    """
-    def __init__(self, notice, # Its CAMERA_IMAGE_CAPTURED
-                 file:bytes|Path|None=None): # Its bytes, or its local path; `None`: not fetched
-        self.notice,self.index = notice,notice.image_index
-        self.path,self.data = (None,file) if isinstance(file, bytes) else (file,None)
-        self.time = None
-        with suppress(ValueError, OverflowError, OSError):          # no year has so many microseconds
-            if notice.time_utc: self.time = datetime.fromtimestamp(notice.time_utc/1e6, timezone.utc)
-        place = notice.lat/1e7,notice.lon/1e7,notice.alt/1e3,notice.relative_alt/1e3       # degrees and m
-        there = any(place[:2]) and abs(place[0])<=90 and abs(place[1])<=180
-        self.lat,self.lon,self.alt,self.relative_alt = place if there else [None]*4
-
-    def __fspath__(self): return os.fspath(self.path)
-    def _repr_jpeg_(self): return self.path.read_bytes() if self.path else self.data
-
-    def __repr__(self):
-        where = [f'{self.lat:.6f} {self.lon:.6f}, {self.alt:.0f} m'] if self.lat is not None else []
-        when = [f'{self.time:%H:%M:%S} UTC'] if self.time else []
-        return f'Picture {self.path or self.index}: '+(', '.join(when+where) or 'time and place are not known')
-
-Picture = RemotePicture     # the name that programs import
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #c2cfea24
-@patch
-async def _shot(self:RemoteCamera, timeout:float, ready=None):
-    "Take one picture after awaiting `ready`; return its CAMERA_IMAGE_CAPTURED. Raises as `capture`, and `Failed`"
-    self._check_camera()
-    shots = Capture(self._pictures, 0, 1, timeout)
-    shots.ready = ready
-    with self._pictures.capturing(shots): notice = await shots.next()
-    if notice is None: raise Failed(f'{self._label} was stopped')
-    if notice.capture_result!=1: raise shots.failed()
-    return notice
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #66be06a7
-@patch
-async def _fetched(self:RemoteCamera, notice, to:str|Path|None, progress=None, any_host:bool|None=None)->RemotePicture:
-    "Fetch the file of a notice; return its `RemotePicture`"
-    if not notice.file_url.strip(): raise MAVError(f'{self._label} does not say where its picture is')
-    try: return RemotePicture(notice, await self.files.fetch(notice, to, progress, any_host=any_host))
-    except (ValueError, Lost) as e:
-        kind = Lost if isinstance(e, Lost) else MAVError
-        raise kind(f'{self._label} has taken the picture, but its file did not come: {e}') from None
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #248f13ec
-@patch
-async def take_picture(self:RemoteCamera,
-    to:str|Path|None=None, # File (`'a.jpg'`) or folder, made if missing; `None`: keep the bytes
-    timeout:float=5., # As for `capture`
-    progress=None, # As for `files.fetch`
-    any_host:bool|None=None, # As for `files.fetch`
-)->RemotePicture:
-    """Take a picture and fetch it; raises `CommandError`, `Lost`, `NoAnswer`, `FtpError`, `OSError`
-
-    The `RemotePicture` has `path` or `data`, `time`, `lat`, `lon`, `alt`, `relative_alt`, `index` and `notice`.
-    """
-    if to is not None: place_on_disk(to, '')         # or an error before there is a picture
-    return await self._fetched(await self._shot(timeout), to, progress, any_host)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #9f893879
-def _given(what:str, **values)->tuple:
-    "Return the only `(word, value)` that is not `None`; raises `TypeError`"
-    found = [(word, value) for word,value in values.items() if value is not None]
-    if len(found)!=1: raise TypeError(f'{what} takes one of {", ".join(values)}')
-    return found[0]
-
-_zooms = dict(percent=mavlink.ZOOM_TYPE_RANGE, mm=mavlink.ZOOM_TYPE_FOCAL_LENGTH, steps=mavlink.ZOOM_TYPE_STEP,
-              speed=mavlink.ZOOM_TYPE_CONTINUOUS, degrees=mavlink.ZOOM_TYPE_HORIZONTAL_FOV)
-_focuses = dict(percent=mavlink.FOCUS_TYPE_RANGE, metres=mavlink.FOCUS_TYPE_METERS, steps=mavlink.FOCUS_TYPE_STEP,
-                speed=mavlink.FOCUS_TYPE_CONTINUOUS)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #b9fe6c6e
-@patch
-async def zoom(self:RemoteCamera, percent:float|None=None, # Of the range
-               mm:float|None=None, # Focal length
-               steps:float|None=None, # Steps in; negative: out
-               speed:float|None=None, # -1 to 1 until 0
-               degrees:float|None=None, # Horizontal field of view
-              )->Ack:
-    "Zoom; pass exactly one of these"
-    word,value = _given('zoom', percent=percent, mm=mm, steps=steps, speed=speed, degrees=degrees)
-    mark = self.client.command_numbers.step()
-    return await self._send(mavlink.MAV_CMD_SET_CAMERA_ZOOM, _zooms[word], value, 0, *mark)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #87738209
-@patch
-async def focus(self:RemoteCamera, percent:float|None=None, # Of the range
-                metres:float|None=None, # Distance
-                steps:float|None=None, # Steps to the far end; negative: nearer
-                speed:float|None=None, # -1 to 1 until 0
-                auto:str|None=None, # 'auto', 'auto_single' or 'auto_continuous'
-               )->Ack:
-    "Focus; pass exactly one of these"
-    word,value = _given('focus', percent=percent, metres=metres, steps=steps, speed=speed, auto=auto)
-    kind = number_of('SET_FOCUS_TYPE', value, 'FOCUS_TYPE_') if word=='auto' else _focuses[word]
-    level,mark = 0 if word=='auto' else value,self.client.command_numbers.step()
-    return await self._send(mavlink.MAV_CMD_SET_CAMERA_FOCUS, kind, level, 0, *mark)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #c325254e
-@patch
-async def mode(self:RemoteCamera, mode:int|str, # A CAMERA_MODE, or its word: 'image', 'video' or 'image_survey'
-              )->Ack:
-    "Set the mode: pictures, video or survey"
-    number = number_of('CAMERA_MODE', mode, 'CAMERA_MODE_')
-    return await self._send(mavlink.MAV_CMD_SET_CAMERA_MODE, 0, number, *[NAN]*5)
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #5aae7c22
+@patch(as_prop=True)
+def _label(self:RemoteCamera)->str: return self.client.mav_com.name_of(self.address)
 
 @patch
-async def record(self:RemoteCamera, stream_id:int=0, # 0: all
-                 frequency:float=1, # CAMERA_CAPTURE_STATUS messages per second while recording
-                )->Ack:
-    "Start recording"
-    return await self._send(mavlink.MAV_CMD_VIDEO_START_CAPTURE, stream_id, frequency)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #c1907453
-@patch
-async def stop_recording(self:RemoteCamera, stream_id:int=0, # 0: all
-                        )->Ack:
-    "Stop recording"
-    return await self._send(mavlink.MAV_CMD_VIDEO_STOP_CAPTURE, stream_id)
+async def _send(self:RemoteCamera, command_id:int, *params)->Ack:
+    return await self.client.send_command(*self.address, command_id, params)
 
 @patch
-async def stop(self:RemoteCamera)->Ack:
-    "Stop taking pictures; ends a running `capture` of ours"
-    return await self.client.image_stop_capture(*self.address)
+def _follow_wait(self:RemoteCamera)->float:
+    "Return the seconds to wait for messages that follow an ack"
+    remote = self.client.remotes.get(self.address)
+    spread = remote and remote.round_trip.rttvar
+    return self._first_wait+4*(spread or 0.)
 
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #58e31001
-@patch
-async def format(self:RemoteCamera, storage_id:int=1, # As in STORAGE_INFORMATION
-                )->Ack:
-    "Delete all pictures on a storage; the picture count restarts at 0"
-    ack = await self._send(mavlink.MAV_CMD_STORAGE_FORMAT, storage_id, 1)
-    if ack: self._pictures.log = None
-    return ack
-
-@patch
-async def reset(self:RemoteCamera)->Ack:
-    "Reset all settings to their defaults"
-    return await self._send(mavlink.MAV_CMD_RESET_CAMERA_SETTINGS, 1)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #3b091cb0
-@patch
-async def track(self:RemoteCamera,
-    *where, # A point (2 numbers), or left, top, right, bottom of a rectangle; fractions of the picture, 0…1
-    radius:float=0., # Radius of a point, fraction of the width; 0: the camera chooses
-)->Ack:
-    "Track the object there; `camera.tracking` follows it"
-    if len(where)==4: return await self.tracking.rectangle(*where)
-    return await self.tracking.point(*where, radius=radius)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #73c20ec1
-@patch
-async def trigger_every(self:RemoteCamera, metres:float|None=None, # Metres flown between pictures; 0: stop
-                        seconds:float|None=None, # Seconds between pictures; 0: unchanged
-                        first:bool=False, # True: take the first picture at once (metres)
-                        shutter:float=0., # Milliseconds of exposure; 0: unchanged
-                       )->Ack:
-    "Take a picture every N metres flown, or every N seconds"
-    word,value = _given('trigger_every', metres=metres, seconds=seconds)
-    if word=='metres': return await self._send(mavlink.MAV_CMD_DO_SET_CAM_TRIGG_DIST, value, shutter, int(first))
-    return await self._send(mavlink.MAV_CMD_DO_SET_CAM_TRIGG_INTERVAL, value*1e3 or -1., shutter)
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #608294dd
+_older = {CAMERA_INFORMATION:(mavlink.MAV_CMD_REQUEST_CAMERA_INFORMATION,None),     # and the field that has its number
+          CAMERA_SETTINGS:(mavlink.MAV_CMD_REQUEST_CAMERA_SETTINGS,None),
+          CAMERA_CAPTURE_STATUS:(mavlink.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS,None),
+          CAMERA_IMAGE_CAPTURED:(mavlink.MAV_CMD_REQUEST_CAMERA_IMAGE_CAPTURE,'image_index'),
+          STORAGE_INFORMATION:(mavlink.MAV_CMD_REQUEST_STORAGE_INFORMATION,'storage_id'),
+          VIDEO_STREAM_INFORMATION:(mavlink.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION,'stream_id'),
+          CAMERA_THERMAL_RANGE:(None,'stream_id')}
 
 @patch
-async def trigger(self:RemoteCamera, enable:int=-1, # 1: resume, 0: stop, -1: unchanged
-                  reset:int=-1, # 1: count from 0
-                  pause:int=-1, # 1: pause
-                 )->Ack:
-    "Resume or stop the triggering set by `trigger_every`"
-    return await self._send(mavlink.MAV_CMD_DO_TRIGGER_CONTROL, enable, reset, pause)
+async def _ask_for(self:RemoteCamera, msg_id:int, number:int=0)->tuple:
+    "Request a message, by REQUEST_MESSAGE or the older command: `(message or None, the last ack)`"
+    after,request = max(.5, self._follow_wait()),self.client._request
+    older,field = _older.get(msg_id, (None,None))
+    def fits(msg):
+        is_any = field is None or number==0 and field!='image_index'        # pictures count from 0
+        return is_any or getattr(msg, field)==number
+    msg,ack = await request(mavlink.MAV_CMD_REQUEST_MESSAGE, [msg_id, number], msg_id, self.address, after, fits=fits)
+    if msg is None and older and not ack.lost:
+        if field is None: params = [1]              # 1: send it
+        elif field=='storage_id': params = [number, 1]
+        else: params = [number]
+        msg,ack = await request(older, params, msg_id, self.address, after, fits=fits)
+    if msg is None: self.client._warn_unheard(msg_id, ack)
+    return msg,ack
 
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #235d8199
 @patch
-async def gimbal(self:RemoteCamera, timeout:float=5., # Seconds to listen
-                )->RemoteGimbal:
-    "Return the gimbal that carries it; raises `NoAnswer`"
-    number = self.information.gimbal_device_id if self.information else 0
-    com = self.client.mav_com
-    is_component = not 1<=number<=6         # 1 to 6: a gimbal without MAVLink, by its number at the manager
-    if is_component: return await com.find_gimbal(None, self.system, number or None, timeout)
-    found = [g for g in await com.find_gimbals() if g.system==self.system and g.gimbal[2]==number]
-    if not found: raise NoAnswer(f'{self._label} is on gimbal {number}, of which nothing was heard')
-    return found[0]
+async def request(self:RemoteCamera, msg_id:int, # `CAMERA_SETTINGS`, for example
+                  number:int=0): # Picture (from 0), storage or stream (0: any)
+    "Return a requested message, or `None`"
+    return (await self._ask_for(msg_id, number))[0]
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #0b5dd117
+def _none(msg_id:int, ack:Ack)->list:
+    "Return an empty list after a refusal; raises `NoAnswer` otherwise"
+    if ack or ack.result is None: raise NoAnswer(f'no {message_name(msg_id)}: {ack}')
+    return []
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #2b8b34f1
+@patch
+async def _ask_each(self:RemoteCamera, msg_id:int, total:str)->list:
+    "Return all messages `msg_id` by number, `total` of them; empty after a refusal. Raises `NoAnswer`"
+    found,number = {},_older[msg_id][1]
+    def complete(msg):
+        if comes_from(msg, *self.address): found[getattr(msg, number)] = msg
+        return bool(found) and len(found)>=max(getattr(m, total) for m in found.values())
+    with self.client.expecting(msg_id, complete, self.address) as all_there:
+        msg,ack = await self._ask_for(msg_id)
+        if msg is None: return _none(msg_id, ack)
+        await all_there.wait(self._follow_wait())
+        for i in range(1, getattr(msg, total)+1):
+            if i in found: continue
+            last,ack = await self._ask_for(msg_id, i)
+            if last is None and (ack or ack.result is None): break      # not refused, but missing
+    return [found[i] for i in sorted(found)]
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #414d8c4a
+@patch
+async def _next_message(self:RemoteCamera, msg_id:int, timeout:float, unless=lambda: False):
+    "Wait for the next message `msg_id`; `None` after `timeout` or if `unless()`. Raises `Lost` if the sender is"
+    with self.client.expecting(msg_id, lambda msg: comes_from(msg, *self.address), self.address) as wanted:
+        if why := self.client.mav_com.lost(self.address): raise Lost(why)
+        return None if unless() else await wanted.wait(timeout)
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #a7fdc1ea
+def is_camera(source:tuple, mav_type:int)->bool:
+    "True if a component with this address and MAV_TYPE may be a camera"
+    return mav_type==mavlink.MAV_TYPE_CAMERA or mavlink.MAV_COMP_ID_CAMERA<=source[1]<=mavlink.MAV_COMP_ID_CAMERA6
+
+def _is_sure(client, source:tuple, mav_type:int)->bool:
+    "True if its MAV_TYPE or its CAMERA_INFORMATION says that it is a camera"
+    handle = client._cameras.get(source)
+    return mav_type==mavlink.MAV_TYPE_CAMERA or handle is not None and handle.information is not None
+
+def cameras_heard(client, # A `CameraClient` of ours
+                  since:float=0., # Monotonic time
+                  sure:bool=True, # False: those with the id of a camera, another MAV_TYPE, and no CAMERA_INFORMATION
+                 )->list:
+    "Return the addresses of cameras with a heartbeat after `since`"
+    us = client.source_system,client.source_component
+    beating = {s:r.type for s,r in client.remotes.items() if r.heard>=since and r.type is not None and s!=us}
+    return sorted(s for s,t in beating.items() if is_camera(s, t) and _is_sure(client, s, t)==sure)
+
+# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #c7c590f5
+@patch
+def _check_camera(self:RemoteCamera):
+    "Raise `MAVError` unless this is one camera"
+    if 0 in self.address: raise MAVError('pictures are waited for from one camera: name its system and component')
+    remote = self.client.remotes.get(self.address)
+    kind = remote and remote.type
+    unclear = None,mavlink.MAV_TYPE_GENERIC,mavlink.MAV_TYPE_ONBOARD_CONTROLLER
+    if kind in unclear or is_camera(self.address, kind) or self._pictures.seen: return
+    cameras = ' and '.join(self.client.mav_com.name_of(s) for s in cameras_heard(self.client) if s[0]==self.system)
+    theirs = cameras or 'a camera that was not heard yet'
+    raise MAVError(f'{self._label} is no camera: its pictures come from {theirs}')
