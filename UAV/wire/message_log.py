@@ -377,7 +377,7 @@ def words(self:_Row, before:_Row|None=None)->str:
     return f'{e.says} … {self.entries[-1].detail} ×{number}' if e.detail else f'{e.name} ×{number}'
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #544b9a31
-def _told(entries:list, names:tuple=(), usual:tuple=MessageLog.usual)->list:
+def _drawn(entries:list, names:tuple=(), usual:tuple=MessageLog.usual)->list:
     "Those of `entries` that have one of the names, or else are usual or were asked for"
     asked = {e.message.param1 for e in entries if e.is_command and e.message.command==mavlink.MAV_CMD_REQUEST_MESSAGE}
     wanted = _message_ids(names) if names else _message_ids(usual)|asked
@@ -418,7 +418,7 @@ def chart(self:MessageLog,
     "A picture of the messages between components; raises `ValueError` for a name that the dialect does not have"
     entries = _once(self.entries())
     _pair(entries)
-    shown = _told(entries, names, self.usual)
+    shown = _drawn(entries, names, self.usual)
     story = _rows_of(shown)
     first = max(0, len(story)-rows)
     earlier = sum(len(row.entries) for row in story[:first] if not row.missing)
