@@ -20,7 +20,96 @@ from .frames import decode, target
 from .tlog import read_tlog, record, TlogWriter, unsigned, without_secrets
 
 # %% auto #0
-__all__ = ['LogEntry', 'MessageLog']
+__all__ = ['MessageLog', 'LogEntry']
+
+# %% ../../nbs/api/wire/07_message_log.ipynb #84900d24
+class MessageLog(Closes):
+    "Keeps the frames that pass; one with a `file` writes them there too, and is to be closed, or used in a `with`"
+    usual = ('COMMAND_*','CAMERA_*','STORAGE_*','VIDEO_STREAM_*','PARAM_*','MISSION_*','*_INFORMATION','*_VERSION',
+             'FILE_TRANSFER_*','STATUSTEXT') # what pictures and lists show when they are not told what
+
+    def __init__(self, file=None, # A `.tlog` to write as it goes; what is in it stays
+                 most:int|None=100_000): # Frames to keep in memory; `None`: all
+        self.total = 0                  # frames that were added, the forgotten ones too
+        self._kept,self._lock = deque(maxlen=most),clock.Lock()
+        self._heartbeats = {}           # of components that `clear` must not forget
+        self._writer = TlogWriter(file) if file else None
+
+    def __len__(self): return len(self._kept)
+    def __iter__(self): return iter(self.entries())
+    def _repr_html_(self)->str: return self.chart()._repr_html_()
+    def _repr_svg_(self)->str: return self.chart().svg
+
+    def close(self):
+        "Finish the file; the frames in memory stay"
+        if self._writer: self._writer.close()
+
+    def clear(self):
+        "Forget what is in memory, but not what the components are"
+        self._heartbeats = self.heartbeats()
+        with self._lock:
+            self._kept.clear()
+            self.total = 0
+
+    def messages(self, *names:str)->list:
+        "The messages that passed, oldest first"
+        return [e.message for e in self.entries(*names) if e.message]
+
+    def heartbeats(self)->dict:
+        "`{(system, component): LogEntry}`, the latest HEARTBEAT of each"
+        return {**self._heartbeats, **{e.source:e for e in self.entries('HEARTBEAT')}}
+
+# %% ../../nbs/api/wire/07_message_log.ipynb #be8e41ac
+@patch
+def add(self:MessageLog, frame:bytes, # A whole frame, its CRC checked
+        sent:bool|None=None, # By us
+        when:float|None=None): # Seconds since 1970; `None` is now
+    "Keep `frame`; quick, and from any thread"
+    if frame[2] or not frame[7]:         # most have neither flags nor an id that ends with a 0
+        frame = without_secrets(frame)
+        if frame is None: return
+    with self._lock:
+        if when is None: when = clock.time()
+        self._kept.append((when,sent,frame))
+        self.total += 1
+        if self._writer: self._writer.add(when, frame)
+
+# %% ../../nbs/api/wire/07_message_log.ipynb #dab2ddbf
+@lru_cache
+def _message_ids(names:tuple)->frozenset:
+    "Ids of the messages, as in `('COMMAND_ACK','CAMERA_*')`; raises `ValueError` for a name that fits none"
+    found = [{i for i,c in mavlink.mavlink_map.items() if fnmatchcase(c.msgname, name)} for name in names]
+    if not all(found): raise ValueError(f'the dialect has no message {names[found.index(set())]}')
+    return frozenset().union(*found)
+
+# %% ../../nbs/api/wire/07_message_log.ipynb #4972f29a
+@patch
+def entries(self:MessageLog,
+    *names:str, # Of messages, as in 'COMMAND_ACK' or 'CAMERA_*'; none: all
+)->list:
+    "The messages, each a `LogEntry`, oldest first"
+    with self._lock: kept = list(self._kept)
+    found,ids = (LogEntry(*one) for one in kept),_message_ids(names)
+    return [e for e in found if e.msg_id in ids] if names else list(found)
+
+# %% ../../nbs/api/wire/07_message_log.ipynb #46c492ee
+@patch
+def __repr__(self:MessageLog):
+    entries = self.entries()
+    of = f' of {self.total}' if self.total>len(entries) else ''
+    sent,speakers = sum(e.sent is True for e in entries),{e.source for e in entries}
+    return f'MessageLog: {len(entries)}{of} frames, {sent} sent, of {len(speakers)} components'
+
+# %% ../../nbs/api/wire/07_message_log.ipynb #ac3e2639
+@patch
+def text(self:MessageLog,
+    *names:str, # What to list; none: the `usual` ones
+    rows:int=60, # The newest
+)->str:
+    "The messages, one a line"
+    entries = self.entries(*(names or self.usual))
+    left_out = max(0, len(entries)-rows)
+    return '\n'.join([f'… {left_out} before']*bool(left_out)+[repr(e) for e in entries[left_out:]])
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #8b2e9339
 _commands = mavlink.MAVLINK_MSG_ID_COMMAND_LONG,mavlink.MAVLINK_MSG_ID_COMMAND_INT
@@ -131,95 +220,6 @@ def fields(self:LogEntry, times:bool=True, # With times and serial numbers, whic
         shot = f=='param4' and m.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE
         return shot or f.startswith('time') or f=='cam_definition_version'
     return [f'{field}: {_value(m, field)}' for field in m.fieldnames if times or not changes(field)]
-
-# %% ../../nbs/api/wire/07_message_log.ipynb #84900d24
-class MessageLog(Closes):
-    "Keeps the frames that pass; one with a `file` writes them there too, and is to be closed, or used in a `with`"
-    usual = ('COMMAND_*','CAMERA_*','STORAGE_*','VIDEO_STREAM_*','PARAM_*','MISSION_*','*_INFORMATION','*_VERSION',
-             'FILE_TRANSFER_*','STATUSTEXT') # what pictures and lists show when they are not told what
-
-    def __init__(self, file=None, # A `.tlog` to write as it goes; what is in it stays
-                 most:int|None=100_000): # Frames to keep in memory; `None`: all
-        self.total = 0                  # frames that were added, the forgotten ones too
-        self._kept,self._lock = deque(maxlen=most),clock.Lock()
-        self._heartbeats = {}           # of components that `clear` must not forget
-        self._writer = TlogWriter(file) if file else None
-
-    def __len__(self): return len(self._kept)
-    def __iter__(self): return iter(self.entries())
-    def _repr_html_(self)->str: return self.chart()._repr_html_()
-    def _repr_svg_(self)->str: return self.chart().svg
-
-    def close(self):
-        "Finish the file; the frames in memory stay"
-        if self._writer: self._writer.close()
-
-    def clear(self):
-        "Forget what is in memory, but not what the components are"
-        self._heartbeats = self.heartbeats()
-        with self._lock:
-            self._kept.clear()
-            self.total = 0
-
-    def messages(self, *names:str)->list:
-        "The messages that passed, oldest first"
-        return [e.message for e in self.entries(*names) if e.message]
-
-    def heartbeats(self)->dict:
-        "`{(system, component): LogEntry}`, the latest HEARTBEAT of each"
-        return {**self._heartbeats, **{e.source:e for e in self.entries('HEARTBEAT')}}
-
-# %% ../../nbs/api/wire/07_message_log.ipynb #be8e41ac
-@patch
-def add(self:MessageLog, frame:bytes, # A whole frame, its CRC checked
-        sent:bool|None=None, # By us
-        when:float|None=None): # Seconds since 1970; `None` is now
-    "Keep `frame`; quick, and from any thread"
-    if frame[2] or not frame[7]:         # most have neither flags nor an id that ends with a 0
-        frame = without_secrets(frame)
-        if frame is None: return
-    with self._lock:
-        if when is None: when = clock.time()
-        self._kept.append((when,sent,frame))
-        self.total += 1
-        if self._writer: self._writer.add(when, frame)
-
-# %% ../../nbs/api/wire/07_message_log.ipynb #dab2ddbf
-@lru_cache
-def _message_ids(names:tuple)->frozenset:
-    "Ids of the messages, as in `('COMMAND_ACK','CAMERA_*')`; raises `ValueError` for a name that fits none"
-    found = [{i for i,c in mavlink.mavlink_map.items() if fnmatchcase(c.msgname, name)} for name in names]
-    if not all(found): raise ValueError(f'the dialect has no message {names[found.index(set())]}')
-    return frozenset().union(*found)
-
-# %% ../../nbs/api/wire/07_message_log.ipynb #4972f29a
-@patch
-def entries(self:MessageLog,
-    *names:str, # Of messages, as in 'COMMAND_ACK' or 'CAMERA_*'; none: all
-)->list:
-    "The messages, each a `LogEntry`, oldest first"
-    with self._lock: kept = list(self._kept)
-    found,ids = (LogEntry(*one) for one in kept),_message_ids(names)
-    return [e for e in found if e.msg_id in ids] if names else list(found)
-
-# %% ../../nbs/api/wire/07_message_log.ipynb #46c492ee
-@patch
-def __repr__(self:MessageLog):
-    entries = self.entries()
-    of = f' of {self.total}' if self.total>len(entries) else ''
-    sent,speakers = sum(e.sent is True for e in entries),{e.source for e in entries}
-    return f'MessageLog: {len(entries)}{of} frames, {sent} sent, of {len(speakers)} components'
-
-# %% ../../nbs/api/wire/07_message_log.ipynb #ac3e2639
-@patch
-def text(self:MessageLog,
-    *names:str, # What to list; none: the `usual` ones
-    rows:int=60, # The newest
-)->str:
-    "The messages, one a line"
-    entries = self.entries(*(names or self.usual))
-    left_out = max(0, len(entries)-rows)
-    return '\n'.join([f'… {left_out} before']*bool(left_out)+[repr(e) for e in entries[left_out:]])
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #1622908f
 @patch
@@ -377,7 +377,7 @@ def words(self:_Row, before:_Row|None=None)->str:
     return f'{e.says} … {self.entries[-1].detail} ×{number}' if e.detail else f'{e.name} ×{number}'
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #544b9a31
-def _told(entries:list, names:tuple=(), usual:tuple=MessageLog.usual)->list:
+def _drawn(entries:list, names:tuple=(), usual:tuple=MessageLog.usual)->list:
     "Those of `entries` that have one of the names, or else are usual or were asked for"
     asked = {e.message.param1 for e in entries if e.is_command and e.message.command==mavlink.MAV_CMD_REQUEST_MESSAGE}
     wanted = _message_ids(names) if names else _message_ids(usual)|asked
@@ -418,7 +418,7 @@ def chart(self:MessageLog,
     "A picture of the messages between components; raises `ValueError` for a name that the dialect does not have"
     entries = _once(self.entries())
     _pair(entries)
-    shown = _told(entries, names, self.usual)
+    shown = _drawn(entries, names, self.usual)
     story = _rows_of(shown)
     first = max(0, len(story)-rows)
     earlier = sum(len(row.entries) for row in story[:first] if not row.missing)
