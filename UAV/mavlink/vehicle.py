@@ -93,7 +93,7 @@ def _trusts(self:Vehicle, source:tuple)->bool:
 @receives(POSITION)
 @receives(ATTITUDE)
 @receives(GIMBAL_STATE)
-def receive(self:Vehicle, msg):
+def _receive(self:Vehicle, msg):
     "Handle messages of our autopilot, and positions of other vehicles"
     source = address(msg)
     ours = source[0]==self.component.source_system
@@ -465,7 +465,7 @@ def _pass_on(self:Geotagger, msg):
 @receives(GIMBAL_STATUS)
 def _receive_more(self:Geotagger, msg):
     "Handle time and picture messages of our autopilot, and the attitude of our gimbal"
-    self.receive(msg)
+    self._receive(msg)
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #9cdad17b
 class Survey(Part):

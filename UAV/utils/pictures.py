@@ -14,7 +14,7 @@ import base64, io, os, sys, tempfile
 from fastcore.imports import in_ipython, in_jupyter
 from fastcore.basics import GetAttr, patch
 from .lazy import av, cv2, np
-from .threads import Closes
+from .threads import Closes, Opened
 from collections import deque
 from . import clock
 
@@ -231,12 +231,15 @@ def decode_picture(data:bytes, # JPEG or PNG
     return image
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #03afac35
+_frames_of = Opened(lambda one: setattr(one, 'changed', clock.Condition()))     # a thread may have held it
+
 class NewestFrame:
     "The newest frame of a source, for threads and coroutines that wait for a later one"
     def __init__(self, most:int|None=None): # Frames that wait until one reader takes them; `None`: the newest, for all
         self.newest,self.over = None,''                 # `over`: why no frame will come any more
         self.most,self.changed = most,clock.Condition()
         self._queue,self._taken,self._futures = deque(),-1,[]   # not taken yet; the last number taken; who awaits
+        _frames_of.add(self)
 
     number = property(lambda self: -1 if self.newest is None else self.newest.number,
         doc="Number of the newest frame; -1 without one")
