@@ -556,7 +556,7 @@ def _play(self:RTSPReceiver, url):
         if clock.monotonic()>=self._ping_at:
             if self._waits: self._ping = 'OPTIONS'
             self._send(self._ping, url, {})
-            self._waits = self._ping!='OPTIONS'         # every server answers OPTIONS: nothing to find out
+            self._waits = self._ping!='OPTIONS'         # OPTIONS is what remains, so nothing follows from its answer
             pause = min(self._alive, self.timeout) if self._waits else self._alive
             self._ping_at = clock.monotonic()+pause
         self._listen_until(min(silent_at, self._ping_at), silent_at)
