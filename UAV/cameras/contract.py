@@ -16,6 +16,30 @@ from ..utils.threads import _has_ended
 from ..utils.values import no_class, Report, kept
 from ..utils.pictures import as_bgr
 
+# %% ../../nbs/api/cameras/10_contract.ipynb #5c0a541e
+def check_camera(camera, # A Camera; it is closed at the end
+                )->Report:
+    "Check that `camera` does what others rely on; raises `AssertionError` with a sentence on what it does not"
+    no_class(camera, 'camera')
+    assert hasattr(camera, 'subscribe'), f'{camera!r} is no Camera: its class must be a subclass of Camera'
+    seen = _SeenEvents()
+    camera.subscribe(seen.append)
+    return kept(camera, _checks_for(camera), seen)
+
+# %% ../../nbs/api/cameras/10_contract.ipynb #32e3e8ef
+def _checks_for(camera)->list:
+    "The checks that `camera` must pass"
+    optional = dict(mode=_check_mode, zoom=_check_zoom, focus=_check_focus)
+    optional = [check for verb,check in optional.items() if callable(getattr(camera, f'set_camera_{verb}', None))]
+    if camera.declared: optional += [_check_declared, _check_set_parameters]
+    always = [_check_information, _check_read, _check_single, _check_interval, _check_bad_values, _check_stop]
+    return always + optional + [_check_reset, _check_close]
+
+# %% ../../nbs/api/cameras/10_contract.ipynb #5c0a541b
+class _SeenEvents(list):
+    "The events of a camera, and the threads that ran before"
+    def __init__(self): self.threads = clock.enumerate()
+
 # %% ../../nbs/api/cameras/10_contract.ipynb #781f4f27
 def _check_information(camera, seen):
     "tells what it is"
@@ -198,27 +222,3 @@ def _check_close(camera, seen):
     try: camera.image_start_capture()
     except CameraError: return
     raise AssertionError('image_start_capture must raise CameraError after close()')
-
-# %% ../../nbs/api/cameras/10_contract.ipynb #5c0a541b
-class _SeenEvents(list):
-    "The events of a camera, and the threads that ran before"
-    def __init__(self): self.threads = clock.enumerate()
-
-# %% ../../nbs/api/cameras/10_contract.ipynb #32e3e8ef
-def _checks_for(camera)->list:
-    "The checks that `camera` must pass"
-    optional = dict(mode=_check_mode, zoom=_check_zoom, focus=_check_focus)
-    optional = [check for verb,check in optional.items() if callable(getattr(camera, f'set_camera_{verb}', None))]
-    if camera.declared: optional += [_check_declared, _check_set_parameters]
-    always = [_check_information, _check_read, _check_single, _check_interval, _check_bad_values, _check_stop]
-    return always + optional + [_check_reset, _check_close]
-
-# %% ../../nbs/api/cameras/10_contract.ipynb #5c0a541e
-def check_camera(camera, # A Camera; it is closed at the end
-                )->Report:
-    "Does `camera` do what others rely on? Raises `AssertionError` with a sentence that says what it does not"
-    no_class(camera, 'camera')
-    assert hasattr(camera, 'subscribe'), f'{camera!r} is no Camera: its class must be a subclass of Camera'
-    seen = _SeenEvents()
-    camera.subscribe(seen.append)
-    return kept(camera, _checks_for(camera), seen)
