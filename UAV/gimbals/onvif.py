@@ -43,7 +43,7 @@ class Onvif(GimbalDriver):
                  pan:tuple|None=None, # Degrees to the right at the ends of its pan; `None`: as it reports, or -180, 180
                  tilt:tuple|None=None, # Degrees up at the ends of its tilt; `None`: as it reports, or -90, 0
                  speeds:tuple=(60.,40.), # Of pan and tilt at full speed, degrees a second, unless it reports them
-                 clock=clock.now, client=None, # In tests: gives seconds; has connected
+                 clock=clock.now, client=None, # In tests: gives seconds; one that has connected
                  basic:bool=False, # May the password go in plain text, when the camera asks for that?
                  **storage): # `folder`, `quota` and `storages` of its camera
         if client is None:

@@ -30,136 +30,6 @@ from UAV.gimbals.siyi_link import (Cmd, read_config, read_range, read_stream, re
 # %% auto #0
 __all__ = ['SiyiCamera']
 
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #2baed62b
-_film = 36.,20.25       # mm
-
-def _wide(hfov:float)->float:
-    "Return the focal length (mm) for a field of view in degrees; 24 if that's unknown"
-    return round(_film[0]/2/math.tan(math.radians(hfov)/2), 1) if known(hfov) else 24.
-
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #733f3b59
-_sources = ['Zoom + thermal', 'Wide + thermal', 'Zoom + wide', 'Zoom (thermal)', 'Zoom (wide)', 'Wide (thermal)',
-            'Wide (zoom)', 'Thermal (zoom)', 'Thermal (wide)']      # main stream (second stream)
-_palettes = {'White hot':0, 'Sepia':2, 'Ironbow':3, 'Rainbow':4, 'Night':5, 'Aurora':6, 'Red hot':7, 'Jungle':8,
-             'Medical':9, 'Black hot':10, 'Glory hot':11}
-_settings = dict(       # question, order, description, options
-    VIDEO_SOURCE=(Cmd.source, Cmd.set_source, 'Main picture', {name: n for n,name in enumerate(_sources)}),
-    THERMAL_PALETTE=(Cmd.palette, Cmd.set_palette, 'Colours of the thermal picture', _palettes),
-    THERMAL_GAIN=(Cmd.gain, Cmd.set_gain, 'Thermal range', {'To 550 °C':0, '-20 to 150 °C':1}))
-
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #8fa2c73a
-def _find_settings(link)->list:
-    "Return the settings as `Parameter`s; their defaults are the present values"
-    found = []
-    for name,(question,_,about,options) in _settings.items():
-        with suppress(GimbalError, IndexError):
-            now = link.ask(question, tries=2)[0]
-            if now in options.values(): found.append(Parameter(name, 'uint8', now, about, options))
-    return found
-
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #f624a595
-class _ZoomDrive:
-    "Makes a `Lens` and the zoom of a device agree"
-    pause,most = 1.,3           # s between two orders; how many
-    def __init__(self, lens, send, log): # `send(cmd, data, times)`
-        store_attr()
-        self.way,self.aim,self.left,self.at = 0,None,0,-math.inf    # ±1; the magnification that was ordered
-        self._lock,self.halting = clock.Lock(),False            # `halting`: a stop was sent, and no report came since
-
-    times = property(lambda self: round(self.lens.focal_length/self.lens.travel.low, 1), doc="Magnification")
-
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #1cf60c4a
-@patch
-def order(self:_ZoomDrive, kind:str, value:float):
-    "Zoom as `Lens.zoom`, a step being one magnification; raises `ValueError`"
-    travel = self.lens.travel
-    with self._lock:
-        if kind=='step': travel.go(travel.position+inside('step', value, -99, 99)*travel.low)
-        else: self.lens.zoom(kind, value)
-        was,self.way = self.way,(value>0)-(value<0) if kind=='continuous' else 0
-        self.aim,self.left,self.at = None if kind=='continuous' else self.times,self.most,-math.inf
-        self.halting = not self.way and (self.halting or bool(was))
-    if was and not self.way: self.send(Cmd.zoom, b'\0', 3)
-
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #88011266
-@patch
-def tick(self:_ZoomDrive, now:float):
-    "Send the orders that are due"
-    if self.way: self.send(Cmd.zoom, bytes([self.way&255]), 1)
-    elif self.aim and now-self.at>=self.pause:
-        if self.left: self.send(Cmd.zoom_to, zoom_data(self.aim), 1)
-        else: self.log.warning('the zoom does not go to %g', self.aim)
-        self.left,self.at,self.aim = self.left-1,now,self.aim if self.left else None
-    if self.halting: self.send(Cmd.zoom, b'\0', 1)
-    self.send(Cmd.present_zoom, b'', 1)
-
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #93d01c3c
-@patch
-def report(self:_ZoomDrive, times:float)->bool:
-    "Take a report of the magnification; returns true if it has changed"
-    with self._lock:
-        self.halting = False
-        if self.aim and abs(times-self.aim)>=.06: return False
-        before,self.aim = self.times,None
-        self.lens.travel.go(times*self.lens.travel.low)
-        if self.way: self.lens.travel.move(self.way)
-        return abs(times-before)>=.1
-
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #ea3badf0
-class _CardRecorder:
-    "Records on a card, where all one can do is to toggle"
-    pause,most = 1.,3           # s between two orders; how many
-    def __init__(self, toggle, log):
-        store_attr()
-        self.on,self.missing,self.ours = False,False,False      # as reported: does it record, is there no card? for us?
-        self.wanted,self.left,self.at = None,0,-math.inf        # on or off; orders that are left; when the last one was
-        self._lock = clock.Lock()
-
-    def want(self, on:bool):
-        "Record from now on, or no longer"
-        with self._lock: self.ours,self.wanted,self.left,self.at = on,on,self.most,-math.inf
-
-    def report(self, record:int, now:float): # 0 off, 1 on, 2 no card, 3 data was lost
-        "Take a report, and toggle when that is due"
-        with self._lock:
-            was,self.on,self.missing = self.on,record==1,record==2
-            why = {2:'there is no card', 3:'data was lost'}.get(record, '')
-            rested = now-self.at>=self.pause
-            if self.wanted is None:
-                if was and self.ours and not self.on: self._end(f'it has stopped by itself{why and ", "}{why}')
-            elif self.on==self.wanted: self.wanted = None
-            elif why or not self.left and rested:
-                self._end(why or f'the device does not {"start" if self.wanted else "stop"}')
-            elif rested:
-                self.left,self.at = self.left-1,now
-                self.toggle()
-
-    def _end(self, why:str):
-        self.ours,self.wanted = False,None
-        self.log.warning('recording on the card: %s; our own is not affected', why)
-
-# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #1dbcf306
-class _CardFiles:
-    "The photos on a card, over HTTP"
-    def __init__(self, host:str, port:int): store_attr()
-
-    def get(self, path:str, most:int=1<<26)->bytes:
-        "Return a file; raises `OSError` and `ValueError`"
-        return get_web(f'http://{url_host(self.host)}:{self.port}{path}', {self.host}, most, 5.)
-
-    def _ask(self, verb:str, **query)->dict:
-        path = f'/cgi-bin/media.cgi/api/v1/{verb}?{urlencode(dict(media_type=0)|query)}'
-        return json.loads(self.get(path, 1<<22))['data']
-
-    def newest(self)->str:
-        "Return the path of the newest photo, '' if there is none; raises `OSError`"
-        try:
-            folders = [folder['path'] for folder in self._ask('getdirectories')['directories']]
-            files = folders and self._ask('getmedialist', path=max(folders), start=0, count=9999)['list']
-            return max((urlsplit(file['url']).path for file in files), default='')
-        except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as e:
-            raise OSError(f'no list of files: {e!r}') from None
-
 # %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #b0e6b079
 class SiyiCamera(URLCamera):
     "The camera of a SIYI gimbal"
@@ -428,3 +298,133 @@ def close(self:SiyiCamera):
         self._end_card()
         if self.thermal_range: self.link.send(Cmd.thermal, b'\0')
     URLCamera.close(self)
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #2baed62b
+_film = 36.,20.25       # mm
+
+def _wide(hfov:float)->float:
+    "Return the focal length (mm) for a field of view in degrees; 24 if that's unknown"
+    return round(_film[0]/2/math.tan(math.radians(hfov)/2), 1) if known(hfov) else 24.
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #733f3b59
+_sources = ['Zoom + thermal', 'Wide + thermal', 'Zoom + wide', 'Zoom (thermal)', 'Zoom (wide)', 'Wide (thermal)',
+            'Wide (zoom)', 'Thermal (zoom)', 'Thermal (wide)']      # main stream (second stream)
+_palettes = {'White hot':0, 'Sepia':2, 'Ironbow':3, 'Rainbow':4, 'Night':5, 'Aurora':6, 'Red hot':7, 'Jungle':8,
+             'Medical':9, 'Black hot':10, 'Glory hot':11}
+_settings = dict(       # question, order, description, options
+    VIDEO_SOURCE=(Cmd.source, Cmd.set_source, 'Main picture', {name: n for n,name in enumerate(_sources)}),
+    THERMAL_PALETTE=(Cmd.palette, Cmd.set_palette, 'Colours of the thermal picture', _palettes),
+    THERMAL_GAIN=(Cmd.gain, Cmd.set_gain, 'Thermal range', {'To 550 °C':0, '-20 to 150 °C':1}))
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #8fa2c73a
+def _find_settings(link)->list:
+    "Return the settings as `Parameter`s; their defaults are the present values"
+    found = []
+    for name,(question,_,about,options) in _settings.items():
+        with suppress(GimbalError, IndexError):
+            now = link.ask(question, tries=2)[0]
+            if now in options.values(): found.append(Parameter(name, 'uint8', now, about, options))
+    return found
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #f624a595
+class _ZoomDrive:
+    "Makes a `Lens` and the zoom of a device agree"
+    pause,most = 1.,3           # s between two orders; how many
+    def __init__(self, lens, send, log): # `send(cmd, data, times)`
+        store_attr()
+        self.way,self.aim,self.left,self.at = 0,None,0,-math.inf    # ±1; the magnification that was ordered
+        self._lock,self.halting = clock.Lock(),False            # `halting`: a stop was sent, and no report came since
+
+    times = property(lambda self: round(self.lens.focal_length/self.lens.travel.low, 1), doc="Magnification")
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #1cf60c4a
+@patch
+def order(self:_ZoomDrive, kind:str, value:float):
+    "Zoom as `Lens.zoom`, a step being one magnification; raises `ValueError`"
+    travel = self.lens.travel
+    with self._lock:
+        if kind=='step': travel.go(travel.position+inside('step', value, -99, 99)*travel.low)
+        else: self.lens.zoom(kind, value)
+        was,self.way = self.way,(value>0)-(value<0) if kind=='continuous' else 0
+        self.aim,self.left,self.at = None if kind=='continuous' else self.times,self.most,-math.inf
+        self.halting = not self.way and (self.halting or bool(was))
+    if was and not self.way: self.send(Cmd.zoom, b'\0', 3)
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #88011266
+@patch
+def tick(self:_ZoomDrive, now:float):
+    "Send the orders that are due"
+    if self.way: self.send(Cmd.zoom, bytes([self.way&255]), 1)
+    elif self.aim and now-self.at>=self.pause:
+        if self.left: self.send(Cmd.zoom_to, zoom_data(self.aim), 1)
+        else: self.log.warning('the zoom does not go to %g', self.aim)
+        self.left,self.at,self.aim = self.left-1,now,self.aim if self.left else None
+    if self.halting: self.send(Cmd.zoom, b'\0', 1)
+    self.send(Cmd.present_zoom, b'', 1)
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #93d01c3c
+@patch
+def report(self:_ZoomDrive, times:float)->bool:
+    "Take a report of the magnification; returns true if it has changed"
+    with self._lock:
+        self.halting = False
+        if self.aim and abs(times-self.aim)>=.06: return False
+        before,self.aim = self.times,None
+        self.lens.travel.go(times*self.lens.travel.low)
+        if self.way: self.lens.travel.move(self.way)
+        return abs(times-before)>=.1
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #ea3badf0
+class _CardRecorder:
+    "Records on a card, where all one can do is to toggle"
+    pause,most = 1.,3           # s between two orders; how many
+    def __init__(self, toggle, log):
+        store_attr()
+        self.on,self.missing,self.ours = False,False,False      # as reported: does it record, is there no card? for us?
+        self.wanted,self.left,self.at = None,0,-math.inf        # on or off; orders that are left; when the last one was
+        self._lock = clock.Lock()
+
+    def want(self, on:bool):
+        "Record from now on, or no longer"
+        with self._lock: self.ours,self.wanted,self.left,self.at = on,on,self.most,-math.inf
+
+    def report(self, record:int, now:float): # 0 off, 1 on, 2 no card, 3 data was lost
+        "Take a report, and toggle when that is due"
+        with self._lock:
+            was,self.on,self.missing = self.on,record==1,record==2
+            why = {2:'there is no card', 3:'data was lost'}.get(record, '')
+            rested = now-self.at>=self.pause
+            if self.wanted is None:
+                if was and self.ours and not self.on: self._end(f'it has stopped by itself{why and ", "}{why}')
+            elif self.on==self.wanted: self.wanted = None
+            elif why or not self.left and rested:
+                self._end(why or f'the device does not {"start" if self.wanted else "stop"}')
+            elif rested:
+                self.left,self.at = self.left-1,now
+                self.toggle()
+
+    def _end(self, why:str):
+        self.ours,self.wanted = False,None
+        self.log.warning('recording on the card: %s; our own is not affected', why)
+
+# %% ../../nbs/api/gimbals/08_siyi_camera.ipynb #1dbcf306
+class _CardFiles:
+    "The photos on a card, over HTTP"
+    def __init__(self, host:str, port:int): store_attr()
+
+    def get(self, path:str, most:int=1<<26)->bytes:
+        "Return a file; raises `OSError` and `ValueError`"
+        return get_web(f'http://{url_host(self.host)}:{self.port}{path}', {self.host}, most, 5.)
+
+    def _ask(self, verb:str, **query)->dict:
+        path = f'/cgi-bin/media.cgi/api/v1/{verb}?{urlencode(dict(media_type=0)|query)}'
+        return json.loads(self.get(path, 1<<22))['data']
+
+    def newest(self)->str:
+        "Return the path of the newest photo, '' if there is none; raises `OSError`"
+        try:
+            folders = [folder['path'] for folder in self._ask('getdirectories')['directories']]
+            files = folders and self._ask('getmedialist', path=max(folders), start=0, count=9999)['list']
+            return max((urlsplit(file['url']).path for file in files), default='')
+        except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as e:
+            raise OSError(f'no list of files: {e!r}') from None

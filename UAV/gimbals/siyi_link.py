@@ -21,100 +21,9 @@ from ..utils.values import inside, Value
 from .driver import DeviceLine, FrameCutter, SerialPort, TCPPort, UDPPort
 
 # %% auto #0
-__all__ = ['MODELS', 'Cmd', 'siyi_frame', 'rate_data', 'angle_data', 'zoom_data', 'SiyiFrame', 'SiyiReader', 'SiyiVersions',
-           'read_versions', 'SiyiModel', 'SiyiLink', 'SiyiAttitude', 'read_attitude', 'SiyiConfig', 'read_config',
+__all__ = ['MODELS', 'SiyiLink', 'Cmd', 'siyi_frame', 'rate_data', 'angle_data', 'zoom_data', 'SiyiFrame', 'SiyiReader',
+           'SiyiVersions', 'read_versions', 'SiyiModel', 'SiyiAttitude', 'read_attitude', 'SiyiConfig', 'read_config',
            'SiyiStream', 'read_stream', 'SiyiThermal', 'read_thermal', 'read_zoom', 'read_range']
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #37a52a76
-class Cmd(IntEnum):
-    "The commands we use"
-    heartbeat=0x00; firmware=0x01; hardware=0x02; autofocus=0x04; zoom=0x05; focus=0x06; rate=0x07; center=0x08
-    config=0x0a; notice=0x0b; photo=0x0c; attitude=0x0d; angles=0x0e; zoom_to=0x0f; source=0x10; set_source=0x11
-    thermal=0x14; distance=0x15; most_zoom=0x16; target=0x17; present_zoom=0x18; mode=0x19; palette=0x1a
-    set_palette=0x1b; stream=0x20; set_stream=0x21; vehicle=0x22; push=0x25; utc=0x30; gain=0x37; set_gain=0x38
-    position=0x3e; angle=0x41; format=0x48
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #09284532
-def siyi_frame(cmd:int, # One of `Cmd`
-               data:bytes=b'', seq:int=0, # Counts the frames of a sender
-               ctrl:int=1, # 1 wants an answer, 2 is one
-              )->bytes:
-    "Return a whole frame"
-    body = struct.pack('<2sBHHB', b'\x55\x66', ctrl, len(data), seq&0xffff, cmd)+data
-    return body+struct.pack('<H', crc_hqx(body, 0))
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #393e3f30
-def rate_data(yaw:int, pitch:int)->bytes: # -100..100, right and up
-    "Return the data of `Cmd.rate`"
-    return struct.pack('bb', *(round(min(max(inside('rate', n), -100), 100)) for n in (yaw, pitch)))
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #0765617e
-def angle_data(yaw:float, pitch:float)->bytes: # Degrees, right and up
-    "Return the data of `Cmd.angles`"
-    return struct.pack('<hh', round(-inside('yaw', yaw)*10), round(inside('pitch', pitch)*10))
-
-def zoom_data(times:float)->bytes: # 1 is the widest
-    "Return the data of `Cmd.zoom_to`"
-    return bytes(divmod(round(inside('zoom', times, 1, 200)*10), 10))
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #27ff06a7
-class SiyiFrame(NamedTuple):
-    "A frame that came"
-    cmd:int
-    data:bytes
-    seq:int=0
-    ctrl:int=2 # 2 is an answer
-
-class SiyiReader(FrameCutter):
-    "Cuts frames out of a stream; `feed` it as the bytes come"
-    most = 300              # bytes of data; more is no frame
-    def _take(self, data:bytearray)->tuple|None:
-        start = data.find(b'\x55\x66')
-        if start<0: start = len(data)-data.endswith(b'\x55')        # its second byte may come next
-        if start: return None,start
-        if len(data)<8: return
-        _,ctrl,size,seq,cmd = struct.unpack_from('<2sBHHB', data)
-        if size>self.most: return None,2
-        if len(data)<size+10: return
-        if crc_hqx(data[:size+8], 0)!=int.from_bytes(data[size+8:size+10], 'little'): return None,2
-        return SiyiFrame(cmd, bytes(data[8:size+8]), seq, ctrl),size+10
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #bd485a29
-def _unpack(layout:str, data:bytes)->tuple:
-    if len(data)<struct.calcsize(layout): raise ValueError(f'{data.hex()!r} is too short')
-    return struct.unpack_from(layout, data)
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #d54fcf90
-@dataclass(frozen=True, repr=False, eq=False)
-class SiyiVersions(Value):
-    "Firmware; `(0, 0, 0)`: it still boots, or there is no such part"
-    camera:tuple # major, minor, patch
-    gimbal:tuple
-    zoom:tuple=(0,0,0)
-
-def read_versions(data:bytes)->SiyiVersions:
-    "Decode `Cmd.firmware`"
-    _unpack('8B', data)
-    return SiyiVersions(*((data[i+2], data[i+1], data[i]) for i in range(0, len(data)//4*4, 4)[:3]))
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #2acefa28
-@dataclass(frozen=True, repr=False, eq=False)
-class SiyiModel(Value):
-    "Limits, zoom and streams of a model"
-    name:str='SIYI'
-    pitch:tuple=(-90.,25.) # Least and greatest angle, degrees
-    yaw:tuple|None=(-135.,135.) # `None`: no such axis
-    zoom:float=30. # The greatest magnification, if the device doesn't tell
-    hfov:float=NAN # At the widest, degrees
-    thermal:bool=False
-    streams:tuple=('main.264',) # RTSP paths
-
-# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #ae307171
-_two = 'video1','video2'
-MODELS = {'75': SiyiModel('A2 mini', yaw=None, zoom=6.), '73': SiyiModel('A8 mini', zoom=6., hfov=81.),
-          '6B': SiyiModel('ZR10', hfov=62.), '78': SiyiModel('ZR30', hfov=58.),
-          '83': SiyiModel('ZT6', zoom=6., hfov=85., thermal=True, streams=_two),
-          '7A': SiyiModel('ZT30', hfov=85., thermal=True, streams=_two)}
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #3187eb35
 class SiyiLink(Closes):
@@ -259,6 +168,97 @@ def open(cls:SiyiLink, url:DeviceURL)->SiyiLink:
     if not url.host and len(url.path)>1: return cls(url.path, transport='serial')
     if not url.host: raise ValueError('where is the SIYI? Write siyi://HOST or siyi:///dev/ttyUSB0')
     return cls(url.host, url.port or 37260, url.option('transport', 'udp'))
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #37a52a76
+class Cmd(IntEnum):
+    "The commands we use"
+    heartbeat=0x00; firmware=0x01; hardware=0x02; autofocus=0x04; zoom=0x05; focus=0x06; rate=0x07; center=0x08
+    config=0x0a; notice=0x0b; photo=0x0c; attitude=0x0d; angles=0x0e; zoom_to=0x0f; source=0x10; set_source=0x11
+    thermal=0x14; distance=0x15; most_zoom=0x16; target=0x17; present_zoom=0x18; mode=0x19; palette=0x1a
+    set_palette=0x1b; stream=0x20; set_stream=0x21; vehicle=0x22; push=0x25; utc=0x30; gain=0x37; set_gain=0x38
+    position=0x3e; angle=0x41; format=0x48
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #09284532
+def siyi_frame(cmd:int, # One of `Cmd`
+               data:bytes=b'', seq:int=0, # Counts the frames of a sender
+               ctrl:int=1, # 1 wants an answer, 2 is one
+              )->bytes:
+    "Return a whole frame"
+    body = struct.pack('<2sBHHB', b'\x55\x66', ctrl, len(data), seq&0xffff, cmd)+data
+    return body+struct.pack('<H', crc_hqx(body, 0))
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #393e3f30
+def rate_data(yaw:int, pitch:int)->bytes: # -100..100, right and up
+    "Return the data of `Cmd.rate`"
+    return struct.pack('bb', *(round(min(max(inside('rate', n), -100), 100)) for n in (yaw, pitch)))
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #0765617e
+def angle_data(yaw:float, pitch:float)->bytes: # Degrees, right and up
+    "Return the data of `Cmd.angles`"
+    return struct.pack('<hh', round(-inside('yaw', yaw)*10), round(inside('pitch', pitch)*10))
+
+def zoom_data(times:float)->bytes: # 1 is the widest
+    "Return the data of `Cmd.zoom_to`"
+    return bytes(divmod(round(inside('zoom', times, 1, 200)*10), 10))
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #27ff06a7
+class SiyiFrame(NamedTuple):
+    "A frame that came"
+    cmd:int
+    data:bytes
+    seq:int=0
+    ctrl:int=2 # 2 is an answer
+
+class SiyiReader(FrameCutter):
+    "Cuts frames out of a stream; `feed` it as the bytes come"
+    most = 300              # bytes of data; more is no frame
+    def _take(self, data:bytearray)->tuple|None:
+        start = data.find(b'\x55\x66')
+        if start<0: start = len(data)-data.endswith(b'\x55')        # its second byte may come next
+        if start: return None,start
+        if len(data)<8: return
+        _,ctrl,size,seq,cmd = struct.unpack_from('<2sBHHB', data)
+        if size>self.most: return None,2
+        if len(data)<size+10: return
+        if crc_hqx(data[:size+8], 0)!=int.from_bytes(data[size+8:size+10], 'little'): return None,2
+        return SiyiFrame(cmd, bytes(data[8:size+8]), seq, ctrl),size+10
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #bd485a29
+def _unpack(layout:str, data:bytes)->tuple:
+    if len(data)<struct.calcsize(layout): raise ValueError(f'{data.hex()!r} is too short')
+    return struct.unpack_from(layout, data)
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #d54fcf90
+@dataclass(frozen=True, repr=False, eq=False)
+class SiyiVersions(Value):
+    "Firmware; `(0, 0, 0)`: it still boots, or there is no such part"
+    camera:tuple # major, minor, patch
+    gimbal:tuple
+    zoom:tuple=(0,0,0)
+
+def read_versions(data:bytes)->SiyiVersions:
+    "Decode `Cmd.firmware`"
+    _unpack('8B', data)
+    return SiyiVersions(*((data[i+2], data[i+1], data[i]) for i in range(0, len(data)//4*4, 4)[:3]))
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #2acefa28
+@dataclass(frozen=True, repr=False, eq=False)
+class SiyiModel(Value):
+    "Limits, zoom and streams of a model"
+    name:str='SIYI'
+    pitch:tuple=(-90.,25.) # Least and greatest angle, degrees
+    yaw:tuple|None=(-135.,135.) # `None`: no such axis
+    zoom:float=30. # The greatest magnification, if the device doesn't tell
+    hfov:float=NAN # At the widest, degrees
+    thermal:bool=False
+    streams:tuple=('main.264',) # RTSP paths
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #ae307171
+_two = 'video1','video2'
+MODELS = {'75': SiyiModel('A2 mini', yaw=None, zoom=6.), '73': SiyiModel('A8 mini', zoom=6., hfov=81.),
+          '6B': SiyiModel('ZR10', hfov=62.), '78': SiyiModel('ZR30', hfov=58.),
+          '83': SiyiModel('ZT6', zoom=6., hfov=85., thermal=True, streams=_two),
+          '7A': SiyiModel('ZT30', hfov=85., thermal=True, streams=_two)}
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #ebeba0e1
 @dataclass(frozen=True, repr=False, eq=False)
