@@ -285,10 +285,11 @@ class EntriesInOrder(Processor):
 
 # %% reference.ipynb #07a6b894
 def _has_entry(name:str)->bool:
-    "Private names have none, and methods that stand in their class are in its entry"
+    "Private names have none, and methods that stand in their class, or are assigned there, are in its entry"
     *classes,last = name.split('.')
     body = getattr(_tree(in_package(classes[0], None)), 'body', []) if classes else []
-    return not last.startswith('_') and last not in [getattr(o, 'name', None) for o in body]
+    inside = [getattr(o, 'name', None) for o in body]+[ast.unparse(t) for o in body for t in getattr(o, 'targets', [])]
+    return not last.startswith('_') and last not in inside
 
 # %% reference.ipynb #bea6007e
 def _link(m, home:str)->str:

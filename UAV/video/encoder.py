@@ -14,7 +14,6 @@ from ..utils.threads import _begin_thread, Closes
 from ..utils.pictures import _checked
 from .units import (AccessUnit, byte_stream, codecs, _DecodeTimes, _even, _is_hardware, is_key,
     _nal_type, nal_units, _open_codec, parameter_sets, sensible_bitrate, Sink, VideoFormat)
-from operator import attrgetter
 
 # %% auto #0
 __all__ = ['Encoder', 'PassThrough']
@@ -35,8 +34,8 @@ _checks = dict(rate=_positive, key_interval=_positive,
 def _setting(name:str):
     "Return an attribute that may be set while the encoder runs"
     def change(encoder, value): encoder._change(name, value)
-    get = attrgetter(f'_{name}')            # read eight times a picture, so not by a function of ours
-    return property(get, change, doc='As for the constructor; a change counts from the next picture on')
+    def value(encoder): return getattr(encoder, f'_{name}')
+    return property(value, change, doc='As for the constructor; a change counts from the next picture on')
 
 # %% ../../nbs/api/video/01_encoder.ipynb #655a98de
 class Encoder(Closes):
