@@ -13,12 +13,21 @@ CLOCKS = {'monotonic','time','perf_counter','monotonic_ns','time_ns','perf_count
 LIMITS = 'timeout wait join until within read get recv result wait_for settimeout wait_idle'.split()
 
 
+def read(source):
+    "The syntax tree of a cell; a line of IPython's (`%…`, `!…`) becomes `pass`, unless all is Python"
+    flags = ast.PyCF_ALLOW_TOP_LEVEL_AWAIT|ast.PyCF_ONLY_AST
+    try: return compile(source, 'cell', 'exec', flags)
+    except SyntaxError: pass
+    plain = (re.sub(r'\S.*', 'pass', line) if re.match(r'\s*[%!]', line) else line for line in source.split('\n'))
+    return compile('\n'.join(plain), 'cell', 'exec', flags)
+
+
 def cells(path):
-    "The code cells of a notebook that are tests, as lines that Python can read"
+    "The code cells of a notebook that are tests"
     for cell in json.loads(path.read_text(encoding='utf-8'))['cells']:
         source = ''.join(cell['source'])
         if cell['cell_type']!='code' or re.match(r'#\| (export|default_exp)', source): continue
-        yield '\n'.join(re.sub(r'\S.*', 'pass', line) if re.match(r'\s*[%!]', line) else line for line in source.split('\n'))
+        yield source
 
 
 def name(node):
@@ -39,8 +48,7 @@ def is_upper_bound(node):
 
 def found(source):
     "`(kind, line)` of each place in a cell"
-    tree = compile(source, 'cell', 'exec', ast.PyCF_ALLOW_TOP_LEVEL_AWAIT|ast.PyCF_ONLY_AST)
-    for node in ast.walk(tree):
+    for node in ast.walk(read(source)):
         if name(node)=='sleep' and node.args and number(node.args[0])!=0: yield 'sleeps',node.lineno
         if isinstance(node, ast.Assert) and any(map(is_upper_bound, ast.walk(node))): yield 'upper bounds',node.lineno
         if not isinstance(node, ast.Call): continue

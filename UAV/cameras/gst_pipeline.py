@@ -164,7 +164,8 @@ def open_valve(self:GSTPipeline, name:str, # Of a valve
 def ask_key(self:GSTPipeline, name:str='uav_units'):
     "Ask for a key frame at an appsink; an encoder makes one, a camera may"
     Gst,sink = self.Gst,self.element(name)
-    wish = 'GstForceKeyUnit, running-time=(guint64)18446744073709551615, all-headers=(boolean)true, count=(uint)1'
+    now = 2**64-1           # GStreamer's "no time": with the next frame
+    wish = f'GstForceKeyUnit, running-time=(guint64){now}, all-headers=(boolean)true, count=(uint)1'
     sink.send_event(Gst.Event.new_custom(Gst.EventType.CUSTOM_UPSTREAM, Gst.Structure.new_from_string(wish)))
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #1270fb82
@@ -356,7 +357,9 @@ def _whole_line(recipe:_Recipe)->tuple:
     "The pipeline that GStreamer gets, and the codec of its units, or ''; raises `CameraError`"
     find = gst().ElementFactory.find
     source = _gives(recipe.source)
-    encodes = source if source in ('h264','h265') else _gives(f'identity ! {recipe.encoder}') if recipe.encoder else ''
+    if source in ('h264','h265'): encodes = source
+    elif recipe.encoder: encodes = _gives(f'identity ! {recipe.encoder}')
+    else: encodes = ''
     if encodes not in ('', 'h264', 'h265'): raise CameraError(f'[encoder] gives {encodes}, not H.264 or H.265')
     known = {f'avdec_{source}': f'avdec_{source} max-threads=1 output-corrupt=false', 'openh264dec': 'openh264dec'}
     decoder = next((line for name,line in known.items() if source in name and find(name)), 'decodebin')

@@ -164,14 +164,16 @@ def _steer(self:Onvif, setpoint:Setpoint):
 @patch
 def _receive(self:Onvif):
     "Take over the newest position"
-    (x,y,_,uri),spaces = self.client.status,self.client.spaces['position'] or [_Space()]
+    x,y,_,uri = self.client.status
+    spaces = self.client.spaces['position'] or [_Space()]
     space = next((s for s in spaces if s.uri==uri), spaces[-1])         # the generic one, if it doesn't say
-    now = dict(pitch=_between(y, space.y, self.tilt), yaw=_between(x, space.x, self.pan))
+    angles = dict(pitch=_between(y, space.y, self.tilt), yaw=_between(x, space.x, self.pan))
     with self._lock:
-        (before,then),t = self._seen,self.clock()
-        past = max(t-then, .01)
-        rates = {axis: wrap(angle-before[axis][0])/past for axis,angle in now.items()}
-        self._seen = {axis: (now[axis], rate if known(rate) else 0.) for axis,rate in rates.items()},t
+        before,then = self._seen
+        now = self.clock()
+        past = max(now-then, .01)
+        rates = {axis: wrap(angle-before[axis][0])/past for axis,angle in angles.items()}
+        self._seen = {axis: (angles[axis], rate if known(rate) else 0.) for axis,rate in rates.items()},now
         if not self.closed: self._steer(self.setpoint)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #64f5d8c5

@@ -67,11 +67,13 @@ def _fail(self:WireLog, name:str, to, by, fields:dict, how:str):
     "Raise `AssertionError`, with the newest lines of the log"
     __tracebackhide__ = True
     def at(place): return place if isinstance(place, str) else '/'.join(map(str, place))
-    given = ', '.join(f'{field}={value!r}' for field,value in fields.items())
-    what = f'{name}{given and f" with {given}"}{f" by {at(by)}" if by else ""}{f" to {at(to)}" if to else ""}'
+    what = [name]
+    if fields: what.append('with '+', '.join(f'{field}={value!r}' for field,value in fields.items()))
+    if by: what.append(f'by {at(by)}')
+    if to: what.append(f'to {at(to)}')
     msg_id,_ = _what(name)
     lines = self.text(*self.usual, *([name] if msg_id is not None else []), rows=12) or 'nothing'
-    raise AssertionError(f'{what} {how}. The newest messages:\n{lines}')
+    raise AssertionError(f'{" ".join(what)} {how}. The newest messages:\n{lines}')
 
 # %% ../../nbs/api/testing/00_kit.ipynb #28ee9935
 @patch
