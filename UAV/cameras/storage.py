@@ -249,7 +249,7 @@ def _recover(self:Storage):
     self._add_up()
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #8df34dda
-_written = 'IMG_*','pictures.jsonl','usage.json'        # each completely or not at all; the last one older versions wrote
+_written = 'IMG_*','pictures.jsonl','usage.json'        # each completely or not at all; the last is of `Storages`
 
 @patch
 def _clear_up(self:Storage):
