@@ -423,5 +423,6 @@ def gst():
     with suppress(ImportError, ValueError):
         import gi
         gi.require_version('GstVideo', '1.0')
-        from gi.repository import GstVideo      # noqa: F401  before the first element: later its interfaces have no methods
+        # before the first element: later its interfaces have no methods
+        from gi.repository import GstVideo      # noqa: F401
     return Gst

@@ -307,7 +307,7 @@ class _Stills:
         picture = draw()
         if not asked_before or picture.nbytes>self.most_bytes: return picture
         copy = picture.copy()
-        if self._lock.acquire(False):       # without a wait: what is kept must not change the order of simulated threads
+        if self._lock.acquire(False):       # without a wait, which would change the order of simulated threads
             try: self._put(key, copy)
             finally: self._lock.release()
         return picture

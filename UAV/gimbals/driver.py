@@ -86,7 +86,7 @@ def attitude_of(self:GimbalDriver, roll:float, pitch:float, yaw:float, # Degrees
                           flags, self.clock())
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #34a52f18
-def _retry_delay(attempt:int, longest:float=8.)->float: # s; 0 is the first attempt
+def _retry_delay(attempt:int, longest:float)->float: # s; 0 is the first attempt
     return min(.25*2**min(attempt-1, 9), longest) if attempt else 0.       # 2**1024 is no float any more
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #ba9b4805

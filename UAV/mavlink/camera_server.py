@@ -452,7 +452,8 @@ def beat(self:CameraServer):
 def _resend_notice(self:_CameraVerbs, number:int, msg, before:Outcome):
     "Send the notice of a shot again to the client that repeats it; log that once"
     source = address(msg)
-    if self.presses.logged.setdefault(source, msg) is msg: self.log.info('%s/%s asks for shot %s again', *source, number)
+    if self.presses.logged.setdefault(source, msg) is msg:
+        self.log.info('%s/%s asks for shot %s again', *source, number)
     if not before.value or not hasattr(self.camera, 'picture'): return
     try: self.send_message(self._encode_picture(self.camera.picture(before.value-1)), source)
     except IndexError: pass             # it is being taken

@@ -27,7 +27,8 @@ __tracebackhide__ = True        # pytest shows the lines of a test, not ours
 def _seeded(seed)->dict:
     "Random numbers of a world in place of the system's: below `secrets`, `uuid4` and NumPy's generators"
     dice = Random(f'secrets {seed}')
-    return {os.urandom: lambda size: _real_urandom(size) if here() is None else dice.randbytes(size), random.seed: _reseed}
+    def urandom(size): return _real_urandom(size) if here() is None else dice.randbytes(size)
+    return {os.urandom: urandom, random.seed: _reseed}
 
 _real_seed = Random.seed
 
@@ -559,7 +560,8 @@ class _Swap:
 
     def _wrapped(self, owner, lock):
         "Our lock around one of a module, a class or a handler of logs; none for `threading`'s own"
-        module = 'logging' if isinstance(owner, logging.Handler) else getattr(owner, '__module__', None) or owner.__name__
+        if isinstance(owner, logging.Handler): module = 'logging'
+        else: module = getattr(owner, '__module__', None) or owner.__name__
         kind = _Lock if isinstance(lock, _lock_types[0]) else _RLock
         if module!='threading': return kind(lock, quiet=module.partition('.')[0] in sys.stdlib_module_names)
 
