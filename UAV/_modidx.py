@@ -4090,6 +4090,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                                                          'UAV/mavlink/camera_tracking.py'),
                                              'UAV.mavlink.camera_tracking.TrackingPart._encode_tracking': ( 'api/mavlink/camera_tracking.html#trackingpart._encode_tracking',
                                                                                                             'UAV/mavlink/camera_tracking.py'),
+                                             'UAV.mavlink.camera_tracking.TrackingPart._end_statuses': ( 'api/mavlink/camera_tracking.html#trackingpart._end_statuses',
+                                                                                                         'UAV/mavlink/camera_tracking.py'),
                                              'UAV.mavlink.camera_tracking.TrackingPart._show_tracking': ( 'api/mavlink/camera_tracking.html#trackingpart._show_tracking',
                                                                                                           'UAV/mavlink/camera_tracking.py'),
                                              'UAV.mavlink.camera_tracking.TrackingPart._tracking': ( 'api/mavlink/camera_tracking.html#trackingpart._tracking',

@@ -170,15 +170,20 @@ def _show_tracking(self:TrackingPart, asker:tuple):
     try: self.component._start_stream(CAMERA_TRACKING_IMAGE_STATUS, self.interval, asker=asker)
     except (Denied,Busy) as e: return self.component.log.info('no tracking status for %s/%s: %s', *asker, e)
     self._followers[asker] = True
+    if self._tracking().status=='idle': self._end_statuses()        # a STOP came on another link meanwhile
+
+@patch
+def _end_statuses(self:TrackingPart):
+    "Stop the streams of the status that we started"
+    followers,self._followers = self._followers,{}
+    for asker in [asker for asker,shown in followers.items() if shown]:
+        self.component.sending.stop(asker, CAMERA_TRACKING_IMAGE_STATUS)
 
 @patch
 @announced(TrackingStatus)
 def _tracking_changed(self:TrackingPart, event:TrackingStatus)->list:
     "Return the status for all; at the end of tracking, stop the streams that we started"
-    if event.status=='idle':
-        followers,self._followers = self._followers,{}
-        for asker in [asker for asker,shown in followers.items() if shown]:
-            self.component.sending.stop(asker, CAMERA_TRACKING_IMAGE_STATUS)
+    if event.status=='idle': self._end_statuses()
     return [self._encode_tracking(self._tracking())]
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #0e5aa7c8

@@ -353,7 +353,9 @@ def start(self:Streams, asker:tuple|None, # `(system, component)` of the request
     self._end(asker, key)
     to = None if everyone else asker
     for msg in msgs: self.component.send_message(msg, to)
-    self._streams[asker,key] = Stream(self.component, msg_id, values, period, to, lambda stream: self._end(asker, key))
+    stream = Stream(self.component, msg_id, values, period, to, lambda stream: self._end(asker, key))
+    with self._lock: other,self._streams[asker,key] = self._streams.get((asker,key)),stream
+    if other: other.stop()          # started on another link's thread at the same time
     if self._closed: self._end(asker, key)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #e379e49a
