@@ -140,6 +140,7 @@ def add_component(self:MAVCom, component):
         self.here.add((self.source_system, number))
     try: component.set_mav_connection(self)
     except BaseException:
+        component.close()           # what it has begun ends
         self.remove_component(component)
         raise
     self.deliver_to(component)
