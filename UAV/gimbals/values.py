@@ -44,7 +44,9 @@ def limited(self:GimbalInformation, axis:str, # One of `axes`
            )->float:
     "Return the nearest angle that the axis can reach; yaw comes as its nearest turn"
     low,high = getattr(self, axis) or (0.,0.)
-    if axis=='yaw': angle = min((wrap(angle)+t for t in (-360,0,360)), key=lambda a: (max(low-a, a-high, 0), abs(a)))
+    if axis=='yaw':
+        turns = [wrap(angle)+turn for turn in (-360,0,360)]
+        angle = min(turns, key=lambda a: (max(low-a, a-high, 0), abs(a)))       # next to its range, then to the nose
     return min(max(angle, low), high)
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #2332c8e5
@@ -95,11 +97,11 @@ def after(self:VehicleState, seconds:float, # From then on
           turning:float|None=None, # s for which it turns on; `None`: as long
          )->VehicleState:
     "Return the state a little later, if the vehicle flies and turns on like that; what is not known stays so"
-    north,east,down = (v*seconds for v in self.velocity)
-    flies = all(map(known, (self.lat, self.lon, north, east, down)))
-    lat,lon = moved(self.lat, self.lon, north, east) if flies else (self.lat,self.lon)
-    down,turn = down if flies else 0.,self.yaw_rate*(seconds if turning is None else turning)
+    turn = self.yaw_rate*(seconds if turning is None else turning)
     yaw = wrap(self.yaw+turn) if known(turn) else self.yaw
+    north,east,down = (v*seconds for v in self.velocity)
+    if not all(map(known, (self.lat, self.lon, north, east, down))): return replace(self, yaw=yaw)
+    lat,lon = moved(self.lat, self.lon, north, east)
     return replace(self, yaw=yaw, lat=lat, lon=lon, alt=self.alt-down, relative_alt=self.relative_alt-down)
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #9e0c2a02
@@ -143,7 +145,7 @@ def _degrees(angle:float)->str: return f'{round(angle, 1)+0.:.1f}°'       # wit
 @patch
 def __repr__(self:GimbalAttitude):
     north = f', {_degrees(round(self.earth_yaw, 1)%360)} from north' if known(self.vehicle_yaw) else ''
-    where = f'pitch {_degrees(self.pitch)}, yaw {_degrees(self.yaw)}{north}'
-    words = [where if known(self.pitch) else 'angles unknown', self.mode]
-    words = [*words, 'locked' if self.lock else 'follows', *self.failures]
-    return f'{type(self).__name__}: {", ".join(word for word in words if word!="point")}'
+    where = f'pitch {_degrees(self.pitch)}, yaw {_degrees(self.yaw)}{north}' if known(self.pitch) else 'angles unknown'
+    mode = '' if self.mode=='point' else self.mode
+    words = where,mode,'locked' if self.lock else 'follows',*self.failures
+    return f'{type(self).__name__}: {", ".join(filter(None, words))}'
