@@ -17,21 +17,7 @@ from ..utils import clock
 from ..utils.devices import DeviceURL
 
 # %% auto #0
-__all__ = ['number_rate', 'rate_number', 'Siyi']
-
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #d16dfb1e
-_slope,_dead = 1.48,4       # degrees a second for each number; the largest number that doesn't move it
-
-def number_rate(n:int)->float: # -100..100
-    "Return the rate in degrees a second for a number"
-    return math.copysign(max(abs(n)-_dead, 0)*_slope, n)
-
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #4f7ed6e9
-def rate_number(rate:float, # Degrees a second
-               )->int:
-    "Return the number, -100..100, that turns nearest to this rate"
-    n = round(_dead+abs(rate)/_slope)
-    return int(math.copysign(min(n, 100), rate)) if n>_dead else 0
+__all__ = ['Siyi', 'number_rate', 'rate_number']
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #ab901043
 class Siyi(GimbalDriver):
@@ -175,7 +161,8 @@ def _send_angles(self:Siyi):
     before,when = self._asked or ({}, -math.inf)
     answered = self.link.age(Cmd.angles if len(goals)==2 else Cmd.angle)<=now-when
     moved = goals.keys()!=before.keys() or any(abs(wrap(goals[axis]-before[axis]))>.5 for axis in goals)
-    if not goals or not moved and (answered or now-when<.5): return
+    is_due = moved or not answered and now-when>=.5
+    if not goals or not is_due: return
     if not self._quiet and not before: self._stand()
     if len(goals)==2: self.link.send(Cmd.angles, angle_data(goals['yaw'], goals['pitch']))
     elif 'pitch' in goals: self.link.send(Cmd.angle, angle_data(0., goals['pitch'])[2:]+b'\1')
@@ -270,6 +257,20 @@ def close(self:Siyi):
     self.link.send(Cmd.rate, rate_data(0, 0), times=3)
     if self.camera: self.camera.close()
     self.link.close()
+
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #d16dfb1e
+_slope,_dead = 1.48,4       # degrees a second for each number; the largest number that doesn't move it
+
+def number_rate(n:int)->float: # -100..100
+    "Return the rate in degrees a second for a number"
+    return math.copysign(max(abs(n)-_dead, 0)*_slope, n)
+
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #4f7ed6e9
+def rate_number(rate:float, # Degrees a second
+               )->int:
+    "Return the number, -100..100, that turns nearest to this rate"
+    n = round(_dead+abs(rate)/_slope)
+    return int(math.copysign(min(n, 100), rate)) if n>_dead else 0
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #84ce1857
 @patch(cls_method=True)
