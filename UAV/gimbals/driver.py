@@ -61,17 +61,21 @@ class GimbalDriver(Gimbal):
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #4fdcc257
 @patch
+def _is_beyond(self:GimbalDriver, axis:str, goal:float)->bool:
+    "True if an axis cannot reach this angle"
+    return known(goal) and abs(wrap(self.information.limited(axis, goal)-goal))>.1
+
+@patch
 def _failures(self:GimbalDriver, goals:dict, # Where axes are to be, degrees; NaN: anywhere
               **there): # Where they are, degrees
     "Yield the names of GIMBAL_DEVICE_ERROR_FLAGS that are set"
     if self.fault: yield 'COMMS_ERROR'
     for axis,angle in there.items():
-        limits,target,goal = getattr(self.information, axis),getattr(self.setpoint, axis),goals.get(axis, NAN)
+        limits,target = getattr(self.information, axis),getattr(self.setpoint, axis)
         if not limits: continue
         low,high = limits
         turns_out = target.turning and (angle<=low+.5 if target.rate<0 else angle>=high-.5 and target.rate>0)
-        is_beyond = known(goal) and abs(wrap(self.information.limited(axis, goal)-goal))>.1
-        if turns_out or is_beyond: yield f'AT_{axis.upper()}_LIMIT'
+        if turns_out or self._is_beyond(axis, goals.get(axis, NAN)): yield f'AT_{axis.upper()}_LIMIT'
 
 @patch
 def attitude_of(self:GimbalDriver, roll:float, pitch:float, yaw:float, # Degrees, yaw from the nose

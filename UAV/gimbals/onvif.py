@@ -394,7 +394,7 @@ def _envelope(request:str, # Such as '<tds:GetServices/>'
 class _Refused(GimbalError): "The camera answered with a Fault"
 class _Unauthorized(GimbalError): "The camera refused user or password"
 class _BadAddress(GimbalError): "The camera named an address that is none, or not for us"
-class _GivenUp(GimbalError): "A stop order was more urgent than the answer"
+class _GivenUp(Exception): "A stop order was more urgent than the answer"
 class _Unreadable(GimbalError): "The camera answered, and not with XML"
 
 def _at(path:str)->str: return './/'+'/'.join(f'{{*}}{name}' for name in path.split('/'))      # in any namespace
@@ -715,9 +715,9 @@ def _order(self:_OnvifClient, wordings:tuple)->ElementTree.Element|None:
 @patch
 def _try(self:_OnvifClient, *wordings:str):
     "Return the answer, or `None`; notes whether there is one at all. Raises `_GivenUp`"
-    answer,error,was = None,None,self.error
+    answer = error = None
+    was = self.error
     try: answer = self._order(wordings)
-    except _GivenUp: raise
     except GimbalError as e: error = str(e)
     self.error = error
     if not error: self.answered = self.clock()

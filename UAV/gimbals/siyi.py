@@ -80,11 +80,6 @@ def _goal(self:Siyi, axis:str)->float:
     target = getattr(self.setpoint, axis).angle
     return wrap(target-self.heading) if axis=='yaw' and self.setpoint.lock else target
 
-@patch
-def _is_beyond(self:Siyi, axis:str, goal:float)->bool:
-    "True if an axis cannot reach this angle"
-    return known(goal) and abs(wrap(goal-self.information.limited(axis, goal)))>.1
-
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #02dd525a
 @patch
 def attitude(self:Siyi)->GimbalAttitude:
