@@ -2301,8 +2301,6 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                  'UAV/gimbals/onvif.py'),
                                    'UAV.gimbals.onvif._OnvifClient._order': ( 'api/gimbals/onvif.html#_onvifclient._order',
                                                                               'UAV/gimbals/onvif.py'),
-                                   'UAV.gimbals.onvif._OnvifClient._poll': ( 'api/gimbals/onvif.html#_onvifclient._poll',
-                                                                             'UAV/gimbals/onvif.py'),
                                    'UAV.gimbals.onvif._OnvifClient._proof': ( 'api/gimbals/onvif.html#_onvifclient._proof',
                                                                               'UAV/gimbals/onvif.py'),
                                    'UAV.gimbals.onvif._OnvifClient._read_names': ( 'api/gimbals/onvif.html#_onvifclient._read_names',

@@ -124,6 +124,18 @@ class DeviceLine(Closes):
         "Wait until it is connected and `changed` was called, or until it is not, `timeout` seconds at most"
         with self._lock: return self._lock.wait_for(lambda: self.up==up and (self._announced or not up), timeout)
 
+    def send(self, data:bytes, # A whole frame
+            )->bool:
+        "Send it at once or not at all; returns whether it was sent"
+        with self._lock:
+            if not self.up: return False
+            sent,why = 0,'the other side takes nothing'
+            try: sent = self.port.write(data)
+            except BlockingIOError: pass
+            except OSError as e: why = e
+            if sent!=len(data) and self.port.connects: self.drop(why)
+            return sent==len(data)
+
 # %% ../../nbs/api/gimbals/05_driver.ipynb #30335218
 @patch
 def _wait(self:DeviceLine, event:int, seconds:float|None=None):
@@ -209,20 +221,6 @@ def _call(self:DeviceLine, f, *args):
     "An error of the one who listens is not the end of the connection"
     try: f(*args)
     except Exception: log.exception('%r', self)
-
-# %% ../../nbs/api/gimbals/05_driver.ipynb #74741297
-@patch
-def send(self:DeviceLine, data:bytes, # A whole frame
-        )->bool:
-    "Send it at once or not at all; returns whether it was sent"
-    with self._lock:
-        if not self.up: return False
-        sent,why = 0,'the other side takes nothing'
-        try: sent = self.port.write(data)
-        except BlockingIOError: pass
-        except OSError as e: why = e
-        if sent!=len(data) and self.port.connects: self.drop(why)
-        return sent==len(data)
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #83cf4bed
 @patch

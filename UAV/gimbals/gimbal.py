@@ -322,16 +322,14 @@ class RegionOfInterest:
         self.gimbal.look_at(target(self.lead) if callable(target) else target, state.after(self.lead))
         self.target,self.ours,self.lost = target,self.gimbal.setpoint,''
 
-# %% ../../nbs/api/gimbals/01_gimbal.ipynb #82e13f08
-@patch
-def set(self:RegionOfInterest,
-        target, # A `Location`, or a function that gives it in so many seconds from now, or raises `PositionUnknown`
-        state:VehicleState): # Where the vehicle is
-    "Keep looking at `target`; raises as `Gimbal.look_at`"
-    with self._lock:
-        old,setpoint = self.target,self.gimbal.setpoint
-        self.look(state, target)
-        if old is None: self.before = setpoint
+    def set(self,
+            target, # A `Location`, or a function that gives it in so many seconds from now, or raises `PositionUnknown`
+            state:VehicleState): # Where the vehicle is
+        "Keep looking at `target`; raises as `Gimbal.look_at`"
+        with self._lock:
+            old,setpoint = self.target,self.gimbal.setpoint
+            self.look(state, target)
+            if old is None: self.before = setpoint
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #3843189b
 @patch

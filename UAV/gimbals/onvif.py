@@ -99,23 +99,26 @@ def attitude(self:Onvif)->GimbalAttitude:
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #fb9290e2
 @patch
-def _stop(self:Onvif)->tuple:
-    "Return the request that ends all turning, and another wording for cameras that refuse `Stop`"
+def _stop(self:Onvif):
+    "Order an end of all turning; some cameras refuse `Stop`, and stand at a rate of 0"
     self._sent = None
     self._rates = dict.fromkeys(self._rates, 0.)
-    return (self.client.ptz('Stop', '<tptz:PanTilt>true</tptz:PanTilt><tptz:Zoom>false</tptz:Zoom>'),
-            self.client.ptz('ContinuousMove', '<tptz:Velocity><tt:PanTilt x="0" y="0"/></tptz:Velocity>'))
+    stop = self.client.ptz('Stop', '<tptz:PanTilt>true</tptz:PanTilt><tptz:Zoom>false</tptz:Zoom>')
+    stand = self.client.ptz('ContinuousMove', '<tptz:Velocity><tt:PanTilt x="0" y="0"/></tptz:Velocity>')
+    self.client.post('move', stop, stand, at_once=True)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #afde749d
 def _vector(x:float, y:float, uri:str)->str: return f'<tt:PanTilt x="{x:.5f}" y="{y:.5f}" space="{escape(uri)}"/>'
 
 @patch
-def _go(self:Onvif, setpoint:Setpoint)->str:
-    "Return the request that moves it to the angles of `setpoint`"
+def _go(self:Onvif, setpoint:Setpoint):
+    "Order a move to the angles of `setpoint`"
+    self._sent = None
     pan,tilt,space = setpoint.yaw.angle,setpoint.pitch.angle,self._position
     x = _between(self.information.limited('yaw', pan), self.pan, space.x)
     y = _between(self.information.limited('pitch', tilt), self.tilt, space.y)
-    return self.client.ptz('AbsoluteMove', f'<tptz:Position>{_vector(x, y, space.uri)}</tptz:Position>')
+    move = self.client.ptz('AbsoluteMove', f'<tptz:Position>{_vector(x, y, space.uri)}</tptz:Position>')
+    self.client.post('move', move)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #aa33b27c
 @patch
@@ -125,16 +128,16 @@ def _rate(self:Onvif, axis:str, target:Axis)->float:
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #b077ad1f
 @patch
-def _turn(self:Onvif, rates:tuple)->tuple:
-    "Return the request that turns pan and tilt, degrees a second, and the same without its time-out"
+def _turn(self:Onvif, rates:tuple):
+    "Order pan and tilt to turn, degrees a second; some cameras refuse a time-out"
     space,units = self._velocity,[]
     for rate,(low,high),(first,last),full_speed in zip(rates, (space.x, space.y), (self.pan, self.tilt), self.speeds):
         value = rate if space.in_degrees else rate/full_speed*high
         if last<first: value = -value           # its angles grow in the other direction
         units.append(min(max(value, low), high))
-    velocity = f'<tptz:Velocity>{_vector(*units, space.uri)}</tptz:Velocity>'
-    lasts = f'<tptz:Timeout>PT{2*self.repeat:g}S</tptz:Timeout>'
-    return self.client.ptz('ContinuousMove', velocity, lasts), self.client.ptz('ContinuousMove', velocity)
+    endless = f'<tptz:Velocity>{_vector(*units, space.uri)}</tptz:Velocity>'
+    velocity = endless,f'<tptz:Timeout>PT{2*self.repeat:g}S</tptz:Timeout>'
+    self.client.post('move', self.client.ptz('ContinuousMove', *velocity), self.client.ptz('ContinuousMove', endless))
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #2f490814
 @patch
@@ -152,9 +155,9 @@ def _steer(self:Onvif, setpoint:Setpoint):
     rates,now = (self._rate('yaw', setpoint.yaw), self._rate('pitch', setpoint.pitch)),self.clock()
     sent,then = self._sent or (None,now)
     if any(rates) and (rates!=sent or now-then>=self.repeat):
-        self.client.post('move', *self._turn(rates))
+        self._turn(rates)
         self._sent = rates,now
-    elif sent and not any(rates): self.client.post('move', *self._stop(), at_once=True)
+    elif sent and not any(rates): self._stop()
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #6688d174
 @patch
@@ -184,9 +187,8 @@ def drive(self:Onvif, setpoint:Setpoint):
     if not at_once and to_angle and not known(self._angle('yaw')):
         raise GimbalError(f'{self.information.model} does not report where it points: give it rates')
     self._asked = self.clock()
-    if not at_once: return self._steer(setpoint)
-    self._sent = None
-    self.client.post('move', self._go(setpoint))
+    if at_once: self._go(setpoint)
+    else: self._steer(setpoint)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #153bac7f
 @patch
@@ -223,11 +225,11 @@ def _on_outage(self:Onvif):
         if self.client.error and not self.setpoint.turning or self.closed: return
         has_goal = known(self.setpoint.pitch.angle) or known(self.setpoint.yaw.angle)
         is_late = self.clock()-self._asked>self.fresh
-        self._sent = None
         if self.setpoint.turning or not has_goal or is_late:
             self.hold_still()
-            self.client.post('move', *self._stop(), at_once=True)
-        elif self._moves_at_once(self.setpoint): self.client.post('move', self._go(self.setpoint))
+            self._stop()
+        elif self._moves_at_once(self.setpoint): self._go(self.setpoint)
+        else: self._sent = None         # the rates are sent anew with the next position
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #02a615d4
 @patch
@@ -235,7 +237,7 @@ def close(self:Onvif):
     "Stop turning, and let go of the camera; may be called twice"
     first = not self.closed
     GimbalDriver.close(self)
-    if first: self.client.post('move', *self._stop(), at_once=True)
+    if first: self._stop()
     if self.camera is not None: self.camera.close()
     self.client.close()
 
@@ -366,17 +368,17 @@ class _Zoom:
         else: self.client.post('zoom', stop, move, at_once=True)        # some refuse `Stop`
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #1e3f1317
-_oasis = 'http://docs.oasis-open.org/wss/2004/01/oasis-200401-wss-'
+_wss = 'http://docs.oasis-open.org/wss/2004/01/oasis-200401-wss-'
 
 def _token(user:str, password:str, created:str, nonce:bytes)->str:
     "Return a WS-Security header with a password digest"
     digest = b64encode(hashlib.sha1(nonce+created.encode()+password.encode()).digest()).decode()
-    kind,coding = (f'{_oasis}{name}' for name in ('username-token-profile-1.0#PasswordDigest',
-                                                  'soap-message-security-1.0#Base64Binary'))
-    return (f'<w:Security xmlns:w="{_oasis}wssecurity-secext-1.0.xsd"><w:UsernameToken>'
-            f'<w:Username>{escape(user)}</w:Username><w:Password Type="{kind}">{digest}</w:Password>'
-            f'<w:Nonce EncodingType="{coding}">{b64encode(nonce).decode()}</w:Nonce>'
-            f'<u:Created xmlns:u="{_oasis}wssecurity-utility-1.0.xsd">{created}</u:Created>'
+    once = b64encode(nonce).decode()
+    return (f'<w:Security xmlns:w="{_wss}wssecurity-secext-1.0.xsd"><w:UsernameToken>'
+            f'<w:Username>{escape(user)}</w:Username>'
+            f'<w:Password Type="{_wss}username-token-profile-1.0#PasswordDigest">{digest}</w:Password>'
+            f'<w:Nonce EncodingType="{_wss}soap-message-security-1.0#Base64Binary">{once}</w:Nonce>'
+            f'<u:Created xmlns:u="{_wss}wssecurity-utility-1.0.xsd">{created}</u:Created>'
             f'</w:UsernameToken></w:Security>')
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #3c2752f0
@@ -499,11 +501,10 @@ class _Orders:
             else: self._waiting[kind] = request
             self.changed.notify_all()
 
-    def take(self)->tuple|None:
-        "Remove and return the kind and the request that come first; `None`: there is none"
+    def take(self)->tuple:
+        "Remove and return the kind and the request that come first"
         with self.changed:
             self._urgent = False
-            if not self._waiting: return None
             kind = next(iter(self._waiting))
             return kind,self._waiting.pop(kind)
 
@@ -734,18 +735,20 @@ def _number(element, name:str)->float:
 @patch
 def _send_orders(self:_OnvifClient):
     "Send what was ordered; what a stop order interrupted is sent behind it"
-    while order := self._orders.take():
-        kind,wordings = order
+    while self._orders:
+        kind,wordings = self._orders.take()
         try: self._try(*wordings)
         except _GivenUp: self._orders.put_back(kind, wordings)
 
 @patch
-def _poll(self:_OnvifClient, now:float):
-    "Ask where it points"
-    answer = None
-    with suppress(_GivenUp):
-        answer = self._try(self.ptz('GetStatus'))
-        self._due = now+(self.fast if now<self._busy else self.slow)
+def step(self:_OnvifClient):
+    "Send what was ordered, and ask where it points when that's due"
+    self._send_orders()
+    now = self.clock()
+    if now<self._due: return
+    try: answer = self._try(self.ptz('GetStatus'))
+    except _GivenUp: return
+    self._due = now+(self.fast if now<self._busy else self.slow)
     if answer is None: return
     place,zoom = answer.find(_at('Position/PanTilt')),answer.find(_at('Position/Zoom'))
     space = '' if place is None else place.get('space', '')
@@ -753,13 +756,6 @@ def _poll(self:_OnvifClient, now:float):
     self.status = _number(place, 'x'),_number(place, 'y'),_number(zoom, 'x'),space
     if place is not None and before!=self.status: self._busy = self.clock()+self.moves_on
     self.received()
-
-@patch
-def step(self:_OnvifClient):
-    "Send what was ordered, and poll when it's due"
-    self._send_orders()
-    now = self.clock()
-    if now>=self._due: self._poll(now)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #c2d51f1b
 @patch

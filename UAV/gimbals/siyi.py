@@ -40,20 +40,19 @@ class Siyi(GimbalDriver):
         self.hold_still()
         self._wake(self._next)
 
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #0c8c14b2
-@patch(as_prop=True)
-def fault(self:Siyi)->str|None:
-    "Return a sentence while the device is silent; `None`: it works"
-    return self.link.fault or (None if self.link.age(Cmd.attitude)<=1 else 'no attitude for 1 s')
+    @property
+    def fault(self)->str|None:
+        "Return a sentence while the device is silent; `None`: it works"
+        return self.link.fault or (None if self.link.age(Cmd.attitude)<=1 else 'no attitude for 1 s')
 
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #a4d606da
-@patch(as_prop=True)
-def information(self:Siyi)->GimbalInformation:
-    "Return model, limits and firmware"
-    link,model = self.link,self.link.model
-    firmware = (*link.firmware.gimbal, 0) if link.firmware else (0,)*4
-    uid = int(link.hardware[2:]) if link.hardware[2:].isdecimal() else 0
-    return GimbalInformation('SIYI', model.name, firmware_version=firmware, uid=uid, pitch=model.pitch, yaw=model.yaw)
+    @property
+    def information(self)->GimbalInformation:
+        "Return model, limits and firmware"
+        link,model = self.link,self.link.model
+        firmware = (*link.firmware.gimbal, 0) if link.firmware else (0,)*4
+        uid = int(link.hardware[2:]) if link.hardware[2:].isdecimal() else 0
+        limits = dict(pitch=model.pitch, yaw=model.yaw)
+        return GimbalInformation('SIYI', model.name, firmware_version=firmware, uid=uid, **limits)
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #f14cef67
 @patch

@@ -54,6 +54,13 @@ class Topotek(GimbalDriver):
         self.line.start()
         self._job = self._timers.every(self.pace, self.tick) if goes_by_itself(clock) else None
 
+    @property
+    def fault(self)->str|None:
+        "Return a sentence when the device is silent; `None`: it works"
+        if self.line.error: return f'no connection: {self.line.error}'
+        if self.clock()-self._reported>self.silence:
+            return f'no attitude from {self.line} for {self.silence:g} s (asked as sender {self.sender!r})'
+
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #af0b5e1a
 @patch
 def _send(self:Topotek, receiver:str, what:str, data:str='00', control:str='w'):
@@ -66,14 +73,6 @@ def _repeat(self:Topotek, subject:str, *frame):
     now = self.clock()
     if subject not in self._repeated or self._repeated[subject][0]!=frame: self._repeated[subject] = frame,now
     if now-self._repeated[subject][1]<=self.silence+.2: self._send(*frame)
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #f83e7db5
-@patch(as_prop=True)
-def fault(self:Topotek)->str|None:
-    "Return a sentence when the device is silent; `None`: it works"
-    if self.line.error: return f'no connection: {self.line.error}'
-    if self.clock()-self._reported>self.silence:
-        return f'no attitude from {self.line} for {self.silence:g} s (asked as sender {self.sender!r})'
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #4ed7d48b
 @patch

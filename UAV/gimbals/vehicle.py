@@ -14,6 +14,8 @@ from ..utils import clock
 from ..utils.geo import euler, moved, product, quaternion
 
 # %% ../../nbs/api/gimbals/04_vehicle.ipynb #42cbb92d
+moment = .05     # s before and after, for speeds
+
 class SimVehicle:
     "Flies a path, exactly"
     def __init__(self,
@@ -32,26 +34,20 @@ class SimVehicle:
 
     def __repr__(self): return f'{type(self).__name__}: %.0f m north, %.0f m east, %.0f m up' % self.position()
 
-# %% ../../nbs/api/gimbals/04_vehicle.ipynb #35d623e6
-moment = .05     # s
+    def velocity(self, t:float|None=None, # s on its clock; `None`: now
+                )->tuple:
+        "Return the velocity north, east and down, m/s"
+        t = self.clock() if t is None else t
+        (n0,e0,a0),(n1,e1,a1) = self.position(t-moment),self.position(t+moment)
+        return (n1-n0)/2/moment, (e1-e0)/2/moment, (a0-a1)/2/moment
 
-@patch
-def velocity(self:SimVehicle, t:float|None=None, # s on its clock; `None`: now
-            )->tuple:
-    "Return the velocity north, east and down, m/s"
-    t = self.clock() if t is None else t
-    (n0,e0,a0),(n1,e1,a1) = self.position(t-moment),self.position(t+moment)
-    return (n1-n0)/2/moment, (e1-e0)/2/moment, (a0-a1)/2/moment
-
-# %% ../../nbs/api/gimbals/04_vehicle.ipynb #0deece85
-@patch
-def yaw(self:SimVehicle, t:float|None=None, # s on its clock; `None`: now
-       )->float:
-    "Return where the nose points, degrees from north; a vehicle that hovers points north"
-    t = self.clock() if t is None else t
-    if self.heading is not None: return wrap(self.heading(t-self.began) if callable(self.heading) else self.heading)
-    north,east,_ = self.velocity(t)
-    return math.degrees(math.atan2(east, north)) if math.hypot(north, east)>1e-6 else 0.
+    def yaw(self, t:float|None=None, # s on its clock; `None`: now
+           )->float:
+        "Return where the nose points, degrees from north; a vehicle that hovers points north"
+        t = self.clock() if t is None else t
+        if self.heading is not None: return wrap(self.heading(t-self.began) if callable(self.heading) else self.heading)
+        north,east,_ = self.velocity(t)
+        return math.degrees(math.atan2(east, north)) if math.hypot(north, east)>1e-6 else 0.
 
 # %% ../../nbs/api/gimbals/04_vehicle.ipynb #77433529
 @patch
