@@ -54,17 +54,16 @@ class GimbalDriver(Gimbal):
         most = abs(target.rate) if known(target.rate) and target.rate else math.inf
         return min(max(self.gain*off, -most), most)
 
+    def _is_beyond(self, axis:str, goal:float)->bool:
+        "True if an axis cannot reach this angle"
+        return known(goal) and abs(wrap(self.information.limited(axis, goal)-goal))>.1
+
     def _held(self, axis:str, lock:bool)->Axis:
         "Return the target that keeps an axis where it is"
         if self.stands_late and getattr(self.setpoint, axis).turning: return Axis()
         return super()._held(axis, lock)
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #4fdcc257
-@patch
-def _is_beyond(self:GimbalDriver, axis:str, goal:float)->bool:
-    "True if an axis cannot reach this angle"
-    return known(goal) and abs(wrap(self.information.limited(axis, goal)-goal))>.1
-
 @patch
 def _failures(self:GimbalDriver, goals:dict, # Where axes are to be, degrees; NaN: anywhere
               **there): # Where they are, degrees
@@ -74,8 +73,8 @@ def _failures(self:GimbalDriver, goals:dict, # Where axes are to be, degrees; Na
         limits,target = getattr(self.information, axis),getattr(self.setpoint, axis)
         if not limits: continue
         low,high = limits
-        turns_out = target.turning and (angle<=low+.5 if target.rate<0 else angle>=high-.5 and target.rate>0)
-        if turns_out or self._is_beyond(axis, goals.get(axis, NAN)): yield f'AT_{axis.upper()}_LIMIT'
+        presses = target.rate<0 and angle<=low+.5 or target.rate>0 and angle>=high-.5
+        if target.turning and presses or self._is_beyond(axis, goals.get(axis, NAN)): yield f'AT_{axis.upper()}_LIMIT'
 
 @patch
 def attitude_of(self:GimbalDriver, roll:float, pitch:float, yaw:float, # Degrees, yaw from the nose

@@ -9,7 +9,6 @@ __all__ = ['axes', 'GimbalError', 'HeadingUnknown', 'PositionUnknown', 'GimbalIn
 # %% ../../nbs/api/gimbals/00_values.ipynb #7861364c
 import math
 from dataclasses import dataclass, replace
-from fastcore.basics import patch
 from ..utils.geo import gimbal_angles, moved, product, quaternion, wrap
 from ..utils.values import NAN, Value, known, one_of, UAVError
 
