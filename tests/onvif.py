@@ -298,7 +298,7 @@ class DirectClient(_OnvifClient):
         self.device,self.broken = device,''         # `broken`: why nothing comes through
         self.connect()
     def load(self, url, data=None):
-        if self.broken: raise GimbalError(self.broken)
+        if self.broken: raise GimbalError(f'{self!r}: {self.broken}')
         return self.device.answer(data)[1]
     def start(self): "There is no thread"
     def close(self): self.step()

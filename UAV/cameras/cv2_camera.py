@@ -24,7 +24,7 @@ __all__ = ['CV2Camera']
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #8adc73d7
 class _LiveCamera(Camera):
     "A camera that always has a newest frame; a subclass has `next_frame`"
-    first_retry,last_retry = .5,10.     # s between attempts to open its source again, doubled each time
+    first_retry,longest_back_off = .5,10.     # s between attempts to open its source again, doubled each time
     def read(self)->Frame:
         "Return the newest frame; raises `CameraError` without one, or when closed"
         return self.next_frame()
@@ -250,7 +250,7 @@ def _again(self:CV2Camera):
             self._capture,image = self._open()
             self.controls.again(self._capture)
             return image
-        except CameraError: wait = min(max(2*wait, self.first_retry), self.last_retry)
+        except CameraError: wait = min(max(2*wait, self.first_retry), self.longest_back_off)
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #9e76fae8
 @patch

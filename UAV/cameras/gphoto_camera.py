@@ -24,13 +24,13 @@ __all__ = ['GPhotoCamera']
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #80690847
 class GPhotoCamera(Camera):
     "A camera body on USB, through gphoto2; raises `CameraError` when there is none"
-    first_retry,last_retry = .5,10.     # s between attempts to find a body that is gone, doubled each time
+    first_retry,longest_back_off = .5,10.     # s between attempts to find a body that is gone, doubled each time
     second_file = 3.                    # s that the second file of RAW+JPEG may come after the first
     min_interval = .5
     def __init__(self, port:str|None=None, # Such as 'usb:001,004', which changes with each plugging in; `None`: any
                  folder:str|Path|None=None, quota:float|None=None, storages:list|None=None, # As for Camera
                  pose=None): # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
-        self._body = body = _Body(port, (self.first_retry,self.last_retry))
+        self._body = body = _Body(port, (self.first_retry,self.longest_back_off))
         self._live,self._latest,self._numbers,self.pose = True,None,itertools.count(),pose
         try:
             body.tried.wait(self.patience)
@@ -136,9 +136,9 @@ def _serve(self:_Body, f, done:Future):
 @patch
 def _run(self:_Body):
     "Run the jobs, and look for the body, until `close`"
-    wait,longest = self.retries
+    wait,longest_back_off = self.retries
     while True:
-        if self.camera is None: wait = self.retries[0] if self._open() else min(2*wait, longest)
+        if self.camera is None: wait = self.retries[0] if self._open() else min(2*wait, longest_back_off)
         self.tried.set()
         try: job = self.jobs.get(timeout=self.look if self.camera else wait)
         except clock.Empty: job = (lambda camera: camera.wait_for_event(0), Future()) if self.camera else ()

@@ -266,7 +266,7 @@ def _after(self:_Keeper, problem:str|None, wait:float)->float:
     if self.closing.is_set(): return 0.
     if pipeline.arrived and pipeline.film: return min(first, .05)
     self._note(problem)
-    return first if pipeline.arrived else min(2*wait, self.owner.last_retry)
+    return first if pipeline.arrived else min(2*wait, self.owner.longest_back_off)
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #5ae5dbf4
 @patch

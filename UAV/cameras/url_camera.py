@@ -166,7 +166,7 @@ def _run(self:URLCamera):
             surprise = not isinstance(e, OSError)
             if surprise: self.log.exception('%r', self)
             self._note((None if surprise else e.strerror) or str(e) or type(e).__name__)
-        wait = self.first_retry if self._encoder._number>number else min(2*wait, self.last_retry)
+        wait = self.first_retry if self._encoder._number>number else min(2*wait, self.longest_back_off)
         self._closing.wait(wait)
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #230b4cec

@@ -13,6 +13,31 @@ from ..utils import clock
 from ..utils.threads import _has_ended
 from ..utils.values import no_class, Report, kept
 
+# %% ../../nbs/api/gimbals/02_contract.ipynb #152e1a6e
+def check_gimbal(gimbal, # A Gimbal; it is closed at the end
+                 wait=lambda seconds: clock.sleep(seconds), # Lets seconds pass; with a clock of your own, moves it
+                )->Report:
+    "Check that `gimbal` does what others rely on; raises `AssertionError` with a sentence that says what it doesn't"
+    no_class(gimbal, 'gimbal')
+    assert hasattr(gimbal, 'setpoint'), f'{type(gimbal).__name__}.__init__ must call super().__init__(...)'
+    threads = clock.enumerate()
+    report = kept(gimbal, _checks_for(gimbal), _ticking(gimbal, wait))
+    left = [t.name for t in clock.enumerate() if t not in threads and not _has_ended(t, 1.)]
+    assert not left, f'threads are left after close(): {", ".join(left)}'
+    return report
+
+# %% ../../nbs/api/gimbals/02_contract.ipynb #602a6a5f
+def _checks_for(gimbal)->list:
+    "Return the checks that `gimbal` must pass"
+    yaw,optional = gimbal.information.yaw,[]
+    if yaw and math.isinf(yaw[1]): optional.append(_check_endless)
+    if gimbal.can_lock: optional += [_check_lock, _check_north]
+    if yaw and 'yaw' in gimbal.follows: optional.append(_check_follow)
+    if gimbal.information.pitch and 'pitch' in gimbal.locks: optional.append(_check_level)
+    if hasattr(gimbal, 'retract'): optional.append(_check_retract)
+    first = [_check_information, _check_attitude, _check_angles, _check_keeps, _check_limits, _check_bad_values]
+    return first + [_check_rates, _check_stop, _check_center] + optional + [_check_close]
+
 # %% ../../nbs/api/gimbals/02_contract.ipynb #72dcf213
 def _ticking(gimbal, wait):
     "Return `wait`, with a `tick` of the gimbal each tenth of a second"
@@ -259,28 +284,3 @@ def _check_close(gimbal, wait):
     try: gimbal.set_rates(yaw=10.)
     except GimbalError: return
     raise AssertionError('set_rates must raise GimbalError after close()')
-
-# %% ../../nbs/api/gimbals/02_contract.ipynb #602a6a5f
-def _checks_for(gimbal)->list:
-    "Return the checks that `gimbal` must pass"
-    yaw,optional = gimbal.information.yaw,[]
-    if yaw and math.isinf(yaw[1]): optional.append(_check_endless)
-    if gimbal.can_lock: optional += [_check_lock, _check_north]
-    if yaw and 'yaw' in gimbal.follows: optional.append(_check_follow)
-    if gimbal.information.pitch and 'pitch' in gimbal.locks: optional.append(_check_level)
-    if hasattr(gimbal, 'retract'): optional.append(_check_retract)
-    first = [_check_information, _check_attitude, _check_angles, _check_keeps, _check_limits, _check_bad_values]
-    return first + [_check_rates, _check_stop, _check_center] + optional + [_check_close]
-
-# %% ../../nbs/api/gimbals/02_contract.ipynb #152e1a6e
-def check_gimbal(gimbal, # A Gimbal; it is closed at the end
-                 wait=lambda seconds: clock.sleep(seconds), # Lets seconds pass; with a clock of your own, moves it
-                )->Report:
-    "Check that `gimbal` does what others rely on; raises `AssertionError` with a sentence that says what it doesn't"
-    no_class(gimbal, 'gimbal')
-    assert hasattr(gimbal, 'setpoint'), f'{type(gimbal).__name__}.__init__ must call super().__init__(...)'
-    threads = clock.enumerate()
-    report = kept(gimbal, _checks_for(gimbal), _ticking(gimbal, wait))
-    left = [t.name for t in clock.enumerate() if t not in threads and not _has_ended(t, 1.)]
-    assert not left, f'threads are left after close(): {", ".join(left)}'
-    return report

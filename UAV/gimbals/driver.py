@@ -22,7 +22,7 @@ from ..utils.values import inside
 from ..utils.geo import quaternion
 
 # %% auto #0
-__all__ = ['log', 'GimbalDriver', 'TCPPort', 'UDPPort', 'SerialPort', 'DeviceLine', 'FrameCutter', 'PhotoSeries', 'direction_of',
+__all__ = ['log', 'GimbalDriver', 'DeviceLine', 'TCPPort', 'UDPPort', 'SerialPort', 'FrameCutter', 'PhotoSeries', 'direction_of',
            'GimbalCamera', 'CardCamera', 'gimbal_camera', 'takes_orders', 'camera_kind', 'open_camera']
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #c4e24a9c
@@ -54,6 +54,10 @@ class GimbalDriver(Gimbal):
         most = abs(target.rate) if known(target.rate) and target.rate else math.inf
         return min(max(self.gain*off, -most), most)
 
+    def _is_beyond(self, axis:str, goal:float)->bool:
+        "True if an axis cannot reach this angle"
+        return known(goal) and abs(wrap(self.information.limited(axis, goal)-goal))>.1
+
     def _held(self, axis:str, lock:bool)->Axis:
         "Return the target that keeps an axis where it is"
         if self.stands_late and getattr(self.setpoint, axis).turning: return Axis()
@@ -66,12 +70,11 @@ def _failures(self:GimbalDriver, goals:dict, # Where axes are to be, degrees; Na
     "Yield the names of GIMBAL_DEVICE_ERROR_FLAGS that are set"
     if self.fault: yield 'COMMS_ERROR'
     for axis,angle in there.items():
-        limits,target,goal = getattr(self.information, axis),getattr(self.setpoint, axis),goals.get(axis, NAN)
+        limits,target = getattr(self.information, axis),getattr(self.setpoint, axis)
         if not limits: continue
         low,high = limits
-        pressing = target.turning and (target.rate<0 and angle<=low+.5 or target.rate>0 and angle>=high-.5)
-        beyond = known(goal) and abs(wrap(self.information.limited(axis, goal)-goal))>.1
-        if pressing or beyond: yield f'AT_{axis.upper()}_LIMIT'
+        presses = target.rate<0 and angle<=low+.5 or target.rate>0 and angle>=high-.5
+        if target.turning and presses or self._is_beyond(axis, goals.get(axis, NAN)): yield f'AT_{axis.upper()}_LIMIT'
 
 @patch
 def attitude_of(self:GimbalDriver, roll:float, pitch:float, yaw:float, # Degrees, yaw from the nose
@@ -85,99 +88,6 @@ def attitude_of(self:GimbalDriver, roll:float, pitch:float, yaw:float, # Degrees
     return GimbalAttitude(quaternion(roll, pitch, yaw), rates, vehicle.yaw, vehicle.yaw_rate, wanted.lock, wanted.mode,
                           flags, self.clock())
 
-# %% ../../nbs/api/gimbals/05_driver.ipynb #34a52f18
-def _retry_delay(attempt:int, longest:float)->float: # s; 0 is the first attempt
-    return min(.25*2**min(attempt-1, 9), longest) if attempt else 0.       # 2**1024 is no float any more
-
-# %% ../../nbs/api/gimbals/05_driver.ipynb #ba9b4805
-def _watch_peer(sock):
-    "Small packets at once, and an error when the other side of a TCP socket was silent for 5 s"
-    sock.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
-    for name,value in dict(NODELAY=1, KEEPIDLE=2, KEEPINTVL=1, KEEPCNT=3, USER_TIMEOUT=5000).items():
-        option = getattr(socket, f'TCP_{name}', None)       # not every system has all of them
-        if option is not None: sock.setsockopt(socket.IPPROTO_TCP, option, value)
-
-# %% ../../nbs/api/gimbals/05_driver.ipynb #a7a886fd
-class _Port:
-    longest = 1.                # s between two attempts at most
-    connects = False            # does opening take a while, and does it end when no more bytes are taken?
-    _end = None                 # a socket, or pyserial's `Serial`
-    def fileno(self)->int: return self._end.fileno()
-    def close(self):
-        if self._end: self._end.close()
-
-class TCPPort(_Port):
-    "The port of a device that takes TCP connections"
-    longest,connects = 8.,True
-    buffer = 4096               # bytes that the system may hold back for the other side
-    def __init__(self, host:str, port:int):
-        inside('port', port, 1, 65535)          # the system would take another one, without a word
-        store_attr()
-
-    def __str__(self): return f'{self.host}:{self.port}'
-
-    def open(self, attempt:int=0):
-        "Begin to connect; raises `OSError`"
-        found = socket.getaddrinfo(self.host, self.port, type=socket.SOCK_STREAM)
-        family,kind,protocol,_,address = found[attempt%len(found)]
-        self._end = socket.socket(family, kind, protocol)
-        self._end.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, self.buffer)
-        _watch_peer(self._end)
-        self._end.setblocking(False)
-        self.check(self._end.connect_ex(address))
-
-    def check(self, code:int|None=None): # `None`: what has come of connecting
-        "Raise `OSError` unless it connects, or is connected"
-        if code is None: code = self._end.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR)
-        if code not in (0, errno.EINPROGRESS): raise OSError(code, os.strerror(code))
-
-    def write(self, data:bytes)->int: return self._end.send(data)
-
-    def read(self)->bytes:
-        if not (data := self._end.recv(4096)): raise OSError('closed by the other side')
-        return data
-
-# %% ../../nbs/api/gimbals/05_driver.ipynb #3ccd97f6
-class UDPPort(_Port):
-    "The port of a device that takes datagrams"
-    def __init__(self, host:str, port:int,
-                 local:int=0, # Our port; 0: any
-                 any_port:bool=False): # May answers come from other ports of the host?
-        inside('port', port, 1, 65535)
-        store_attr()
-
-    def __str__(self): return f'UDP {self.host}:{self.port}'
-
-    def open(self, attempt:int=0):
-        "Open a socket; raises `OSError`"
-        family,kind,*_,self._peer = socket.getaddrinfo(self.host, self.port, type=socket.SOCK_DGRAM)[0]
-        self._end = socket.socket(family, kind)
-        self._end.setblocking(False)
-        self._end.bind(('', self.local))
-
-    def write(self, data:bytes)->int: return self._end.sendto(data, self._peer)
-
-    def read(self)->bytes:
-        data,peer = self._end.recvfrom(4096)
-        is_device = peer[0]==self._peer[0] and (self.any_port or peer[1]==self._peer[1])
-        return data if is_device else b''
-
-# %% ../../nbs/api/gimbals/05_driver.ipynb #ef9b43cd
-class SerialPort(_Port):
-    "A serial port, by pyserial"
-    def __init__(self, path:str, # Such as '/dev/ttyUSB0'
-                 baudrate:int=115200): store_attr()
-
-    def __str__(self): return self.path
-
-    def open(self, attempt:int=0):
-        "Open the port; raises `OSError`"
-        from serial import Serial
-        self._end = Serial(self.path, self.baudrate, timeout=0, write_timeout=.1)
-
-    def write(self, data:bytes)->int: return self._end.write(data)
-    def read(self)->bytes: return self._end.read(4096)
-
 # %% ../../nbs/api/gimbals/05_driver.ipynb #3462e287
 _lines = Opened()
 
@@ -188,9 +98,11 @@ class DeviceLine(Closes):
                  received=lambda data: None, # Called with the bytes that come
                  changed=lambda: None): # Called when it is there, and when it is lost
         store_attr()
-        self.error,self.up,self._announced,self._lock = 'not connected yet',False,False,clock.Condition()
+        self.error,self.up = 'not connected yet',False
+        self._announced = False         # has `changed` been called since it went up?
+        self._in_search = False         # is the thread inside the system's search for an address?
         self._bell = self._pull = self._why = self._thread = None
-        self._closed = clock.Event()
+        self._closed,self._lock = clock.Event(),clock.Condition()
 
     def start(self):
         "Begin to connect"
@@ -204,12 +116,24 @@ class DeviceLine(Closes):
 
     def _set_up(self, up:bool):
         with self._lock:                            # no thread is sending now
-            self.up,self._announced = up,False      # has `changed` been called since?
+            self.up,self._announced = up,False
             self._lock.notify_all()
 
     def wait_up(self, up:bool=True, timeout:float=10.)->bool:
         "Wait until it is connected and `changed` was called, or until it is not, `timeout` seconds at most"
         with self._lock: return self._lock.wait_for(lambda: self.up==up and (self._announced or not up), timeout)
+
+    def send(self, data:bytes, # A whole frame
+            )->bool:
+        "Send it at once or not at all; returns whether it was sent"
+        with self._lock:
+            if not self.up: return False
+            sent,why = 0,'the other side takes nothing'
+            try: sent = self.port.write(data)
+            except BlockingIOError: pass
+            except OSError as e: why = e
+            if sent!=len(data) and self.port.connects: self.drop(why)
+            return sent==len(data)
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #30335218
 @patch
@@ -223,6 +147,15 @@ def _wait(self:DeviceLine, event:int, seconds:float|None=None):
     if not found: raise OSError(f'no answer in {seconds:g} s')
 
 @patch
+def _find(self:DeviceLine):
+    "Find the address of the host; raises `OSError`, also when the line was closed meanwhile"
+    with self._lock: self._in_search = True
+    try: self.port.find()
+    finally:
+        with self._lock: self._in_search = False
+    if self._closed.is_set(): raise OSError('closed')
+
+@patch
 def _session(self:DeviceLine, attempt:int):
     "Connect, and pass on what comes; raises `OSError` at the end, which says why"
     try:
@@ -230,7 +163,7 @@ def _session(self:DeviceLine, attempt:int):
             self._why = None
             with suppress(BlockingIOError):
                 while self._bell.recv(4096): pass
-        if self._closed.is_set(): raise OSError('closed')
+        self._find()
         self.port.open(attempt)
         if self.port.connects:
             self._wait(selectors.EVENT_WRITE, self.patience)
@@ -246,14 +179,15 @@ def _session(self:DeviceLine, attempt:int):
 def _run(self:DeviceLine):
     "The thread: connect, and begin again when that has failed or ended, until `close`"
     attempt = 0
-    while not self._closed.wait(_retry_delay(attempt, self.port.longest)):
+    while not self._closed.wait(_retry_delay(attempt, self.port.longest_back_off)):
         self._since = math.inf
         try: self._session(attempt)
         except Exception as e: why = str(self._why or getattr(e, 'strerror', None) or e)        # pyserial has many
         if self._closed.is_set(): break
-        was_up,lasted = self._since<math.inf,clock.monotonic()-self._since>=self.steady
+        was_up = self._since<math.inf
         if was_up or why!=self.error: log.warning('%s: %s', self.port, why)
-        self.error,attempt = why,0 if lasted else attempt+1
+        self.error = why
+        attempt = 0 if clock.monotonic()-self._since>=self.steady else attempt+1
         if was_up: self._call(self.changed)
     with self._lock:
         for end in (self._bell,self._pull): end.close()
@@ -287,20 +221,6 @@ def _call(self:DeviceLine, f, *args):
     try: f(*args)
     except Exception: log.exception('%r', self)
 
-# %% ../../nbs/api/gimbals/05_driver.ipynb #74741297
-@patch
-def send(self:DeviceLine, data:bytes, # A whole frame
-        )->bool:
-    "Send it at once or not at all; returns whether it was sent"
-    with self._lock:
-        if not self.up: return False
-        sent,why = 0,'the other side takes nothing'
-        try: sent = self.port.write(data)
-        except BlockingIOError: pass
-        except OSError as e: why = e
-        if sent!=len(data) and self.port.connects: self.drop(why)
-        return sent==len(data)
-
 # %% ../../nbs/api/gimbals/05_driver.ipynb #83cf4bed
 @patch
 def drop(self:DeviceLine, why): # For the log, and `error`
@@ -317,9 +237,106 @@ def close(self:DeviceLine):
     "Close it for good; may be called twice"
     self._closed.set()
     self.drop('closed')
-    if self._thread not in (None, clock.current_thread()): self._thread.join()
+    with self._lock: thread = None if self._in_search else self._thread
+    if thread not in (None, clock.current_thread()): thread.join()
     self.error = 'closed'
     _lines.discard(self)
+
+# %% ../../nbs/api/gimbals/05_driver.ipynb #a7a886fd
+class _Port:
+    longest_back_off = 1.       # s between two attempts at most
+    connects = False            # does opening take a while, and does it end when no more bytes are taken?
+    _end = None                 # a socket, or pyserial's `Serial`
+    def find(self): "Look up the host's addresses; raises `OSError`"
+    def fileno(self)->int: return self._end.fileno()
+    def close(self):
+        if self._end: self._end.close()
+
+class TCPPort(_Port):
+    "The port of a device that takes TCP connections"
+    longest_back_off,connects = 8.,True
+    buffer = 4096               # bytes that the system may hold back for the other side
+    def __init__(self, host:str, port:int):
+        inside('port', port, 1, 65535)          # the system would take another one, without a word
+        store_attr()
+
+    def __str__(self): return f'{self.host}:{self.port}'
+
+    def find(self): self._found = socket.getaddrinfo(self.host, self.port, type=socket.SOCK_STREAM)
+
+    def open(self, attempt:int=0):
+        "Begin to connect; raises `OSError`"
+        family,kind,protocol,_,address = self._found[attempt%len(self._found)]
+        self._end = socket.socket(family, kind, protocol)
+        self._end.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, self.buffer)
+        _watch_peer(self._end)
+        self._end.setblocking(False)
+        self.check(self._end.connect_ex(address))
+
+    def check(self, code:int|None=None): # `None`: what has come of connecting
+        "Raise `OSError` unless it connects, or is connected"
+        if code is None: code = self._end.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR)
+        if code not in (0, errno.EINPROGRESS): raise OSError(code, os.strerror(code))
+
+    def write(self, data:bytes)->int: return self._end.send(data)
+
+    def read(self)->bytes:
+        if not (data := self._end.recv(4096)): raise OSError('closed by the other side')
+        return data
+
+# %% ../../nbs/api/gimbals/05_driver.ipynb #3ccd97f6
+class UDPPort(_Port):
+    "The port of a device that takes datagrams"
+    def __init__(self, host:str, port:int,
+                 local:int=0, # Our port; 0: any
+                 any_port:bool=False): # May answers come from other ports of the host?
+        inside('port', port, 1, 65535)
+        store_attr()
+
+    def __str__(self): return f'UDP {self.host}:{self.port}'
+
+    def find(self): self._family,*_,self._peer = socket.getaddrinfo(self.host, self.port, type=socket.SOCK_DGRAM)[0]
+
+    def open(self, attempt:int=0):
+        "Open a socket; raises `OSError`"
+        self._end = socket.socket(self._family, socket.SOCK_DGRAM)
+        self._end.setblocking(False)
+        self._end.bind(('', self.local))
+
+    def write(self, data:bytes)->int: return self._end.sendto(data, self._peer)
+
+    def read(self)->bytes:
+        data,peer = self._end.recvfrom(4096)
+        is_device = peer[0]==self._peer[0] and (self.any_port or peer[1]==self._peer[1])
+        return data if is_device else b''
+
+# %% ../../nbs/api/gimbals/05_driver.ipynb #ef9b43cd
+class SerialPort(_Port):
+    "A serial port, by pyserial"
+    def __init__(self, path:str, # Such as '/dev/ttyUSB0'
+                 baudrate:int=115200): store_attr()
+
+    def __str__(self): return self.path
+
+    def open(self, attempt:int=0):
+        "Open the port; raises `OSError`"
+        from serial import Serial
+        self._end = Serial(self.path, self.baudrate, timeout=0, write_timeout=.1)
+
+    def write(self, data:bytes)->int: return self._end.write(data)
+    def read(self)->bytes: return self._end.read(4096)
+
+# %% ../../nbs/api/gimbals/05_driver.ipynb #34a52f18
+def _retry_delay(attempt:int, longest_back_off:float)->float: # s; 0 is the first attempt
+    return min(.25*2**min(attempt-1, 9), longest_back_off) if attempt else 0.       # 2**1024 is no float any more
+
+# %% ../../nbs/api/gimbals/05_driver.ipynb #ba9b4805
+def _watch_peer(sock):
+    "Small packets at once, and an error when the other side of a TCP socket was silent for 5 s"
+    sock.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
+    for name,value in dict(NODELAY=1, KEEPIDLE=2, KEEPINTVL=1, KEEPCNT=3, USER_TIMEOUT=5000).items():
+        option = getattr(socket, f'TCP_{name}', None)       # not every system has all of them
+        if option is not None: sock.setsockopt(socket.IPPROTO_TCP, option, value)
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #aac7f980
 class FrameCutter:
@@ -366,13 +383,15 @@ class PhotoSeries:
         "Take the first photo, and plan the others; raises `ValueError` and `GimbalError`"
         interval,count = self.checked(interval, count)
         self.shoot()
-        self.interval,self.left = max(interval, self.least),count-1 if count else math.inf
+        self.interval = max(interval, self.least)
+        self.left = count-1 if count else math.inf
         self.due = now+self.interval if self.left else math.inf
 
     def take(self, now:float):
         "Take the photo that is due"
         if now<self.due-.001: return
-        self.left,self.due = self.left-1,self.due+self.interval if self.left>1 else math.inf
+        self.left -= 1
+        self.due = self.due+self.interval if self.left else math.inf
         try: self.shoot()
         except GimbalError as e: self.log.warning('a picture is lost: %s', e)
 

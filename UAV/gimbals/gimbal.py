@@ -161,17 +161,18 @@ def point(self:Gimbal, roll:Axis=Axis(), pitch:Axis=Axis(),
           lasts:float|None=None): # s until rates end; `None`: `rate_lasts`
     "Set a new target for some or all axes; raises `ValueError`, `HeadingUnknown` and `GimbalError`"
     with self._lock:
-        lock,lasts = self.setpoint.lock if lock is None else lock,self.rate_lasts if lasts is None else lasts
+        if lock is None: lock = self.setpoint.lock
+        if lasts is None: lasts = self.rate_lasts
         frame = one_of('frame', frame or ('earth' if lock else 'vehicle'), ('vehicle','earth'))
         if self.closed: raise GimbalError(f'{self!r} is closed')
         if lock and not self.can_lock: raise GimbalError(f'{self!r} cannot hold a direction on earth')
         if not lasts>=0: raise ValueError(f'rates must last some seconds, not {lasts}')
-        given,turns = {},False
+        given = {}
         for axis,target in zip(axes, (roll, pitch, yaw)):
-            has_angle,has_rate = known(target.angle),known(target.rate)
-            if has_angle: inside(axis, target.angle)
-            if has_rate: inside(axis, target.rate)
-            if has_angle or has_rate: given[axis],turns = target,turns or not has_angle
+            if known(target.angle): inside(axis, target.angle)
+            if known(target.rate): inside(axis, target.rate)
+            if known(target.angle) or known(target.rate): given[axis] = target
+        turns = any(target.turning for target in given.values())
         if 'yaw' in given: given['yaw'] = self._turned_yaw(yaw, frame, lock)
         targets = {axis: given.get(axis) or self._kept(axis, lock) for axis in axes}
         self._take(Setpoint(**targets, lock=lock, until=self.clock()+lasts if turns else math.inf))
@@ -321,16 +322,14 @@ class RegionOfInterest:
         self.gimbal.look_at(target(self.lead) if callable(target) else target, state.after(self.lead))
         self.target,self.ours,self.lost = target,self.gimbal.setpoint,''
 
-# %% ../../nbs/api/gimbals/01_gimbal.ipynb #82e13f08
-@patch
-def set(self:RegionOfInterest,
-        target, # A `Location`, or a function that gives it in so many seconds from now, or raises `PositionUnknown`
-        state:VehicleState): # Where the vehicle is
-    "Keep looking at `target`; raises as `Gimbal.look_at`"
-    with self._lock:
-        old,setpoint = self.target,self.gimbal.setpoint
-        self.look(state, target)
-        if old is None: self.before = setpoint
+    def set(self,
+            target, # A `Location`, or a function that gives it in so many seconds from now, or raises `PositionUnknown`
+            state:VehicleState): # Where the vehicle is
+        "Keep looking at `target`; raises as `Gimbal.look_at`"
+        with self._lock:
+            old,setpoint = self.target,self.gimbal.setpoint
+            self.look(state, target)
+            if old is None: self.before = setpoint
 
 # %% ../../nbs/api/gimbals/01_gimbal.ipynb #3843189b
 @patch

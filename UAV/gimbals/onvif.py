@@ -46,16 +46,14 @@ class Onvif(GimbalDriver):
                  clock=clock.now, client=None, # In tests: gives seconds; one that has connected
                  basic:bool=False, # May the password go in plain text, when the camera asks for that?
                  **storage): # `folder`, `quota` and `storages` of its camera
-        if client is None:
-            client = _OnvifClient(host, port, user, password, basic=basic)
-            client.connect()
+        client = client or _OnvifClient(host, port, user, password, basic=basic).connect()
         if not client.turns: raise GimbalError(f'{client!r} cannot turn: Onvif.open makes a camera of it')
         self.client,self.camera,self.speeds = client,None,speeds
         self._choose_spaces(pan, tilt)
         self.information = GimbalInformation(client.maker, client.model, firmware_version=client.firmware,
             roll=None, pitch=tuple(sorted(self.tilt)), yaw=tuple(sorted(self.pan)))
         super().__init__(clock)
-        self._seen = dict.fromkeys(('pitch','yaw'), (NAN, 0.)),clock()      # angle and rate of each axis; when
+        self._angles,self._rates,self._seen = dict(pitch=NAN, yaw=NAN),dict(pitch=0., yaw=0.),clock()   # the last: when
         self._sent = None                           # velocities sent last, and when, s
         self._asked = -math.inf                     # when an angle was asked for, s
         self.hold_still()
@@ -65,35 +63,31 @@ class Onvif(GimbalDriver):
         client.step()           # so it has a position
         client.start()
 
+    @property
+    def fault(self)->str|None:
+        "Return a sentence when the device doesn't answer; `None`: it works"
+        silent = self.client.clock()-self.client.answered
+        return self.client.error or (f'{self.client!r}: no answer for {silent:.0f} s' if silent>3 else None)
+
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #d08ff17b
 @patch
 def _choose_spaces(self:Onvif, pan:tuple|None, tilt:tuple|None):
     "Choose units and ranges; raises `ValueError`"
     spaces = self.client.spaces
-    self._position = next(iter(spaces['position']), None)
-    self._velocity = next(iter(spaces['velocity']), None)
+    self._position,self._velocity = (next(iter(spaces[kind]), None) for kind in ('position','velocity'))
     in_degrees = self._position and self._position.in_degrees
     self.pan = pan or (self._position.x if in_degrees else (-180.,180.))
     self.tilt = tilt or (self._position.y if in_degrees else (-90.,0.))
-    speeds = self.speeds
-    if self.pan[0]==self.pan[1] or self.tilt[0]==self.tilt[1] or not min(speeds)>0:
-        raise ValueError(f'pan and tilt need two different ends and speeds above 0, not {pan}, {tilt} and {speeds}')
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #0dabe146
-@patch(as_prop=True)
-def fault(self:Onvif)->str|None:
-    "Return a sentence when the device doesn't answer; `None`: it works"
-    silent = self.client.clock()-self.client.answered
-    return self.client.error or (f'{self.client!r}: no answer for {silent:.0f} s' if silent>3 else None)
+    if self.pan[0]==self.pan[1] or self.tilt[0]==self.tilt[1] or not min(self.speeds)>0:
+        raise ValueError(f'pan and tilt need two different ends, and speeds above 0: {pan}, {tilt}, {self.speeds}')
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #b8bf41dc
 @patch
 def _angle(self:Onvif, axis:str)->float:
     "Return the angle of an axis now, degrees"
-    (angle,rate),then = self._seen[0][axis],self._seen[1]
-    if not known(angle): return NAN
-    on = rate*min(self.clock()-then, .3) if getattr(self.setpoint, axis).turning else 0.
-    return self.information.limited(axis, angle+on)
+    angle = self._angles[axis]
+    if getattr(self.setpoint, axis).turning: angle += self._rates[axis]*min(self.clock()-self._seen, .3)
+    return self.information.limited(axis, angle)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #16e33852
 @patch
@@ -105,40 +99,45 @@ def attitude(self:Onvif)->GimbalAttitude:
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #fb9290e2
 @patch
-def _stop(self:Onvif)->str:
-    "Return the request that ends all turning"
+def _stop(self:Onvif):
+    "Order an end of all turning; some cameras refuse `Stop`, and stand at a rate of 0"
     self._sent = None
-    self._seen = {axis: (angle, 0.) for axis,(angle,rate) in self._seen[0].items()},self._seen[1]
-    return self.client.ptz('Stop', '<tptz:PanTilt>true</tptz:PanTilt><tptz:Zoom>false</tptz:Zoom>')
+    self._rates = dict.fromkeys(self._rates, 0.)
+    stop = self.client.ptz('Stop', '<tptz:PanTilt>true</tptz:PanTilt><tptz:Zoom>false</tptz:Zoom>')
+    stand = self.client.ptz('ContinuousMove', '<tptz:Velocity><tt:PanTilt x="0" y="0"/></tptz:Velocity>')
+    self.client.post('move', stop, stand, at_once=True)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #afde749d
 def _vector(x:float, y:float, uri:str)->str: return f'<tt:PanTilt x="{x:.5f}" y="{y:.5f}" space="{escape(uri)}"/>'
 
 @patch
-def _go(self:Onvif, setpoint:Setpoint)->str:
-    "Return the request that moves it to the angles of `setpoint`"
+def _go(self:Onvif, setpoint:Setpoint):
+    "Order a move to the angles of `setpoint`"
+    self._sent = None
     pan,tilt,space = setpoint.yaw.angle,setpoint.pitch.angle,self._position
     x = _between(self.information.limited('yaw', pan), self.pan, space.x)
     y = _between(self.information.limited('pitch', tilt), self.tilt, space.y)
-    return self.client.ptz('AbsoluteMove', f'<tptz:Position>{_vector(x, y, space.uri)}</tptz:Position>')
+    move = self.client.ptz('AbsoluteMove', f'<tptz:Position>{_vector(x, y, space.uri)}</tptz:Position>')
+    self.client.post('move', move)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #aa33b27c
 @patch
 def _rate(self:Onvif, axis:str, target:Axis)->float:
     "Return the rate for an axis now, degrees a second"
-    angle = self.information.limited(axis, target.angle) if known(target.angle) else NAN
-    return self.rate_toward(target, angle-self._angle(axis))
+    return self.rate_toward(target, self.information.limited(axis, target.angle)-self._angle(axis))
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #b077ad1f
 @patch
-def _turn(self:Onvif, rates:tuple)->str:
-    "Return the request that turns pan and tilt, degrees a second"
+def _turn(self:Onvif, rates:tuple):
+    "Order pan and tilt to turn, degrees a second; some cameras refuse a time-out"
     space,units = self._velocity,[]
-    for rate,ends,degrees,speed in zip(rates, (space.x, space.y), (self.pan, self.tilt), self.speeds):
-        value = math.copysign(rate, rate*(degrees[1]-degrees[0]))
-        units.append(min(max(value if space.in_degrees else value/speed*ends[1], ends[0]), ends[1]))
-    lasts = f'<tptz:Timeout>PT{2*self.repeat:g}S</tptz:Timeout>'
-    return self.client.ptz('ContinuousMove', f'<tptz:Velocity>{_vector(*units, space.uri)}</tptz:Velocity>', lasts)
+    for rate,(low,high),(first,last),full_speed in zip(rates, (space.x, space.y), (self.pan, self.tilt), self.speeds):
+        value = rate if space.in_degrees else rate/full_speed*high
+        if last<first: value = -value           # its angles grow in the other direction
+        units.append(min(max(value, low), high))
+    endless = f'<tptz:Velocity>{_vector(*units, space.uri)}</tptz:Velocity>'
+    velocity = endless,f'<tptz:Timeout>PT{2*self.repeat:g}S</tptz:Timeout>'
+    self.client.post('move', self.client.ptz('ContinuousMove', *velocity), self.client.ptz('ContinuousMove', endless))
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #2f490814
 @patch
@@ -154,11 +153,11 @@ def _steer(self:Onvif, setpoint:Setpoint):
     "Turn at the rates that `setpoint` asks for at this moment"
     if self._moves_at_once(setpoint): return
     rates,now = (self._rate('yaw', setpoint.yaw), self._rate('pitch', setpoint.pitch)),self.clock()
-    if not any(rates):
-        if self._sent: self.client.post('move', self._stop(), at_once=True)
-    elif not self._sent or rates!=self._sent[0] or now-self._sent[1]>=self.repeat:
-        self.client.post('move', self._turn(rates))
+    sent,then = self._sent or (None,now)
+    if any(rates) and (rates!=sent or now-then>=self.repeat):
+        self._turn(rates)
         self._sent = rates,now
+    elif sent and not any(rates): self._stop()
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #6688d174
 @patch
@@ -169,11 +168,11 @@ def _receive(self:Onvif):
     space = next((s for s in spaces if s.uri==uri), spaces[-1])         # the generic one, if it doesn't say
     angles = dict(pitch=_between(y, space.y, self.tilt), yaw=_between(x, space.x, self.pan))
     with self._lock:
-        before,then = self._seen
         now = self.clock()
-        past = max(now-then, .01)
-        rates = {axis: wrap(angle-before[axis][0])/past for axis,angle in angles.items()}
-        self._seen = {axis: (angles[axis], rate if known(rate) else 0.) for axis,rate in rates.items()},now
+        for axis,angle in angles.items():
+            rate = wrap(angle-self._angles[axis])/max(now-self._seen, .01)
+            self._rates[axis] = rate if known(rate) else 0.
+        self._angles,self._seen = angles,now
         if not self.closed: self._steer(self.setpoint)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #64f5d8c5
@@ -181,15 +180,14 @@ def _receive(self:Onvif):
 def drive(self:Onvif, setpoint:Setpoint):
     "Begin to move; raises `GimbalError` for what the camera cannot, and `ValueError` for roll"
     self.refuse_roll(setpoint)
+    at_once = self._moves_at_once(setpoint)
     to_angle = any(known(target.angle) for target in (setpoint.pitch, setpoint.yaw))
-    if self._velocity is None and not self._moves_at_once(setpoint) and setpoint.turning:
+    if not at_once and setpoint.turning and self._velocity is None:
         raise GimbalError(f'{self.information.model} goes to angles only: it has no ContinuousMove')
-    if to_angle and not self._moves_at_once(setpoint) and not known(self._angle('yaw')):
+    if not at_once and to_angle and not known(self._angle('yaw')):
         raise GimbalError(f'{self.information.model} does not report where it points: give it rates')
     self._asked = self.clock()
-    if self._moves_at_once(setpoint):
-        self._sent = None
-        self.client.post('move', self._go(setpoint))
+    if at_once: self._go(setpoint)
     else: self._steer(setpoint)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #153bac7f
@@ -225,13 +223,13 @@ def _on_outage(self:Onvif):
     "Stop turning and drop old targets, when the camera stops answering or answers again"
     with self._lock:
         if self.client.error and not self.setpoint.turning or self.closed: return
-        goes = known(self.setpoint.pitch.angle) or known(self.setpoint.yaw.angle)
-        late = self.clock()-self._asked>self.fresh
-        if self.setpoint.turning or not goes or late:
+        has_goal = known(self.setpoint.pitch.angle) or known(self.setpoint.yaw.angle)
+        is_late = self.clock()-self._asked>self.fresh
+        if self.setpoint.turning or not has_goal or is_late:
             self.hold_still()
-            return self.client.post('move', self._stop(), at_once=True)
-        self._sent = None
-        if self._moves_at_once(self.setpoint): self.client.post('move', self._go(self.setpoint))
+            self._stop()
+        elif self._moves_at_once(self.setpoint): self._go(self.setpoint)
+        else: self._sent = None         # the rates are sent anew with the next position
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #02a615d4
 @patch
@@ -239,7 +237,7 @@ def close(self:Onvif):
     "Stop turning, and let go of the camera; may be called twice"
     first = not self.closed
     GimbalDriver.close(self)
-    if first: self.client.post('move', self._stop(), at_once=True)
+    if first: self._stop()
     if self.camera is not None: self.camera.close()
     self.client.close()
 
@@ -259,8 +257,7 @@ def open(cls:Onvif, url:DeviceURL, # onvif://USER:PASSWORD@HOST[:PORT], options 
     basic = one_of('basic', url.option('basic', 'no'), ('yes','no'))=='yes'
     options = {one_of('option', name, ('pan','tilt','speeds','basic')): text for name,text in url.options}
     pairs = {name: _pair(text) for name,text in options.items() if name!='basic'}
-    client = _OnvifClient(url.host, url.port, url.user, url.password, basic=basic)
-    client.connect()
+    client = _OnvifClient(url.host, url.port, url.user, url.password, basic=basic).connect()
     if client.turns: return cls(client=client, **pairs, **storage)
     return OnvifCamera(client, alone=True, **storage)
 
@@ -315,24 +312,20 @@ class OnvifCamera(URLCamera):
             client.step()         # so it has a zoom
             client.start()
 
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #2de9ef23
-@patch
-def read_still(self:OnvifCamera)->Frame:
-    "Return the camera's own JPEG, or a frame of its video when it has none"
-    taken,jpeg = clock.time(),b''
-    try: jpeg = self.client.load(self.client.still) if self.client.still else b''
-    except GimbalError as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
-    try: return Still(decode_picture(jpeg, fit=True), next(self._numbers), taken, jpeg=jpeg)
-    except ValueError as e:
-        if jpeg: self.log.warning('the snapshot is refused, so a frame of the video is taken: %s', e)
-    return URLCamera.read_still(self)
+    def read_still(self)->Frame:
+        "Return the camera's own JPEG, or a frame of its video when it has none"
+        if not self.client.still: return super().read_still()
+        taken = clock.time()
+        try:
+            jpeg = self.client.load(self.client.still)
+            return Still(decode_picture(jpeg, fit=True), next(self._numbers), taken, jpeg=jpeg)
+        except (GimbalError, ValueError) as e: self.log.warning('no snapshot, so a frame of the video is taken: %s', e)
+        return super().read_still()
 
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #26b07a62
-@patch
-def close(self:OnvifCamera):
-    "Close the camera, and the client if nobody else has it; may be called twice"
-    URLCamera.close(self)
-    if self.alone: self.client.close()
+    def close(self):
+        "Close the camera, and the client if nobody else has it; may be called twice"
+        super().close()
+        if self.alone: self.client.close()
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #517993fb
 @patch
@@ -369,22 +362,23 @@ class _Zoom:
     def move(self, rate:float):
         "Zoom on, at -1 to 1 of full speed"
         self.goal = None
-        on = self.client.ptz('ContinuousMove', f'<tptz:Velocity><tt:Zoom x="{rate:.3f}"/></tptz:Velocity>')
-        off = self.client.ptz('Stop', '<tptz:PanTilt>false</tptz:PanTilt>', '<tptz:Zoom>true</tptz:Zoom>')
-        self.client.post('zoom', on if rate else off, at_once=not rate)
+        move = self.client.ptz('ContinuousMove', f'<tptz:Velocity><tt:Zoom x="{rate:.3f}"/></tptz:Velocity>')
+        stop = self.client.ptz('Stop', '<tptz:PanTilt>false</tptz:PanTilt><tptz:Zoom>true</tptz:Zoom>')
+        if rate: self.client.post('zoom', move)
+        else: self.client.post('zoom', stop, move, at_once=True)        # some refuse `Stop`
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #1e3f1317
-_oasis = 'http://docs.oasis-open.org/wss/2004/01/oasis-200401-wss-'
+_wss = 'http://docs.oasis-open.org/wss/2004/01/oasis-200401-wss-'
 
 def _token(user:str, password:str, created:str, nonce:bytes)->str:
     "Return a WS-Security header with a password digest"
     digest = b64encode(hashlib.sha1(nonce+created.encode()+password.encode()).digest()).decode()
-    kind,coding = (f'{_oasis}{name}' for name in ('username-token-profile-1.0#PasswordDigest',
-                                                  'soap-message-security-1.0#Base64Binary'))
-    return (f'<w:Security xmlns:w="{_oasis}wssecurity-secext-1.0.xsd"><w:UsernameToken>'
-            f'<w:Username>{escape(user)}</w:Username><w:Password Type="{kind}">{digest}</w:Password>'
-            f'<w:Nonce EncodingType="{coding}">{b64encode(nonce).decode()}</w:Nonce>'
-            f'<u:Created xmlns:u="{_oasis}wssecurity-utility-1.0.xsd">{created}</u:Created>'
+    once = b64encode(nonce).decode()
+    return (f'<w:Security xmlns:w="{_wss}wssecurity-secext-1.0.xsd"><w:UsernameToken>'
+            f'<w:Username>{escape(user)}</w:Username>'
+            f'<w:Password Type="{_wss}username-token-profile-1.0#PasswordDigest">{digest}</w:Password>'
+            f'<w:Nonce EncodingType="{_wss}soap-message-security-1.0#Base64Binary">{once}</w:Nonce>'
+            f'<u:Created xmlns:u="{_wss}wssecurity-utility-1.0.xsd">{created}</u:Created>'
             f'</w:UsernameToken></w:Security>')
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #3c2752f0
@@ -402,15 +396,14 @@ def _envelope(request:str, # Such as '<tds:GetServices/>'
 class _Refused(GimbalError): "The camera answered with a Fault"
 class _Unauthorized(GimbalError): "The camera refused user or password"
 class _BadAddress(GimbalError): "The camera named an address that is none, or not for us"
-class _GivenUp(GimbalError): "A stop order was more urgent than the answer"
+class _GivenUp(Exception): "A stop order was more urgent than the answer"
 class _Unreadable(GimbalError): "The camera answered, and not with XML"
 
-def _text(element, path:str)->str:
-    "Return the text of the first element at a path, such as 'PTZ/XAddr'; empty: there is none"
-    found = None if element is None else element.find('.//'+'/'.join(f'{{*}}{name}' for name in path.split('/')))
-    return '' if found is None else (found.text or '').strip()
+def _at(path:str)->str: return './/'+'/'.join(f'{{*}}{name}' for name in path.split('/'))      # in any namespace
 
-def _has(element, name:str)->bool: return element.find(f'.//{{*}}{name}') is not None
+def _text(element, path:str)->str: # Such as 'PTZ/XAddr'
+    "Return the text of the first element at a path; empty: there is none"
+    return element.findtext(_at(path), '').strip()
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #ff84cbf2
 def _tidied(data:bytes)->str:
@@ -462,8 +455,7 @@ class _OnvifClient:
         self.services = dict(tds=f'http://{self.place}/onvif/device_service')
         self.log = get_logger('onvif')
         self.skew = None                        # s that its clock is ahead; `None`: not known
-        self.received = lambda: None            # called when `status` is new
-        self.changed = lambda: None             # called when `error` comes or goes
+        self.received = self.changed = lambda: None     # called when `status` is new; when `error` comes or goes
         self.status = NAN,NAN,NAN,''            # pan, tilt, zoom, space
         self.error = None                       # why it doesn't answer
         self.answered = clock()                 # when it did last
@@ -474,6 +466,18 @@ class _OnvifClient:
         self._busy = -math.inf                  # until when it may move
 
     def __repr__(self): return f'ONVIF camera at {self.place}'
+
+    def ptz(self, operation:str, # Such as 'Stop'
+            *inner:str)->str:
+        "Return a request for the PTZ service"
+        profile = f'<tptz:ProfileToken>{escape(self.profile)}</tptz:ProfileToken>'
+        return f'<tptz:{operation}>{profile}{"".join(inner)}</tptz:{operation}>'
+
+    def post(self, kind:str, *wordings:str, at_once:bool=False): # `at_once`: before all others, without waiting
+        "Have the thread send a request in the first wording that is taken, in place of one of this kind that waits"
+        self._busy = self.clock()+self.moves_on
+        self._due = min(self._due, self.clock()+self.fast)
+        self._orders.add(kind, wordings, at_once)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #c1de876d
 class _Orders:
@@ -486,41 +490,38 @@ class _Orders:
 
     def __bool__(self)->bool: return bool(self._waiting)
 
-    def add(self, kind:str, request:str, at_once:bool=False): # `at_once`: before all others, and now
+    def add(self, kind:str, request, at_once:bool=False): # `at_once`: before all others, and now
         "Keep a request, in place of one of its kind"
         with self.changed:
             if at_once:
-                others = {k: r for k,r in self._waiting.items() if k!=kind}
-                self._waiting = {kind:request, **others}
+                self._waiting.pop(kind, None)
+                self._waiting = {kind:request, **self._waiting}
                 self._urgent = True
                 if self._under_way: self._under_way.give_up()
             else: self._waiting[kind] = request
             self.changed.notify_all()
 
-    def take(self)->tuple|None:
-        "Remove and return the kind and the request that come first; `None`: there is none"
+    def take(self)->tuple:
+        "Remove and return the kind and the request that come first"
         with self.changed:
             self._urgent = False
-            if not self._waiting: return None
             kind = next(iter(self._waiting))
             return kind,self._waiting.pop(kind)
 
-    def put_back(self, kind:str, request:str):
+    def put_back(self, kind:str, request):
         "Keep a request that was interrupted, unless a newer one replaced it"
         with self.changed: self._waiting.setdefault(kind, request)
 
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #8bbd9c09
-@patch
-@contextmanager
-def interrupt(self:_Orders, deadline:Deadline):
-    "Let an urgent order end the exchange inside the `with` block, which then raises `_GivenUp`"
-    with self.changed: self._under_way = None if self._urgent else deadline
-    if self._urgent: raise _GivenUp('a stop order waits')
-    try: yield
-    except GimbalError:
-        if self._urgent: raise _GivenUp('a stop order waits') from None
-        raise
-    finally: self._under_way = None
+    @contextmanager
+    def interrupt(self, deadline:Deadline):
+        "Let an urgent order end the exchange inside the `with` block, which then raises `_GivenUp`"
+        with self.changed: self._under_way = None if self._urgent else deadline
+        if self._urgent: raise _GivenUp('a stop order waits')
+        try: yield
+        except GimbalError:
+            if self._urgent: raise _GivenUp('a stop order waits') from None
+            raise
+        finally: self._under_way = None
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #0ddec017
 def _shown(url:str)->str: return re.sub(r'(://)(?:[^/]*@)?([^/]*)/.*', r'\1\2/…', url, flags=re.DOTALL)  # no password
@@ -577,23 +578,27 @@ def ask(self:_OnvifClient, request:str, # Such as '<tds:GetServices/>'
             created = clock.strftime('%Y-%m-%dT%H:%M:%SZ', clock.gmtime(clock.time()+self.skew))
             head = _token(self.user, self.password, created, os.urandom(16))
         return _answer(self.load(self.services[service], _envelope(request, head)))
-    except _GivenUp: raise
-    except _Refused as e: raise _Refused(f'{self!r} refuses {operation}: {e}') from None
+    except (_Refused, _Unreadable) as e: raise type(e)(f'{self!r} refuses {operation}: {e}') from None
     except _Unauthorized:
         self.skew = None                # its clock may have been set
         text = f'{self!r} refuses user or password: write onvif://USER:PASSWORD@{self.place}'
         raise _Unauthorized(text) from None
-    except GimbalError as e: raise type(e)(str(e) if repr(self) in str(e) else f'{self!r}: {e}') from None
+
+@patch
+def _ask_optional(self:_OnvifClient, request:str)->ElementTree.Element:
+    "Send a request that a camera needn't support, and return the answer; without one, an empty element"
+    with suppress(_Refused, _Unreadable): return self.ask(request)
+    return ElementTree.Element('none')
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #d28f7357
 @patch
 def _find_skew(self:_OnvifClient)->float:
     "Return how many s its clock is ahead of ours; 0 when it refuses"
-    try: date = self.ask('<tds:GetSystemDateAndTime/>').find('.//{*}UTCDateTime')
-    except (_Refused, _Unauthorized, _Unreadable): return 0.
     names = 'Date/Year','Date/Month','Date/Day','Time/Hour','Time/Minute','Time/Second'
-    try: return timegm(tuple(int(_text(date, name)) for name in names))-clock.time()
-    except (ValueError, OverflowError): return 0.
+    with suppress(_Unauthorized, ValueError, OverflowError):
+        date = self._ask_optional('<tds:GetSystemDateAndTime/>')
+        return timegm(tuple(int(_text(date, f'UTCDateTime/{name}')) for name in names))-clock.time()
+    return 0.
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #e8044b5d
 @patch(as_prop=True)
@@ -610,10 +615,10 @@ def here(self:_OnvifClient, url:str, *schemes:str)->str: # `schemes` in place of
     try:
         parts = urlsplit(url)
         host,port = parts.hostname,f':{parts.port}' if parts.port else ''
-    except ValueError: raise _BadAddress(f'{self!r} names {_shown(url)!r}, which is no address') from None
-    scheme = parts.scheme or (schemes[0] if url.startswith('/') else '')
-    ways = ' or '.join(schemes)
-    if scheme not in schemes: raise _BadAddress(f'{self!r} names {_shown(url)!r}, and not an address of {ways}')
+        scheme = parts.scheme or (schemes[0] if url.startswith('/') else '')
+    except ValueError: scheme = ''
+    if scheme not in schemes:
+        raise _BadAddress(f'{self!r} names {_shown(url)!r}, and not an address of {" or ".join(schemes)}')
     if host==self.host.lower() or host in self.addresses: return urlunsplit(parts._replace(scheme=scheme))
     place = self.place if scheme=='http' else url_host(self.host)+port
     return urlunsplit(parts._replace(scheme=scheme, netloc=place))
@@ -622,8 +627,7 @@ def here(self:_OnvifClient, url:str, *schemes:str)->str: # `schemes` in place of
 @patch
 def _read_names(self:_OnvifClient):
     "Read maker, model and firmware"
-    about = None
-    with suppress(_Refused, _Unreadable): about = self.ask('<tds:GetDeviceInformation/>')
+    about = self._ask_optional('<tds:GetDeviceInformation/>')
     names = _text(about, 'Manufacturer') or 'ONVIF',_text(about, 'Model') or 'camera'
     self.maker,self.model = (name.encode()[:31].decode(errors='ignore') for name in names)
     self.firmware = tuple(([min(int(n), 255) for n in re.findall(r'\d+', _text(about, 'FirmwareVersion'))]+[0]*4)[:4])
@@ -633,16 +637,11 @@ def _read_names(self:_OnvifClient):
 def _find_services(self:_OnvifClient)->dict:
     "Return the addresses of its services; some cameras name all of them only in the second answer"
     names = dict(trt='Media', tptz='PTZ')
-    first,why,found = None,None,{}
-    try: first = self.ask('<tds:GetCapabilities><tds:Category>All</tds:Category></tds:GetCapabilities>')
-    except (_Refused, _Unreadable) as e: why = e
-    if first is not None: found = {p: _text(first, f'{name}/XAddr') for p,name in names.items() if _has(first, name)}
+    first = self._ask_optional('<tds:GetCapabilities><tds:Category>All</tds:Category></tds:GetCapabilities>')
+    found = {p: _text(first, f'{name}/XAddr') for p,name in names.items() if first.find(_at(name)) is not None}
     if all(found.get(prefix) for prefix in names): return found
-    try: second = self.ask('<tds:GetServices><tds:IncludeCapability>false</tds:IncludeCapability></tds:GetServices>')
-    except (_Refused, _Unreadable):
-        if first is None: raise why from None
-        second = ()
-    for service in second:
+    ask = self._ask_optional if len(first) else self.ask            # one of them must be answered
+    for service in ask('<tds:GetServices><tds:IncludeCapability>false</tds:IncludeCapability></tds:GetServices>'):
         prefix = next((p for p in names if _schemas[p]==_text(service, 'Namespace')), None)
         if prefix and not found.get(prefix): found[prefix] = _text(service, 'XAddr')
     return {prefix: url or self.services['tds'] for prefix,url in found.items()}        # an empty one: all are at one
@@ -653,13 +652,13 @@ def _choose_profile(self:_OnvifClient):
     "Choose profiles to turn and to see by, and return the configuration for turning, or `None`; raises `GimbalError`"
     profiles = self.ask('<trt:GetProfiles/>').findall('{*}Profiles') if 'trt' in self.services else []
     if not profiles: raise GimbalError(f'{self!r} has no media profile')
-    def turns(profile): return profile.find('{*}PTZConfiguration') is not None
-    turning = next(filter(turns, profiles), profiles[0])
-    def is_seen(profile):
-        return _text(profile, 'VideoEncoderConfiguration/Encoding') in ('H264','H265'),profile is turning
-    self.profile,self.moves = turning.get('token', ''),turns(turning) and 'tptz' in self.services
-    self.view = max(profiles, key=is_seen).get('token', '')
-    return turning.find('{*}PTZConfiguration')
+    turning = next((p for p in profiles if p.find('{*}PTZConfiguration') is not None), profiles[0])
+    configuration = turning.find('{*}PTZConfiguration')
+    self.profile = turning.get('token', '')
+    self.moves = configuration is not None and 'tptz' in self.services
+    watched = [p for p in profiles if _text(p, 'VideoEncoderConfiguration/Encoding') in ('H264','H265')]
+    self.view = (turning if turning in watched or not watched else watched[0]).get('token', '')
+    return configuration
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #9d7ef505
 @patch
@@ -669,17 +668,16 @@ def _find_spaces(self:_OnvifClient, configuration):
     self.spaces = dict.fromkeys(kinds, [])
     if not self.moves: return
     token = escape(configuration.get('token', ''))
-    try: answer = self.ask(f'<tptz:GetConfigurationOptions><tptz:ConfigurationToken>{token}</tptz:ConfigurationToken>'
-                         '</tptz:GetConfigurationOptions>')
-    except (_Refused, _Unreadable): answer = self.ask('<tptz:GetNodes/>')
+    answer = self._ask_optional(f'<tptz:GetConfigurationOptions><tptz:ConfigurationToken>{token}'
+                                '</tptz:ConfigurationToken></tptz:GetConfigurationOptions>')
+    if not len(answer): answer = self.ask('<tptz:GetNodes/>')
     self.spaces = {kind: _spaces(answer, f'{name}Space') for kind,name in kinds.items()}
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #139c2725
 @patch
 def _find_uri(self:_OnvifClient, request:str, *schemes:str)->str:
     "Return the address of a picture or a video; empty: it has none that we can use"
-    try: uri = _text(self.ask(request), 'MediaUri/Uri')
-    except (_Refused, _Unreadable): return ''
+    uri = _text(self._ask_optional(request), 'MediaUri/Uri')
     try: return self.here(uri, *schemes) if uri else ''
     except _BadAddress as e: self.log.warning('%s', e)
     return ''
@@ -687,7 +685,7 @@ def _find_uri(self:_OnvifClient, request:str, *schemes:str)->str:
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #51425274
 @patch
 def connect(self:_OnvifClient):
-    "Read what it is, where its services are, and how it can be moved; raises `GimbalError`"
+    "Read what it is, where its services are, and how it can be moved; return the client. Raises `GimbalError`"
     self._read_names()
     for prefix,url in self._find_services().items():
         if url: self.services[prefix] = self.here(url)
@@ -697,55 +695,30 @@ def connect(self:_OnvifClient):
     self.still = self._find_uri(f'<trt:GetSnapshotUri>{token}</trt:GetSnapshotUri>')
     self.stream = self._find_uri('<trt:GetStreamUri><trt:StreamSetup><tt:Stream>RTP-Unicast</tt:Stream><tt:Transport>'
         f'<tt:Protocol>RTSP</tt:Protocol></tt:Transport></trt:StreamSetup>{token}</trt:GetStreamUri>', 'rtsp')
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #35229a81
-@patch
-def ptz(self:_OnvifClient, operation:str, # Such as 'Stop'
-        *inner:str)->str:
-    "Return a request for the PTZ service"
-    profile = f'<tptz:ProfileToken>{escape(self.profile)}</tptz:ProfileToken>'
-    return f'<tptz:{operation}>{profile}{"".join(inner)}</tptz:{operation}>'
-
-# %% ../../nbs/api/gimbals/10_onvif.ipynb #c38dc224
-@patch
-def post(self:_OnvifClient, kind:str, request:str, at_once:bool=False): # `at_once`: before all others, without waiting
-    "Have the thread send a request, in place of one of this kind that waits"
-    now = self.clock()
-    self._busy = now+self.moves_on
-    self._due = min(self._due, now+self.fast)
-    self._orders.add(kind, request, at_once)
+    return self
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #12c27fe9
-def _other_words(request:str)->str:
-    "Another request for the same; empty: there is none"
-    if '<tptz:Timeout>' in request: return re.sub('<tptz:Timeout>.*?</tptz:Timeout>', '', request)
-    if not request.startswith('<tptz:Stop>'): return ''
-    rest = ''.join(zero for name,zero in (('PanTilt','<tt:PanTilt x="0" y="0"/>'), ('Zoom','<tt:Zoom x="0"/>'))
-                   if f'<tptz:{name}>false<' not in request)
-    token = re.search('<tptz:ProfileToken>.*?</tptz:ProfileToken>', request)[0]
-    return f'<tptz:ContinuousMove>{token}<tptz:Velocity>{rest}</tptz:Velocity></tptz:ContinuousMove>'
-
 @patch
-def _order(self:_OnvifClient, request:str)->ElementTree.Element|None:
-    "Return the answer to a request, or to the same in other words; `None` when the camera refuses both"
-    try: return self.ask(request)
-    except _Refused as e: why = e
-    if other := _other_words(request):
-        with suppress(_Refused):
-            answer = self.ask(other)
-            if '<tptz:Timeout>' in request and not self.endless:
+def _order(self:_OnvifClient, wordings:tuple)->ElementTree.Element|None:
+    "Return the answer to the first wording that the camera takes; `None` when it refuses all"
+    refusals = []
+    for request in wordings:
+        try: answer = self.ask(request)
+        except _Refused as e: refusals.append(e)
+        else:
+            if refusals and '<tptz:Timeout>' in wordings[0] and not self.endless:
                 self.endless = True
                 self.log.warning('%r takes no time-out: it turns on when the connection is lost', self)
             return answer
-    (self.log.debug if 'GetStatus' in request else self.log.warning)('%s', why)
+    (self.log.debug if 'GetStatus' in request else self.log.warning)('%s', refusals[0])
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #8a183dc9
 @patch
-def _try(self:_OnvifClient, request:str):
+def _try(self:_OnvifClient, *wordings:str):
     "Return the answer, or `None`; notes whether there is one at all. Raises `_GivenUp`"
-    answer,error,was = None,None,self.error
-    try: answer = self._order(request)
-    except _GivenUp: raise
+    answer = error = None
+    was = self.error
+    try: answer = self._order(wordings)
     except GimbalError as e: error = str(e)
     self.error = error
     if not error: self.answered = self.clock()
@@ -762,31 +735,27 @@ def _number(element, name:str)->float:
 @patch
 def _send_orders(self:_OnvifClient):
     "Send what was ordered; what a stop order interrupted is sent behind it"
-    while order := self._orders.take():
-        try: self._try(order[1])
-        except _GivenUp: self._orders.put_back(*order)
+    while self._orders:
+        kind,wordings = self._orders.take()
+        try: self._try(*wordings)
+        except _GivenUp: self._orders.put_back(kind, wordings)
 
 @patch
-def _poll(self:_OnvifClient, now:float):
-    "Ask where it points"
-    answer = None
-    with suppress(_GivenUp):
-        answer = self._try(self.ptz('GetStatus'))
-        self._due = now+(self.fast if now<self._busy else self.slow)
+def step(self:_OnvifClient):
+    "Send what was ordered, and ask where it points when that's due"
+    self._send_orders()
+    now = self.clock()
+    if now<self._due: return
+    try: answer = self._try(self.ptz('GetStatus'))
+    except _GivenUp: return
+    self._due = now+(self.fast if now<self._busy else self.slow)
     if answer is None: return
-    place,zoom = (answer.find(f'.//{{*}}Position/{{*}}{name}') for name in ('PanTilt','Zoom'))
+    place,zoom = answer.find(_at('Position/PanTilt')),answer.find(_at('Position/Zoom'))
     space = '' if place is None else place.get('space', '')
     before = self.status
     self.status = _number(place, 'x'),_number(place, 'y'),_number(zoom, 'x'),space
     if place is not None and before!=self.status: self._busy = self.clock()+self.moves_on
     self.received()
-
-@patch
-def step(self:_OnvifClient):
-    "Send what was ordered, and poll when it's due"
-    self._send_orders()
-    now = self.clock()
-    if now>=self._due: self._poll(now)
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #c2d51f1b
 @patch

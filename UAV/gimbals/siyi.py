@@ -17,21 +17,7 @@ from ..utils import clock
 from ..utils.devices import DeviceURL
 
 # %% auto #0
-__all__ = ['number_rate', 'rate_number', 'Siyi']
-
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #d16dfb1e
-_slope,_dead = 1.48,4       # degrees a second for each number; the largest number that doesn't move it
-
-def number_rate(n:int)->float: # -100..100
-    "Return the rate in degrees a second for a number"
-    return math.copysign(max(abs(n)-_dead, 0)*_slope, n)
-
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #4f7ed6e9
-def rate_number(rate:float, # Degrees a second
-               )->int:
-    "Return the number, -100..100, that turns nearest to this rate"
-    n = round(_dead+abs(rate)/_slope)
-    return int(math.copysign(min(n, 100), rate)) if n>_dead else 0
+__all__ = ['Siyi', 'number_rate', 'rate_number']
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #ab901043
 class Siyi(GimbalDriver):
@@ -54,20 +40,19 @@ class Siyi(GimbalDriver):
         self.hold_still()
         self._wake(self._next)
 
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #0c8c14b2
-@patch(as_prop=True)
-def fault(self:Siyi)->str|None:
-    "Return a sentence while the device is silent; `None`: it works"
-    return self.link.fault or (None if self.link.age(Cmd.attitude)<=1 else 'no attitude for 1 s')
+    @property
+    def fault(self)->str|None:
+        "Return a sentence while the device is silent; `None`: it works"
+        return self.link.fault or (None if self.link.age(Cmd.attitude)<=1 else 'no attitude for 1 s')
 
-# %% ../../nbs/api/gimbals/09_siyi.ipynb #a4d606da
-@patch(as_prop=True)
-def information(self:Siyi)->GimbalInformation:
-    "Return model, limits and firmware"
-    link,model = self.link,self.link.model
-    firmware = (*link.firmware.gimbal, 0) if link.firmware else (0,)*4
-    uid = int(link.hardware[2:]) if link.hardware[2:].isdecimal() else 0
-    return GimbalInformation('SIYI', model.name, firmware_version=firmware, uid=uid, pitch=model.pitch, yaw=model.yaw)
+    @property
+    def information(self)->GimbalInformation:
+        "Return model, limits and firmware"
+        link,model = self.link,self.link.model
+        firmware = (*link.firmware.gimbal, 0) if link.firmware else (0,)*4
+        uid = int(link.hardware[2:]) if link.hardware[2:].isdecimal() else 0
+        limits = dict(pitch=model.pitch, yaw=model.yaw)
+        return GimbalInformation('SIYI', model.name, firmware_version=firmware, uid=uid, **limits)
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #f14cef67
 @patch
@@ -93,11 +78,6 @@ def _goal(self:Siyi, axis:str)->float:
     "Return the target of an axis in degrees as the device measures them; NaN: none, or north isn't known"
     target = getattr(self.setpoint, axis).angle
     return wrap(target-self.heading) if axis=='yaw' and self.setpoint.lock else target
-
-@patch
-def _is_beyond(self:Siyi, axis:str, goal:float)->bool:
-    "True if an axis cannot reach this angle"
-    return known(goal) and abs(wrap(goal-self.information.limited(axis, goal)))>.1
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #02dd525a
 @patch
@@ -175,7 +155,8 @@ def _send_angles(self:Siyi):
     before,when = self._asked or ({}, -math.inf)
     answered = self.link.age(Cmd.angles if len(goals)==2 else Cmd.angle)<=now-when
     moved = goals.keys()!=before.keys() or any(abs(wrap(goals[axis]-before[axis]))>.5 for axis in goals)
-    if not goals or not moved and (answered or now-when<.5): return
+    is_due = moved or not answered and now-when>=.5
+    if not goals or not is_due: return
     if not self._quiet and not before: self._stand()
     if len(goals)==2: self.link.send(Cmd.angles, angle_data(goals['yaw'], goals['pitch']))
     elif 'pitch' in goals: self.link.send(Cmd.angle, angle_data(0., goals['pitch'])[2:]+b'\1')
@@ -270,6 +251,20 @@ def close(self:Siyi):
     self.link.send(Cmd.rate, rate_data(0, 0), times=3)
     if self.camera: self.camera.close()
     self.link.close()
+
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #d16dfb1e
+_slope,_dead = 1.48,4       # degrees a second for each number; the largest number that doesn't move it
+
+def number_rate(n:int)->float: # -100..100
+    "Return the rate in degrees a second for a number"
+    return math.copysign(max(abs(n)-_dead, 0)*_slope, n)
+
+# %% ../../nbs/api/gimbals/09_siyi.ipynb #4f7ed6e9
+def rate_number(rate:float, # Degrees a second
+               )->int:
+    "Return the number, -100..100, that turns nearest to this rate"
+    n = round(_dead+abs(rate)/_slope)
+    return int(math.copysign(min(n, 100), rate)) if n>_dead else 0
 
 # %% ../../nbs/api/gimbals/09_siyi.ipynb #84ce1857
 @patch(cls_method=True)

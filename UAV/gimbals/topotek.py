@@ -18,63 +18,14 @@ from .driver import (DeviceLine, direction_of, FrameCutter, gimbal_camera, Gimba
     PhotoSeries, SerialPort, UDPPort)
 
 # %% auto #0
-__all__ = ['topotek_frame', 'TopotekReader', 'Topotek']
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #e837b1ab
-def topotek_frame(receiver:str, what:str, # 'D' system and picture, 'G' gimbal, 'M' lens; three letters
-                  data:str='', # At most 15 characters
-                  sender:str='P', # 'P' network, 'U' UART: where it answers
-                  control:str='w')->bytes: # 'w' order, 'r' question
-    "Write a frame; raises `ValueError`"
-    if len(data)>15: raise ValueError(f'a frame has room for 15 characters, not for {data!r}')
-    frame = f'{"#TP" if len(data)==2 else "#tp"}{sender}{receiver}{len(data):X}{control}{what}{data}'.encode('ascii')
-    return frame+b'%02X'%(sum(frame)&255)
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #9576054c
-def _angle_data(degrees:float)->str: return f'{round(degrees*100)&0xffff:04X}63'       # with speed 99
-
-def _rate_data(yaw:float, pitch:float)->str:
-    yaw,pitch = (min(max(round(rate*1.2207), -99), 99) for rate in (yaw, -pitch))
-    return f'{yaw&255:02X}{pitch&255:02X}00'
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #cb76f332
-class TopotekReader(FrameCutter):
-    "Cuts frames out of a stream, into sender, three letters and data; `feed` it as the bytes come"
-    _head = re.compile(rb'#[Tt][Pp]([A-Z])[A-Z]([0-9A-F])[rw]([A-Z0-9]{3})')
-    def _take(self, data:bytearray)->tuple|None:
-        start = data.find(b'#')
-        if start: return None,start if start>0 else len(data)
-        if len(data)<10: return
-        if not (head := self._head.match(data)): return None,1
-        end = 10+int(head[2], 16)
-        if len(data)<end+2: return
-        if data[end:end+2]!=b'%02X'%(sum(data[:end])&255): return None,1
-        return (head[1].decode(), head[3].decode(), bytes(data[10:end])),end+2
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #86a41a13
-def _attitude_in(sender:str, what:str, data:bytes)->tuple|None:
-    "Return yaw, pitch and roll, degrees; `None`: it's another frame"
-    if what!='GIA' or not re.fullmatch(rb'[0-9A-F]{12}', data): return
-    yaw,pitch,roll = ((int(data[n:n+4], 16)+0x8000)%0x10000-0x8000 for n in (0,4,8))
-    return wrap(yaw/100),-pitch/100,roll/100
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #321d1e24
-def _gps(degrees:float, letters:str, width:int)->str:
-    whole,minutes = divmod(round(abs(degrees)*600_000), 600_000)       # of a ten thousandth
-    return f'{letters[degrees<0]}{whole:0{width}d}{minutes/10_000:07.4f}'
-
-def _vehicle_data(v:VehicleState)->dict:
-    found = {}
-    if known(v.lat) and known(v.lon): found.update(LAT=_gps(v.lat, 'NS', 2), LON=_gps(v.lon, 'EW', 3))
-    if known(v.alt): found['ALT'] = f'{v.alt:08.1f}'
-    if known(v.yaw): found['AZI'] = f'{round(v.yaw*10)%3600/10:05.1f}'
-    return found
+__all__ = ['Topotek', 'topotek_frame', 'TopotekReader']
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #aab75bb0
 class Topotek(GimbalDriver):
     "A Topotek gimbal camera, over UDP or a serial port"
     stands_late = True
-    pace,ask_pace,silence = .1,.5,1.    # s from order to order, from question to question; s without an answer: a fault
+    pace,ask_pace = .1,.5               # s from order to order; from question to question
+    silence = 1.                        # s without an answer that are a fault
     def __init__(self, host:str='192.168.144.108', # Its address, or a serial port such as '/dev/ttyUSB0'
                  port:int=9003, # UDP
                  sender:str='', # 'P' or 'U', the port of the gimbal that answers; empty: as `host` is
@@ -87,19 +38,28 @@ class Topotek(GimbalDriver):
         super().__init__(clock)
         serial = host.startswith('/')
         place = SerialPort(host, baudrate) if serial else UDPPort(host, port, local, any_port=True)
-        self.sender = one_of('sender', sender or 'PU'[serial], ('P','U'))
-        self._angles,self._reported,self._reader = (NAN,NAN,NAN),-math.inf,TopotekReader()     # yaw, pitch, roll; when
+        self.sender = one_of('sender', sender or ('U' if serial else 'P'), ('P','U'))
+        self._angles,self._reported = (NAN,NAN,NAN),-math.inf       # yaw, pitch, roll; when
+        self._reader = TopotekReader()
         self._below = VehicleState()                # the vehicle, when they came
         self._began,self._starts = -math.inf,{}     # of the setpoint: since when, from where
         self._repeated = {}                         # `{subject: (frame, since when)}`
         self.card = None                            # has it a card? `None`: unknown
-        self._questions,self._asked = deque((('D','SDC'), ('D','VSN'), ('G','PA2'))),-math.inf
+        self._questions = deque((('D','SDC'), ('D','VSN'), ('G','PA2')))    # receiver and letters; the next one first
+        self._asked = -math.inf                     # when the last one was sent
         self.series = PhotoSeries(lambda: self._order('D', 'CAP', '01'), self.log)
         self.hold_still()
         self.line = line or DeviceLine(place)
         self.line.received = lambda data: self._receive(data)
         self.line.start()
         self._job = self._timers.every(self.pace, self.tick) if goes_by_itself(clock) else None
+
+    @property
+    def fault(self)->str|None:
+        "Return a sentence when the device is silent; `None`: it works"
+        if self.line.error: return f'no connection: {self.line.error}'
+        if self.clock()-self._reported>self.silence:
+            return f'no attitude from {self.line} for {self.silence:g} s (asked as sender {self.sender!r})'
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #af0b5e1a
 @patch
@@ -111,17 +71,8 @@ def _send(self:Topotek, receiver:str, what:str, data:str='00', control:str='w'):
 def _repeat(self:Topotek, subject:str, *frame):
     "Send a frame, unless it was sent for a while"
     now = self.clock()
-    last,since = self._repeated.get(subject, (None,now))
-    if last!=frame: self._repeated[subject],since = (frame,now),now
-    if now-since<=self.silence+.2: self._send(*frame)
-
-# %% ../../nbs/api/gimbals/11_topotek.ipynb #f83e7db5
-@patch(as_prop=True)
-def fault(self:Topotek)->str|None:
-    "Return a sentence when the device is silent; `None`: it works"
-    if self.line.error: return f'no connection: {self.line.error}'
-    if self.clock()-self._reported>self.silence:
-        return f'no attitude from {self.line} for {self.silence:g} s (asked as sender {self.sender!r})'
+    if subject not in self._repeated or self._repeated[subject][0]!=frame: self._repeated[subject] = frame,now
+    if now-self._repeated[subject][1]<=self.silence+.2: self._send(*frame)
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #4ed7d48b
 @patch
@@ -188,7 +139,7 @@ def _settle(self:Topotek):
     if now.turning or now.mode!='point' or self.fault: return
     loose = [axis for axis in ('pitch','yaw') if not known(getattr(now, axis).angle)]
     stands = now.lock and self.clock()>=self._began+.5
-    if not loose or len(loose)==2 and not stands: return
+    if not loose or len(loose)==2 and not stands: return            # the device holds both by itself
     try: self.setpoint = replace(now, **{axis: self._held(axis, now.lock) for axis in loose})
     except HeadingUnknown: pass                 # the device holds it meanwhile
 
@@ -311,6 +262,56 @@ def close(self:Topotek):
     for _ in range(3): self._send('G', 'PTZ', '00')
     if self.camera: self.camera.close()
     self.line.close()
+
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #e837b1ab
+def topotek_frame(receiver:str, what:str, # 'D' system and picture, 'G' gimbal, 'M' lens; three letters
+                  data:str='', # At most 15 characters
+                  sender:str='P', # 'P' network, 'U' UART: where it answers
+                  control:str='w')->bytes: # 'w' order, 'r' question
+    "Write a frame; raises `ValueError`"
+    if len(data)>15: raise ValueError(f'a frame has room for 15 characters, not for {data!r}')
+    frame = f'{"#TP" if len(data)==2 else "#tp"}{sender}{receiver}{len(data):X}{control}{what}{data}'.encode('ascii')
+    return frame+b'%02X'%(sum(frame)&255)
+
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #9576054c
+def _angle_data(degrees:float)->str: return f'{round(degrees*100)&0xffff:04X}63'       # with speed 99
+
+def _rate_data(yaw:float, pitch:float)->str:
+    yaw,pitch = (min(max(round(rate*1.2207), -99), 99) for rate in (yaw, -pitch))
+    return f'{yaw&255:02X}{pitch&255:02X}00'
+
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #cb76f332
+class TopotekReader(FrameCutter):
+    "Cuts frames out of a stream, into sender, three letters and data; `feed` it as the bytes come"
+    _head = re.compile(rb'#[Tt][Pp]([A-Z])[A-Z]([0-9A-F])[rw]([A-Z0-9]{3})')
+    def _take(self, data:bytearray)->tuple|None:
+        start = data.find(b'#')
+        if start: return None,start if start>0 else len(data)
+        if len(data)<10: return
+        if not (head := self._head.match(data)): return None,1
+        end = 10+int(head[2], 16)
+        if len(data)<end+2: return
+        if data[end:end+2]!=b'%02X'%(sum(data[:end])&255): return None,1
+        return (head[1].decode(), head[3].decode(), bytes(data[10:end])),end+2
+
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #86a41a13
+def _attitude_in(sender:str, what:str, data:bytes)->tuple|None:
+    "Return yaw, pitch and roll, degrees; `None`: it's another frame"
+    if what!='GIA' or not re.fullmatch(rb'[0-9A-F]{12}', data): return
+    yaw,pitch,roll = ((int(data[n:n+4], 16)+0x8000)%0x10000-0x8000 for n in (0,4,8))
+    return wrap(yaw/100),-pitch/100,roll/100
+
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #321d1e24
+def _gps(degrees:float, letters:str, width:int)->str:
+    whole,minutes = divmod(round(abs(degrees)*600_000), 600_000)       # of a ten thousandth
+    return f'{letters[degrees<0]}{whole:0{width}d}{minutes/10_000:07.4f}'
+
+def _vehicle_data(v:VehicleState)->dict:
+    found = {}
+    if known(v.lat) and known(v.lon): found.update(LAT=_gps(v.lat, 'NS', 2), LON=_gps(v.lon, 'EW', 3))
+    if known(v.alt): found['ALT'] = f'{v.alt:08.1f}'
+    if known(v.yaw): found['AZI'] = f'{round(v.yaw*10)%3600/10:05.1f}'
+    return found
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #c04a42f5
 @patch(cls_method=True)

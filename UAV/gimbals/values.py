@@ -9,7 +9,6 @@ __all__ = ['axes', 'GimbalError', 'HeadingUnknown', 'PositionUnknown', 'GimbalIn
 # %% ../../nbs/api/gimbals/00_values.ipynb #7861364c
 import math
 from dataclasses import dataclass, replace
-from fastcore.basics import patch
 from ..utils.geo import gimbal_angles, moved, product, quaternion, wrap
 from ..utils.values import NAN, Value, known, one_of, UAVError
 
@@ -22,6 +21,8 @@ class HeadingUnknown(GimbalError): "A direction on earth was asked for, and the 
 class PositionUnknown(GimbalError): "There is no direction to a place: the vehicle's position is not known"
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #bbcae0ce
+axes = 'roll','pitch','yaw'
+
 @dataclass(frozen=True, repr=False, eq=False)
 class GimbalInformation(Value):
     "A gimbal's identity, and each axis's range"
@@ -35,17 +36,15 @@ class GimbalInformation(Value):
     pitch:tuple|None=(-90.,30.)
     yaw:tuple|None=(-160.,160.) # From the vehicle's nose; `(-inf, inf)` turns without end
 
-# %% ../../nbs/api/gimbals/00_values.ipynb #dc7bbc78
-axes = 'roll','pitch','yaw'
-
-@patch
-def limited(self:GimbalInformation, axis:str, # One of `axes`
-            angle:float, # Degrees; yaw from the vehicle's nose
-           )->float:
-    "Return the nearest angle that the axis can reach; yaw comes as its nearest turn"
-    low,high = getattr(self, axis) or (0.,0.)
-    if axis=='yaw': angle = min((wrap(angle)+t for t in (-360,0,360)), key=lambda a: (max(low-a, a-high, 0), abs(a)))
-    return min(max(angle, low), high)
+    def limited(self, axis:str, # One of `axes`
+                angle:float, # Degrees; yaw from the vehicle's nose
+               )->float:
+        "Return the nearest angle that the axis can reach; yaw comes as its nearest turn"
+        low,high = getattr(self, axis) or (0.,0.)
+        if axis=='yaw':
+            turns = [wrap(angle)+turn for turn in (-360,0,360)]
+            angle = min(turns, key=lambda a: (max(low-a, a-high, 0), abs(a)))       # to its range, then the nose
+        return min(max(angle, low), high)
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #2332c8e5
 @dataclass(frozen=True, repr=False, eq=False)
@@ -89,18 +88,16 @@ class VehicleState(Value):
     relative_alt:float=NAN # Height above home, m
     velocity:tuple=(NAN,NAN,NAN) # North, east, down, m/s
 
-# %% ../../nbs/api/gimbals/00_values.ipynb #f47f964a
-@patch
-def after(self:VehicleState, seconds:float, # From then on
-          turning:float|None=None, # s for which it turns on; `None`: as long
-         )->VehicleState:
-    "Return the state a little later, if the vehicle flies and turns on like that; what is not known stays so"
-    north,east,down = (v*seconds for v in self.velocity)
-    flies = all(map(known, (self.lat, self.lon, north, east, down)))
-    lat,lon = moved(self.lat, self.lon, north, east) if flies else (self.lat,self.lon)
-    down,turn = down if flies else 0.,self.yaw_rate*(seconds if turning is None else turning)
-    yaw = wrap(self.yaw+turn) if known(turn) else self.yaw
-    return replace(self, yaw=yaw, lat=lat, lon=lon, alt=self.alt-down, relative_alt=self.relative_alt-down)
+    def after(self, seconds:float, # From then on
+              turning:float|None=None, # s for which it turns on; `None`: as long
+             )->'VehicleState':
+        "Return the state a little later, if the vehicle flies and turns on like that; what is not known stays so"
+        turn = self.yaw_rate*(seconds if turning is None else turning)
+        yaw = wrap(self.yaw+turn) if known(turn) else self.yaw
+        north,east,down = (v*seconds for v in self.velocity)
+        if not all(map(known, (self.lat, self.lon, north, east, down))): return replace(self, yaw=yaw)
+        lat,lon = moved(self.lat, self.lon, north, east)
+        return replace(self, yaw=yaw, lat=lat, lon=lon, alt=self.alt-down, relative_alt=self.relative_alt-down)
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #9e0c2a02
 def yaw_in(frame:str, # To be measured from: 'vehicle' or 'earth'
@@ -112,6 +109,8 @@ def yaw_in(frame:str, # To be measured from: 'vehicle' or 'earth'
     return wrap(yaw+heading if frame=='earth' else yaw-heading)
 
 # %% ../../nbs/api/gimbals/00_values.ipynb #f9b23147
+def _degrees(angle:float)->str: return f'{round(angle, 1)+0.:.1f}°'       # without a minus for zero
+
 @dataclass(frozen=True, repr=False, eq=False)
 class GimbalAttitude(Value):
     "Where a gimbal points, at one moment"
@@ -137,13 +136,10 @@ class GimbalAttitude(Value):
     earth_yaw = property(lambda self: wrap(self.yaw+self.vehicle_yaw), doc='Degrees, from north')
     earth_q = property(lambda self: product(quaternion(yaw=self.vehicle_yaw), self.q), doc='(w, x, y, z), from north')
 
-# %% ../../nbs/api/gimbals/00_values.ipynb #ae04053f
-def _degrees(angle:float)->str: return f'{round(angle, 1)+0.:.1f}°'       # without a minus for zero
-
-@patch
-def __repr__(self:GimbalAttitude):
-    north = f', {_degrees(round(self.earth_yaw, 1)%360)} from north' if known(self.vehicle_yaw) else ''
-    where = f'pitch {_degrees(self.pitch)}, yaw {_degrees(self.yaw)}{north}'
-    words = [where if known(self.pitch) else 'angles unknown', self.mode]
-    words = [*words, 'locked' if self.lock else 'follows', *self.failures]
-    return f'{type(self).__name__}: {", ".join(word for word in words if word!="point")}'
+    def __repr__(self):
+        north = f', {_degrees(round(self.earth_yaw, 1)%360)} from north' if known(self.vehicle_yaw) else ''
+        where = f'pitch {_degrees(self.pitch)}, yaw {_degrees(self.yaw)}{north}'
+        if not known(self.pitch): where = 'angles unknown'
+        mode = '' if self.mode=='point' else self.mode
+        words = where,mode,'locked' if self.lock else 'follows',*self.failures
+        return f'{type(self).__name__}: {", ".join(filter(None, words))}'

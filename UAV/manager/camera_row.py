@@ -34,7 +34,8 @@ _asked = {CAMERA_INFORMATION:30., CAMERA_SETTINGS:10., CAMERA_CAPTURE_STATUS:5.,
 class CameraRow(Row):
     "State, live picture, buttons and parts of one camera"
     kind = 'camera'
-    most,longest = 12,60.           # thumbnails kept; longest s between two requests
+    most = 12                       # thumbnails kept
+    longest_back_off = 60.          # s between two requests at most
     def __init__(self, gui, # The `Panel`; its `camera_client` is on a link
                  target:tuple): # `(system, component)`
         self.camera,self.received = gui.camera_client.camera(*target),CameraMessages()
@@ -120,7 +121,7 @@ def _put_off(self:CameraRow, question:int):
     "Postpone a request by its period, doubled for each one without an answer"
     if question not in self.requests: return
     period,tries = self.requests[question],min(self.tries.get(question, 0), 9)
-    self.due[question] = clock.monotonic()+min(period*2**tries, max(period, self.longest))
+    self.due[question] = clock.monotonic()+min(period*2**tries, max(period, self.longest_back_off))
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #a91396d7
 @patch

@@ -73,11 +73,11 @@ async def _next_beat(client, is_new):
 @patch
 async def _identify(self:Gui, source:tuple):
     "Ask a component with the id of a camera what it is, less and less often, until it answers or is lost"
-    client,(pause,longest) = self.camera_client,self.ask_again
+    client,(pause,longest_back_off) = self.camera_client,self.ask_again
     while source in cameras_heard(client, sure=False) and not client.mav_com.lost(source):
         with suppress(MAVError): await client._known(source)
         await asyncio.sleep(pause)
-        pause = min(2*pause, longest)
+        pause = min(2*pause, longest_back_off)
 
 @patch
 async def _watch_cameras(self:Gui):
@@ -110,10 +110,10 @@ def _due(self:Gui, asked:dict)->list:
 @patch
 async def _ask_managers(self:Gui, asked:dict):
     "Ask the managers that are due for their gimbals"
-    due,(first,last) = self._due(asked),self.ask_again
+    due,(first,longest_back_off) = self._due(asked),self.ask_again
     for a in due:
         times = asked.get(a, (0, 0))[0]
-        asked[a] = times+1,clock.monotonic()+min(first*2**min(times, 9), last)
+        asked[a] = times+1,clock.monotonic()+min(first*2**min(times, 9), longest_back_off)
     ask = self.gimbal_client.ask
     await asyncio.gather(*(ask(a, GIMBAL_MANAGER_INFORMATION) for a in due), return_exceptions=True)
 

@@ -73,8 +73,8 @@ def _silent(self:Fleet, client)->list:
 @patch
 async def _ask(self:Fleet, client, source:tuple):
     "Request the position of an autopilot"
-    times,(first,last) = self._asked[source][0],self.asks_again
-    self._asked[source] = times+1,clock.monotonic()+min(first*2**min(times, 9), last)
+    times,(first,longest_back_off) = self._asked[source][0],self.asks_again
+    self._asked[source] = times+1,clock.monotonic()+min(first*2**min(times, 9), longest_back_off)
     with suppress(MAVError):
         await client.send_command(*source, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, [POSITION, self.interval])
 

@@ -749,7 +749,7 @@ async def _ask_missing(self:RemotePictures, log:PictureLog, image_count:int):
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #ac2d9c4d
 @patch
-async def wait_for(self:RemotePictures, log:PictureLog, count:int, timeout:float, longest:float=2.):
+async def wait_for(self:RemotePictures, log:PictureLog, count:int, timeout:float, longest_back_off:float=2.):
     "Wait for `count` notices, or `timeout` seconds without a new one; raises `Lost`"
     last,wait,patience = clock.monotonic(),self.camera._follow_wait(),timeout
     while len(log.ready(count))<count and clock.monotonic()-last<patience:
@@ -763,7 +763,7 @@ async def wait_for(self:RemotePictures, log:PictureLog, count:int, timeout:float
             if status and not log.received:         # the latest must be meant
                 log.assume_first(max(0, status.image_count-count))
         if has_new(): last,wait = clock.monotonic(),self.camera._follow_wait()
-        else: wait = min(2*wait, longest)
+        else: wait = min(2*wait, longest_back_off)
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #39426aa7
 @patch

@@ -58,10 +58,12 @@ class GimbalServer(DeviceServer):
         self.health,self.region = Health(self, self.gimbal),RegionOfInterest(self.gimbal)
         self.control = Control(self.options.strict, self.options.px4_release)
         self.clock = getattr(gimbal, 'clock', clock.now)
-        self._ticks,self._stream,self._said = None,_Stream(),Seen(60.)     # the last one: warnings already logged
+        self._ticks,self._stream = None,_Stream()
+        self._complaints = Seen(60.)    # warnings already logged
         self._mover = None              # `(system, component)` that moved it last, while it is present
         self._owner_seen = None,0,0.    # the owner, its number of frames, and since when
-        self._lateness,self._was_late = Lateness(self.tick_period),0.       # of our checks; by then
+        self._lateness = Lateness(self.tick_period)     # of our checks
+        self._was_late = 0.             # what it was when the owner was seen last
         self._paced_by = {}             # `{message id: (system, component)}`: client that changed a rate for all
         self._add_parts()
 
@@ -80,12 +82,13 @@ class GimbalServer(DeviceServer):
 @patch
 def _add_parts(self:GimbalServer):
     "Add the services of our role"
-    manages = self.role!='device'
+    manages,is_device = self.role!='device',self.role!='manager'
     self.vehicle = self.add_part(Vehicle(self, self.options.ask_autopilot, self.clock))
-    self._manager,self._device = _Manager(self) if manages else None,_Device(self) if self.role!='manager' else None
+    self._manager = _Manager(self) if manages else None
+    self._device = _Device(self) if is_device else None
     mount = _Mount(self) if manages and self.options.mount_control else None
-    role = _Roi(self) if manages else _Directed(self)
-    self._services = *filter(None, (_Watch(self), self._manager, self._device, role, mount)),
+    target = _Roi(self) if manages else _Directed(self)
+    self._services = tuple(filter(None, (_Watch(self), self._manager, self._device, target, mount)))
     for part in self._services: self.add_part(part)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #db25c48e
@@ -187,7 +190,7 @@ def _admit(self:GimbalServer, msg, device_id:float=0)->tuple:
 @patch
 def _complain(self:GimbalServer, about:str, error:Exception):
     "Log an error, once a minute per subject"
-    if not self._said.again((about, type(error))): self.log.warning('%s: %s', about, error)
+    if not self._complaints.again((about, type(error))): self.log.warning('%s: %s', about, error)
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #b409109d
 @patch
@@ -349,11 +352,12 @@ def _let_go(self:GimbalServer, source:tuple, why:str):
 @patch
 def _check_owner(self:GimbalServer, now:float|None=None): # Monotonic time, s; `None`: now
     "Take control from an owner that was silent for five seconds"
-    seen,now = (self.control.primary,self.mav_com.heart.frames(self.control.primary)),now or clock.monotonic()
+    owner,now = self.control.primary,now or clock.monotonic()
+    frames = self.mav_com.heart.frames(owner)
     late = self._lateness.poll(now)         # meanwhile its frames may wait for us
-    if seen!=self._owner_seen[:2]: self._owner_seen,self._was_late = (*seen,now),late
-    elif seen[1] and now-self._owner_seen[2]-(late-self._was_late)>=self.mav_com.lost_after:
-        self._let_go(seen[0], 'the owner is silent')
+    before,count,since = self._owner_seen
+    if (owner,frames)!=(before,count): self._owner_seen,self._was_late = (owner,frames,now),late
+    elif frames and now-since-(late-self._was_late)>=self.mav_com.lost_after: self._let_go(owner, 'the owner is silent')
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #5b74335a
 @patch

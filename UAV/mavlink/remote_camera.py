@@ -214,7 +214,7 @@ async def pictures(self:RemoteCamera):
         log.begin(status and status.image_count, math.inf)
         log.since = status.time_boot_ms if status else 0
         while True:
-            await self._pictures.wait_for(log, 1, math.inf, longest=5.)
+            await self._pictures.wait_for(log, 1, math.inf, longest_back_off=5.)
             for msg in log.take(): yield msg
 
 # %% ../../nbs/api/mavlink/15_remote_camera.ipynb #790c9b63

@@ -18,31 +18,6 @@ from .gimbal_server import GimbalServer
 # %% auto #0
 __all__ = ['GimbalCameraServer', 'GimbalServerViewsheen']
 
-# %% ../../nbs/api/mavlink/23_viewsheen_server.ipynb #42d805dd
-class _Tracking(Part):
-    "Tracking commands of a camera, taken only by the gimbal's manager"
-    def have(self, verb:str, camera_id:int, msg, *args):
-        "Call a verb that turns the gimbal; raises `Denied` for another camera, or without control"
-        us = self.component
-        if camera_id not in (0, us.source_component): raise Denied(f'camera {camera_id} is not here')
-        us._admit(msg)
-        with us.region.giving_way(): us.need(verb)(*args)
-
-    @command(mavlink.MAV_CMD_CAMERA_TRACK_POINT, once=True)
-    def point(self, x:float, y:float, radius:float=0., camera_id:int=0, *, msg):
-        "Track a point, 0…1 of the picture (MAV_CMD_CAMERA_TRACK_POINT)"
-        self.have('track_point', camera_id, msg, x, y, radius)
-
-    @command(mavlink.MAV_CMD_CAMERA_TRACK_RECTANGLE, once=True)
-    def rectangle(self, left:float, top:float, right:float, bottom:float, camera_id:int=0, *, msg):
-        "Track a rectangle, 0…1 of the picture (MAV_CMD_CAMERA_TRACK_RECTANGLE)"
-        self.have('track_rectangle', camera_id, msg, left, top, right, bottom)
-
-    @command(mavlink.MAV_CMD_CAMERA_STOP_TRACKING)
-    def stop(self, camera_id:int=0, *, msg):
-        "Stop tracking; accepted when idle, too (MAV_CMD_CAMERA_STOP_TRACKING)"
-        self.have('stop_tracking', camera_id, msg)
-
 # %% ../../nbs/api/mavlink/23_viewsheen_server.ipynb #756b7845
 class GimbalCameraServer(_CameraVerbs, GimbalServer):
     "A MAVLink component for a gimbal whose driver also has camera verbs"
@@ -68,6 +43,31 @@ class GimbalServerViewsheen(GimbalCameraServer):
         "Stop turning and leave the link; closes a driver made here"
         super().close()
         if self._made: self._made.close()
+
+# %% ../../nbs/api/mavlink/23_viewsheen_server.ipynb #42d805dd
+class _Tracking(Part):
+    "Tracking commands of a camera, taken only by the gimbal's manager"
+    def have(self, verb:str, camera_id:int, msg, *args):
+        "Call a verb that turns the gimbal; raises `Denied` for another camera, or without control"
+        us = self.component
+        if camera_id not in (0, us.source_component): raise Denied(f'camera {camera_id} is not here')
+        us._admit(msg)
+        with us.region.giving_way(): us.need(verb)(*args)
+
+    @command(mavlink.MAV_CMD_CAMERA_TRACK_POINT, once=True)
+    def point(self, x:float, y:float, radius:float=0., camera_id:int=0, *, msg):
+        "Track a point, 0…1 of the picture (MAV_CMD_CAMERA_TRACK_POINT)"
+        self.have('track_point', camera_id, msg, x, y, radius)
+
+    @command(mavlink.MAV_CMD_CAMERA_TRACK_RECTANGLE, once=True)
+    def rectangle(self, left:float, top:float, right:float, bottom:float, camera_id:int=0, *, msg):
+        "Track a rectangle, 0…1 of the picture (MAV_CMD_CAMERA_TRACK_RECTANGLE)"
+        self.have('track_rectangle', camera_id, msg, left, top, right, bottom)
+
+    @command(mavlink.MAV_CMD_CAMERA_STOP_TRACKING)
+    def stop(self, camera_id:int=0, *, msg):
+        "Stop tracking; accepted when idle, too (MAV_CMD_CAMERA_STOP_TRACKING)"
+        self.have('stop_tracking', camera_id, msg)
 
 # %% ../../nbs/api/mavlink/23_viewsheen_server.ipynb #62a92af3
 @patch

@@ -25,7 +25,7 @@ __all__ = ['transports', 'receivers', 'Player', 'Decoded', 'PlayerError', 'strip
 # %% ../../nbs/api/video/08_player.ipynb #b6158c85
 class Player(Closes):
     "Watch a live stream, or a file"
-    first_retry,last_retry = .25,5.                 # s between attempts to come back, doubled each time
+    first_retry,longest_back_off = .25,5.                 # s between attempts to come back, doubled each time
     _most = 30                                      # pictures that wait to be read when each is wanted
     def __init__(self,
         url, # As `_open_pictures` takes it
@@ -146,7 +146,7 @@ def _run(self:Player):
         except Exception as e: listens = self._lose(e)
         if self._pictures.number>before: retry = self.first_retry
         if not listens and self._closing.wait(retry): break
-        retry = min(2*retry, self.last_retry)
+        retry = min(2*retry, self.longest_back_off)
     self._source.close()
 
 # %% ../../nbs/api/video/08_player.ipynb #cbbf7d17
