@@ -263,7 +263,8 @@ def _close_all(): MAVCom.close_all()
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #7b653934
 class Channel:
     "A link of a `MAVCom`, with its reader thread and the components seen there"
-    first_retry,last_retry,patience = .5,10.,5. # s between attempts to reopen it, doubled each time; to wait at `close`
+    first_retry,longest_back_off = .5,10.   # s between attempts to reopen it, doubled each time
+    patience = 5.                           # s that `close` waits
     most_peers,most_strangers = 256,32 # frame readers that are kept: of peers that sent good frames; of others
 
     def __init__(self, com, link:Link, name:str, number:int):
@@ -345,7 +346,7 @@ def _come_back(self:Channel):
     self.up,wait = False,self.first_retry
     self.com.log.warning('%s is gone; trying to get it back', self.name)
     while not self.up and not self._stop.wait(wait):
-        wait = min(2*wait, self.last_retry)
+        wait = min(2*wait, self.longest_back_off)
         try: self.link.reopen()
         except Exception as e: self.com.log.debug('%s: %s', self.name, e)
         else: self.up = True
