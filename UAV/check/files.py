@@ -314,7 +314,7 @@ def _outside_tracking(p):
     command,*params = _start_of(p)
     answer = p.command(command, 7., 7., *params[2:])
     if answer: p.command('CAMERA_STOP_TRACKING')
-    return answer.must_be_refused()
+    return answer.must_be('UNSUPPORTED', 'DENIED')
 
 # %% ../../nbs/api/check/06_files.ipynb #dbdc2712
 _answers('tracking.absent', 'A camera that does not track says so', 'common.xml CAMERA_CAP_FLAGS', _refused,

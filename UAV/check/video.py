@@ -131,7 +131,7 @@ def _wrong_mode(p):
 def _absent(p):
     answer = p.command('VIDEO_START_CAPTURE', 0, 0)
     if answer: p.command('VIDEO_STOP_CAPTURE', 0)
-    return answer.must_be_refused()
+    return answer.must_be('UNSUPPORTED', 'DENIED')
 
 # %% ../../nbs/api/check/04_video.ipynb #77f93078
 _about = 'common.xml VIDEO_STREAM_INFORMATION'
