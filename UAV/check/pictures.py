@@ -7,7 +7,8 @@ from __future__ import annotations
 from contextlib import contextmanager
 import math
 
-from .prober import Acks, _answers, _brings, _holds, _in_progress, message_ids, _must_tell_one, _refused, _Shot
+from .prober import (Acks, _answers, _brings, _holds, _in_progress, message_ids, _must_fail_in, _must_number,
+    _must_tell_each, _refused, _Shot)
 from .requirement import given, must, NotForThis, requirement, seen_if
 from ..utils import clock
 from ..wire.dialect import command_cancel, enum_name, mavlink
@@ -219,12 +220,9 @@ def _freed(p):
 _answers('photo.absent', 'A camera without stills takes none', 'common.xml CAMERA_CAP_FLAGS', _refused,
          _start, 0, 0, 1, lacks='CAPTURE_IMAGE')
 
-@requirement('photo.wrong-mode', 'In video mode it FAILED, when its flags say that it cannot',
-             'common.xml CAMERA_CAP_FLAGS; QGroundControl is stuck on DENIED', **_one)
-def _wrong_mode(p):
-    if not p.has('HAS_MODES'): raise NotForThis('it has no modes')
-    if p.has('CAN_CAPTURE_IMAGE_IN_VIDEO_MODE'): raise NotForThis('it can')
-    with p.ready('video'): return p.command(_start, 0, 0, 1).must_be('FAILED', 'TEMPORARILY_REJECTED')
+_holds('photo.wrong-mode', 'In video mode it FAILED, when its flags say that it cannot',
+       'common.xml CAMERA_CAP_FLAGS; QGroundControl is stuck on DENIED',
+       _must_fail_in, 'video', 'CAN_CAPTURE_IMAGE_IN_VIDEO_MODE', _start, 0, 0, 1, **_one)
 
 # %% ../../nbs/api/check/03_pictures.ipynb #62b23186
 _source = 'common.xml MAV_CMD_IMAGE_START_CAPTURE'
@@ -321,13 +319,10 @@ _brings('storage.told', 'It tells of its storages: STORAGE_INFORMATION', 'devgui
         'STORAGE_INFORMATION', 'REQUEST_MESSAGE', _information, 0)
 
 # %% ../../nbs/api/check/03_pictures.ipynb #fb20a5f5
-@requirement('storage.ids', 'Asked for all, it tells of each once, with ids from 1', _about, role='mavsdk')
-def _ids(p):
-    for _ in range(2):      # the first time a notice of its own may have come between
-        found = _storages(p)
-        ids,count = sorted(m.storage_id for m in found),found[0].storage_count
-        if ids==list(range(1, count+1)): break
-    return seen_if(ids==list(range(1, count+1)), f'ids {ids}, and storage_count {count}')
+_numbered = 'STORAGE_INFORMATION','storage_id','storage_count'
+
+_holds('storage.ids', 'Asked for all, it tells of each once, with ids from 1', _about, _must_number, *_numbered,
+       role='mavsdk')
 
 # %% ../../nbs/api/check/03_pictures.ipynb #fbdfee63
 @requirement('storage.numbers', 'Its capacities are MiB, and fit together', _about)
@@ -349,12 +344,8 @@ def _usage(p):
     return seen_if(all(u & mavlink.STORAGE_USAGE_FLAG_SET for u in usages if u), f'usage {usages}')
 
 # %% ../../nbs/api/check/03_pictures.ipynb #e567ee1f
-@requirement('storage.one', 'Asked for one, it tells of this one; each of them can be asked for',
-             _about+'; MAV_CMD_REQUEST_MESSAGE, parameter 2')
-def _each(p):
-    ids = [m.storage_id for m in _storages(p)]
-    for number in ids: _must_tell_one(p, 'STORAGE_INFORMATION', 'storage_id', number)
-    return f'storages {ids}'
+_holds('storage.one', 'Asked for one, it tells of this one; each of them can be asked for',
+       _about+'; MAV_CMD_REQUEST_MESSAGE, parameter 2', _must_tell_each, *_numbered)
 
 # %% ../../nbs/api/check/03_pictures.ipynb #a52273f3
 _answers('storage.missing', 'A storage that is not there is DENIED', 'common.xml MAV_RESULT_DENIED',

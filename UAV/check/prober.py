@@ -11,7 +11,7 @@ import math, re
 
 from fastcore.basics import patch
 from .requirement import all_requirements, given, must, NotForThis, requirement, Requirement
-from .requirement import roles, Untested, verdicts
+from .requirement import roles, seen_if, Untested, verdicts
 from ..ftp.frames import ACK, FtpCode, FtpFrame, FtpOp, NAK, read_ftp
 from ..utils import clock
 from ..utils.threads import _begin_thread, Closes
@@ -51,6 +51,13 @@ class Prober(Closes):
     def mav(self):
         "The encoder of our role"
         return self._encoders.setdefault(self.address, mavlink.MAVLink(None, *self.address))
+
+    def send(self, msg)->int:
+        "Send a message; the place in the record before any answer to it"
+        since,mav = len(self.record),self.mav
+        self.link.write(pack(msg, mav))
+        mav.seq = (mav.seq+1)%256
+        return since
 
     def ours(self, arrival:_Arrival)->bool:
         "Return whether the camera sent it"
@@ -122,15 +129,6 @@ def wait(self:_Record, fits, timeout:float, since:int=0)->_Arrival|None:
             left = end-clock.monotonic()
             if left<=0: return
             self._changed.wait(left)
-
-# %% ../../nbs/api/check/01_prober.ipynb #84f8cae6
-@patch
-def send(self:Prober, msg)->int:
-    "Send a message; the place in the record before any answer to it"
-    since,mav = len(self.record),self.mav
-    self.link.write(pack(msg, mav))
-    mav.seq = (mav.seq+1)%256
-    return since
 
 # %% ../../nbs/api/check/01_prober.ipynb #863243bc
 @patch
@@ -452,12 +450,24 @@ def _answers(name:str, sentence:str, source:str, results:str, *command, **option
     _holds(name, sentence, source, lambda p: p.command(*command).must_be(*results.split()), **options)
 
 # %% ../../nbs/api/check/01_prober.ipynb #5609a1cb
-def _must_tell_one(p:Prober, name:str, field:str, number:int):
-    "Request the one of several whose `field` is `number`; raises `NotMet` unless it comes alone"
-    answer = p.command('REQUEST_MESSAGE', message_ids[name], number).must_be('ACCEPTED')
-    if p.wait(name, answer.since): p.listen(min(p.quiet, .5))
-    numbers = [getattr(h.msg, field) for h in p.came(name, answer.since)]
-    must(numbers==[number], f'asked for {number}, it told of {numbers}')
+def _must_number(p:Prober, name:str, field:str, count:str)->str:
+    "Request all of several messages; raises `NotMet` unless `field` has each number from 1 to `count` once"
+    for _ in range(2):          # the first time one that was sent unasked may have come between
+        found = p.all_of(name, count)
+        numbers = sorted(getattr(m, field) for m in found)
+        wanted = list(range(1, getattr(found[0], count)+1))
+        if numbers==wanted: break
+    return seen_if(numbers==wanted, f'ids {numbers}, and {count} {len(wanted)}')
+
+def _must_tell_each(p:Prober, name:str, field:str, count:str)->str:
+    "Request each of several messages by its number in `field`; raises `NotMet` unless it comes alone"
+    numbers = [getattr(m, field) for m in p.all_of(name, count)]
+    for number in numbers:
+        answer = p.command('REQUEST_MESSAGE', message_ids[name], number).must_be('ACCEPTED')
+        if p.wait(name, answer.since): p.listen(min(p.quiet, .5))
+        came = [getattr(h.msg, field) for h in p.came(name, answer.since)]
+        must(came==[number], f'asked for {number}, it told of {came}')
+    return f'{field.removesuffix("_id")}s {numbers}'
 
 # %% ../../nbs/api/check/01_prober.ipynb #704d6052
 def _must_end(p:Prober, name:str, seconds:float=1.):
@@ -533,6 +543,16 @@ def ready(self:Prober, mode:str): # 'image' or 'video'
     try: yield
     finally:
         if moves: self.command('SET_CAMERA_MODE', 0, before)
+
+# %% ../../nbs/api/check/01_prober.ipynb #0acbf1c9
+def _must_fail_in(p:Prober, mode:str, can:str, *command)->Acks:
+    "Send a command that fails in this mode, unless the camera claims the flag `can`; raises `NotForThis`, `NotMet`"
+    if not p.has('HAS_MODES'): raise NotForThis('it has no modes')
+    if p.has(can): raise NotForThis('it can')
+    with p.ready(mode):
+        answer = p.command(*command)
+        if answer: p.idle()
+    return answer.must_be('FAILED', 'TEMPORARILY_REJECTED')
 
 # %% ../../nbs/api/check/01_prober.ipynb #c5e68fe6
 @patch

@@ -7,8 +7,8 @@ from __future__ import annotations
 from contextlib import contextmanager
 import math, re
 
-from .prober import (Acks, _answers, _brings, _holds, message_ids, _must_end, _must_pace, _must_tell_one,
-    Prober, _refused)
+from .prober import (Acks, _answers, _brings, _holds, message_ids, _must_end, _must_fail_in, _must_number,
+    _must_pace, _must_tell_each, Prober, _refused)
 from .requirement import given, must, NotForThis, requirement, seen_if
 from ..utils import clock
 from ..wire.dialect import mavlink
@@ -115,15 +115,9 @@ def _stop_idle(p):
     return p.command('VIDEO_STOP_CAPTURE', 0).must_be('ACCEPTED')
 
 # %% ../../nbs/api/check/04_video.ipynb #3b51e744
-@requirement('video.wrong-mode', 'In image mode it FAILED, when its flags say that it cannot',
-             'common.xml CAMERA_CAP_FLAGS; QGroundControl is stuck on DENIED', **_records)
-def _wrong_mode(p):
-    if not p.has('HAS_MODES'): raise NotForThis('it has no modes')
-    if p.has('CAN_CAPTURE_VIDEO_IN_IMAGE_MODE'): raise NotForThis('it can')
-    with p.ready('image'):
-        answer = p.command('VIDEO_START_CAPTURE', 0, 0)
-        if answer: p.idle()
-    return answer.must_be('FAILED', 'TEMPORARILY_REJECTED')
+_holds('video.wrong-mode', 'In image mode it FAILED, when its flags say that it cannot',
+       'common.xml CAMERA_CAP_FLAGS; QGroundControl is stuck on DENIED',
+       _must_fail_in, 'image', 'CAN_CAPTURE_VIDEO_IN_IMAGE_MODE', 'VIDEO_START_CAPTURE', 0, 0, **_records)
 
 # %% ../../nbs/api/check/04_video.ipynb #533a88ab
 @requirement('video.absent', 'A camera that does not record says so', 'common.xml CAMERA_CAP_FLAGS',
@@ -146,12 +140,8 @@ _brings('streams.told', 'It tells of its streams: VIDEO_STREAM_INFORMATION', 'de
         _information, 'REQUEST_MESSAGE', message_ids[_information], 0, **_video)
 
 # %% ../../nbs/api/check/04_video.ipynb #bbc62907
-@requirement('streams.ids', 'Asked for all, it tells of each once, with ids from 1 to count',
-             _about+'; QGroundControl', **_video)
-def _ids(p):
-    found = _streams(p)
-    ids,count = sorted(m.stream_id for m in found),found[0].count
-    return seen_if(ids==list(range(1, count+1)), f'ids {ids}, and count {count}')
+_holds('streams.ids', 'Asked for all, it tells of each once, with ids from 1 to count', _about+'; QGroundControl',
+       _must_number, _information, 'stream_id', 'count', **_video)
 
 # %% ../../nbs/api/check/04_video.ipynb #613e8ce4
 _brings('streams.nan', 'Asked for all with NaN, it tells of all', 'MAVSDK mavlink_request_message.cpp', _information,
@@ -183,12 +173,8 @@ def _numbers(p):
     return ', '.join(f'{m.resolution_h}x{m.resolution_v}, {m.framerate:g} Hz' for m in _streams(p))
 
 # %% ../../nbs/api/check/04_video.ipynb #5de6d0fd
-@requirement('streams.one', 'Asked for one, it tells of this one; each of them can be asked for',
-             'common.xml MAV_CMD_REQUEST_MESSAGE, parameter 2', **_video)
-def _each(p):
-    ids = [m.stream_id for m in _streams(p)]
-    for number in ids: _must_tell_one(p, 'VIDEO_STREAM_INFORMATION', 'stream_id', number)
-    return f'streams {ids}'
+_holds('streams.one', 'Asked for one, it tells of this one; each of them can be asked for',
+       'common.xml MAV_CMD_REQUEST_MESSAGE, parameter 2', _must_tell_each, _information, 'stream_id', 'count', **_video)
 
 # %% ../../nbs/api/check/04_video.ipynb #a19d75df
 _answers('streams.missing', 'A stream that is not there is DENIED', 'common.xml MAV_RESULT_DENIED',
