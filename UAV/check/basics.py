@@ -203,10 +203,9 @@ _answers('commands.unknown', 'An unknown command is UNSUPPORTED', 'common.xml MA
 # %% ../../nbs/api/check/02_basics.ipynb #65259252
 @requirement('commands.int', 'A COMMAND_INT is answered, and its unused x and y do no harm',
              'devguide command.md; common.xml COMMAND_INT')
-def _int(p):
-    unused = 0x7fffffff         # INT32_MAX, in x and y
+def _int(p):        # INT32_MAX means unused
     msg = mavlink.MAVLink_command_int_message(*p.target, 0, mavlink.MAV_CMD_REQUEST_MESSAGE, 0, 0,
-                                              message_ids['CAMERA_INFORMATION'], 0, 0, 0, unused, unused, 0)
+                                              message_ids['CAMERA_INFORMATION'], 0, 0, 0, 0x7fffffff, 0x7fffffff, 0)
     return p.do(msg).must_be('ACCEPTED', 'COMMAND_LONG_ONLY', 'UNSUPPORTED')
 
 # %% ../../nbs/api/check/02_basics.ipynb #04098079
@@ -515,7 +514,8 @@ def _video(p):
     return 'it has stopped'
 
 # %% ../../nbs/api/check/02_basics.ipynb #1c13d934
-@requirement('lossy.file', 'A file that is read through it is the same', 'devguide ftp.md, retransmission', role='lossy')
+@requirement('lossy.file', 'A file that is read through it is the same', 'devguide ftp.md, retransmission',
+             role='lossy')
 def _file(p):
     path = _ftp_path(given(p.information, 'no CAMERA_INFORMATION').cam_definition_uri)
     if not path: raise NotForThis('its definition is not to be had by MAVLink FTP')

@@ -52,13 +52,6 @@ class Prober(Closes):
         "The encoder of our role"
         return self._encoders.setdefault(self.address, mavlink.MAVLink(None, *self.address))
 
-    def send(self, msg)->int:
-        "Send a message; the place in the record before any answer to it"
-        since,mav = len(self.record),self.mav
-        self.link.write(pack(msg, mav))
-        mav.seq = (mav.seq+1)%256
-        return since
-
     def ours(self, arrival:_Arrival)->bool:
         "Return whether the camera sent it"
         return arrival.source==self.target
@@ -129,6 +122,15 @@ def wait(self:_Record, fits, timeout:float, since:int=0)->_Arrival|None:
             left = end-clock.monotonic()
             if left<=0: return
             self._changed.wait(left)
+
+# %% ../../nbs/api/check/01_prober.ipynb #96ad86ef
+@patch
+def send(self:Prober, msg)->int:
+    "Send a message; the place in the record before any answer to it"
+    since,mav = len(self.record),self.mav
+    self.link.write(pack(msg, mav))
+    mav.seq = (mav.seq+1)%256
+    return since
 
 # %% ../../nbs/api/check/01_prober.ipynb #863243bc
 @patch

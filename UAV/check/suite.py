@@ -59,6 +59,11 @@ class Findings:
     @property
     def exit_code(self)->int: "1 when a requirement is not met, else 0"; return int(bool(self.failed))
 
+    def to_json(self)->dict:
+        "Return it for JSON"
+        return plain(dict(camera=self.camera, connection=self.connection, when=self.when, seconds=self.seconds,
+                          counts=self.counts, exit=self.exit_code, rows=[row.to_json() for row in self.rows]))
+
 # %% ../../nbs/api/check/07_suite.ipynb #12b609fd
 def run_suite(p:Prober, only=(), # As for `suite`
               destroy:bool=False, # Are checks allowed that delete or reset?
@@ -94,13 +99,6 @@ def cost(found:list, # Requirements
     left = f'takes up to {pictures} pictures and makes up to {recordings} recordings'
     destroyed = 'deletes all pictures and resets the settings' if any(r.destroys for r in looked) else 'deletes nothing'
     return f'{left}; {destroyed}'
-
-# %% ../../nbs/api/check/07_suite.ipynb #2e560aca
-@patch
-def to_json(self:Findings)->dict:
-    "Return it for JSON"
-    return plain(dict(camera=self.camera, connection=self.connection, when=self.when, seconds=self.seconds,
-                      counts=self.counts, exit=self.exit_code, rows=[row.to_json() for row in self.rows]))
 
 # %% ../../nbs/api/check/07_suite.ipynb #5a3fe025
 def _source_html(source:str)->str:

@@ -69,10 +69,6 @@ class Signing(Closes):
         h.update(signed)
         return signed+h.digest()[:6]
 
-    def close(self):
-        "Write the exact timestamps; frames may still be signed and checked afterwards"
-        with self._lock: self.reserve.settle(self.timestamp, self.streams)
-
 # %% ../../nbs/api/wire/02_signing.ipynb #9fd8dccd
 latest = (1<<48)-1
 
@@ -115,7 +111,7 @@ class _TimestampFile:
             if type(t) is not int or not 0<=t<=latest: raise ValueError('a timestamp that cannot be')
         for s in streams:
             if len(s)!=3 or min(s)<0 or max(s)>255: raise ValueError('a stream that cannot be')
-        timestamp = data['timestamp'] if data['timestamp']<=self.last else 0        # one that an older version took over
+        timestamp = data['timestamp'] if data['timestamp']<=self.last else 0        # else a time that cannot be
         return timestamp,{s: t for s,t in streams.items() if t<=self.last},str(data['by'])
 
     def load(self)->tuple:
@@ -331,3 +327,9 @@ def check(self:Signing, frame:bytes, # A whole frame, its CRC checked
             level = LogLevels.WARNING if timed else LogLevels.INFO
             log.log(level, 'first frame dropped as %s: message %s of %s/%s%s', why, msg_id, *source, says)
     return not why
+
+# %% ../../nbs/api/wire/02_signing.ipynb #d1cc03e0
+@patch
+def close(self:Signing):
+    "Write the exact timestamps; frames may still be signed and checked afterwards"
+    with self._lock: self.reserve.settle(self.timestamp, self.streams)
