@@ -285,14 +285,15 @@ def _judge(self:Signing, frame:bytes, source:tuple)->str:
     h = self._hash.copy()
     h.update(frame[:-6])
     if not hmac.compare_digest(h.digest()[:6], frame[-6:]): return 'wrong'
-    link_id,stamp = frame[-13],_stamp_of(frame)
-    stream,now = (*source,link_id),_ticks(self.clock())
+    stream,stamp = (*source,frame[-13]),int.from_bytes(frame[-12:-6], 'little')
+    now = _ticks(self.clock())
     if stamp>_last_believed(now): return 'ahead'
     with self._lock:
         last = self.streams.get(stream)
-        if last is not None and stamp<=last: return 'replayed'
-        is_late = stamp+self.minute<max(now, self.timestamp)
-        if last is None and (is_late or stamp<=self._forgotten): return 'old'
+        if last is None:
+            is_late = stamp+self.minute<max(now, self.timestamp)
+            if is_late or stamp<=self._forgotten: return 'old'
+        elif stamp<=last: return 'replayed'
         self.streams[stream],self.timestamp = stamp,max(self.timestamp, stamp)
         if len(self.streams)>self.most:
             oldest = min(self.streams, key=self.streams.get)
