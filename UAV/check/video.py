@@ -291,10 +291,10 @@ def _lens_requirements(lens:str, does:str, callers:str, value:int):
     "Add the requirements of 'zoom' or 'focus'; `value` is any place in its range"
     name,field = lens.upper(),f'{lens}Level'
     command,has = f'SET_CAMERA_{name}',dict(needs=f'HAS_BASIC_{name}')
-    requirement(f'{lens}.range', f'It {does} to a place in its range, and CAMERA_SETTINGS comes unasked',
-                f'common.xml MAV_CMD_{command}', **has)(lambda p: _to_percent(p, command, field))
-    requirement(f'{lens}.speed', f'It {does} until it is told to stop', f'common.xml {name}_TYPE_CONTINUOUS; {callers}',
-                **has)(lambda p: _by_speed(p, command, field))
+    _holds(f'{lens}.range', f'It {does} to a place in its range, and CAMERA_SETTINGS comes unasked',
+           f'common.xml MAV_CMD_{command}', _to_percent, command, field, **has)
+    _holds(f'{lens}.speed', f'It {does} until it is told to stop', f'common.xml {name}_TYPE_CONTINUOUS; {callers}',
+           _by_speed, command, field, **has)
     _answers(f'{lens}.unknown', f'A way to {lens} that does not exist is DENIED', 'common.xml MAV_RESULT_DENIED',
              _refused, command, 99, 1, **has)
     _answers(f'{lens}.absent', f'A camera without {lens} says so', 'common.xml CAMERA_CAP_FLAGS', _refused,
