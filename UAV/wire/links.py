@@ -441,7 +441,7 @@ def _serial_trouble(name:str, error:Exception)->str:
     "Why a serial port cannot be opened, in one sentence; `error` is pyserial's"
     kinds = ' '.join(_prefixes())
     if re.match(r'[A-Za-z]\w+:.', name): return f'{name!r} is no link: links begin with {kinds} or name a serial port'
-    said = str(error).replace('invalid literal for int() with base 10: ', 'no baud rate is ')
-    why = _why_not.get(getattr(error, 'errno', None), said)
+    text = str(error).replace('invalid literal for int() with base 10: ', 'no baud rate is ')
+    why = _why_not.get(getattr(error, 'errno', None), text)
     others = '' if '/' in name else f' (other links begin with {kinds})'
     return f'cannot open serial port {name}: {why}{others}'
