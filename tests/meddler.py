@@ -6,6 +6,7 @@
 from __future__ import annotations
 from collections import defaultdict, deque
 from concurrent.futures import ThreadPoolExecutor
+from copy import copy
 import math
 
 from fastcore.basics import patch
@@ -16,8 +17,8 @@ from UAV.wire.links import Link, open_link
 from UAV.wire.lossy import Direction, LossyLink
 
 # %% auto #0
-__all__ = ['Meddler', 'adopted', 'drop', 'double', 'put', 'out', 'into', 'broken', 'on_air', 'on_sound', 'Forwarded', 'ack_of',
-           'desk']
+__all__ = ['Meddler', 'adopted', 'drop', 'double', 'put', 'out', 'into', 'broken', 'on_air', 'breaking', 'on_claim', 'unclaimed',
+           'on_sound', 'Forwarded', 'ack_of', 'desk']
 
 # %% meddler.ipynb #1a3f4b66
 class Meddler(Link):
@@ -131,6 +132,42 @@ def on_air(name:str, camera, **options):
     p = Prober(f'virtual:{name}', **{'quiet':.3, **options})
     assert p.find(20)
     return link,vehicle,p
+
+# %% meddler.ipynb #7376847b
+def breaking(link:Meddler, p):
+    "Make a function that judges one requirement while messages are changed on their way; it must fail"
+    def on_broken(name:str, # Of the requirement
+                  way:str, # 'incoming' or 'outgoing', as the camera sees it
+                  message:str, # Name of those that are changed
+                  f, # Makes of one what passes, as in `broken`
+                  patience:float=3., # s that the judge waits for an answer
+                  verdict:str='failed'): # The one that is right
+        getattr(link, way)[message] = [f]
+        usual = p.patience
+        p.patience = patience
+        p.known.pop('shot', None)       # a picture of the sound camera proves nothing here
+        [row] = p.judge_all([name], destroy=True)
+        p.known.pop('shot', None)
+        p.patience = usual
+        getattr(link, way).clear()
+        assert row.verdict==verdict,row
+        return row
+    return on_broken
+
+# %% meddler.ipynb #beac9769
+def on_claim(p, name:str, **fields):
+    "Judge one requirement while the judge has other fields of CAMERA_INFORMATION, as `put` takes them; it must fail"
+    sound,p.information = p.information,copy(p.information)
+    put(**fields)(p.information)
+    [row] = p.judge_all([name])
+    p.information = sound
+    assert row.verdict=='failed',row
+    return row
+
+def unclaimed(p, name:str, flag:str):
+    "As `on_claim`, while the camera doesn't claim a flag, such as 'CAPTURE_IMAGE'"
+    bit = getattr(mavlink, f'CAMERA_CAP_FLAGS_{flag}')
+    return on_claim(p, name, flags=lambda flags: flags & ~bit)
 
 # %% meddler.ipynb #72c74c0f
 def on_sound(kind, *subjects:str)->list:

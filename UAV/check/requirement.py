@@ -10,19 +10,47 @@ from collections.abc import Callable
 from ..wire.dialect import mavlink
 
 # %% auto #0
-__all__ = ['verdicts', 'roles', 'all_requirements', 'NotMet', 'Untested', 'NotForThis', 'must', 'seen_if', 'given', 'Role',
-           'Requirement', 'requirement']
+__all__ = ['all_requirements', 'verdicts', 'roles', 'Requirement', 'requirement', 'NotMet', 'Untested', 'NotForThis', 'must',
+           'seen_if', 'given', 'Role']
+
+# %% ../../nbs/api/check/00_requirement.ipynb #7348415d
+@dataclass(frozen=True)
+class Requirement:
+    "One thing that a camera must do"
+    name:str # Such as 'photo.notice'
+    sentence:str # What must hold
+    source:str # Where it is written
+    check:Callable # Called with a `Prober`: gives what was seen, or raises `NotMet`, `Untested` or `NotForThis`
+    role:str='qgc' # Who asks, one of `roles`
+    needs:str='' # A flag that the camera must have
+    lacks:str='' # A flag that it must not have
+    pictures:int=0 # That are taken
+    recordings:int=0 # That are made
+    destroys:bool=False # Does it delete or reset?
+
+    @property
+    def subject(self)->str: "The part of the name before the dot"; return self.name.partition('.')[0]
+    def __repr__(self): return f'{self.name}: {self.sentence}'
+
+# %% ../../nbs/api/check/00_requirement.ipynb #34a26bd2
+all_requirements = {}
+
+def requirement(name:str, # Such as 'photo.notice'
+                sentence:str, # What must hold
+                source:str, # Where it is written
+                **options): # As for `Requirement`
+    "Make a function the check of a requirement"
+    def _f(f):
+        all_requirements[name] = Requirement(name, sentence, source, f, **options)
+        f.__doc__ = f.__doc__ or sentence
+        return f
+    return _f
 
 # %% ../../nbs/api/check/00_requirement.ipynb #68dd0d56
 class NotMet(Exception): "The camera does something else; the text says what was seen"
-
-# %% ../../nbs/api/check/00_requirement.ipynb #48ab4f5d
 class Untested(Exception): "It cannot be told; the text says why"
-
-# %% ../../nbs/api/check/00_requirement.ipynb #213add5a
 class NotForThis(Exception): "The requirement is not for this camera; the text says why"
 
-# %% ../../nbs/api/check/00_requirement.ipynb #137327b5
 verdicts = {None:'passed', NotMet:'failed', NotForThis:'does not apply', Untested:'could not be tested'}
 
 # %% ../../nbs/api/check/00_requirement.ipynb #f12c0b32
@@ -64,36 +92,3 @@ roles = {role.name:role for role in (
     Role('mavsdk', 245, 190, _gcs, unused=float('nan')),        # MAVSDK, and what is built on it
     Role('ardupilot', None, 1, mavlink.MAV_TYPE_QUADROTOR),     # broadcasts to 0/0
     Role('lossy', 254, 190, _gcs, loss=.2))}                    # a ground station behind a bad radio
-
-# %% ../../nbs/api/check/00_requirement.ipynb #7348415d
-@dataclass(frozen=True)
-class Requirement:
-    "One thing that a camera must do"
-    name:str # Such as 'photo.notice'
-    sentence:str # What must hold
-    source:str # Where it is written
-    check:Callable # Called with a `Prober`: gives what was seen, or raises `NotMet`, `Untested` or `NotForThis`
-    role:str='qgc' # Who asks, one of `roles`
-    needs:str='' # A flag that the camera must have
-    lacks:str='' # A flag that it must not have
-    pictures:int=0 # That are taken
-    recordings:int=0 # That are made
-    destroys:bool=False # Does it delete or reset?
-
-    @property
-    def subject(self)->str: "The part of the name before the dot"; return self.name.partition('.')[0]
-    def __repr__(self): return f'{self.name}: {self.sentence}'
-
-# %% ../../nbs/api/check/00_requirement.ipynb #34a26bd2
-all_requirements = {}
-
-def requirement(name:str, # Such as 'photo.notice'
-                sentence:str, # What must hold
-                source:str, # Where it is written
-                **options): # As for `Requirement`
-    "Make a function the check of a requirement"
-    def _f(f):
-        all_requirements[name] = Requirement(name, sentence, source, f, **options)
-        f.__doc__ = f.__doc__ or sentence
-        return f
-    return _f

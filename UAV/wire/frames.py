@@ -16,7 +16,62 @@ from ..utils import clock
 from .dialect import crc_extras
 
 # %% auto #0
-__all__ = ['promised', 'crc', 'decode', 'good_length', 'target', 'pack', 'Wanted', 'Sources', 'FrameReader']
+__all__ = ['FrameReader', 'Wanted', 'promised', 'crc', 'decode', 'good_length', 'target', 'pack', 'Sources']
+
+# %% ../../nbs/api/wire/01_frames.ipynb #643a5fcb
+class FrameReader:
+    "Cuts frames out of a byte stream; `feed` returns the messages among them that are wanted"
+    most_kinds = 4096       # that are remembered
+
+    def __init__(self,
+        wanted:Wanted, # Message ids: messages with other ids are counted, not built
+        sources:Sources|None=None, # To share between readers
+        datagrams:bool=False, # Does data begin with a frame, as in UDP?
+        check=None, # Called with `(frame, msg_id, (system,component))` of each good frame: is it to be believed?
+        only_signed:bool=False, # Is a sender known (`seen`) only by a frame with a signature?
+    ):
+        store_attr('wanted,datagrams,check,only_signed')
+        self.sources = Sources() if sources is None else sources
+        self.bad = 0            # pieces of garbage
+        self._rest = b''        # the beginning of a frame
+        self._lost = False      # True from garbage to the next frame with a good CRC
+        self.seen = {}          # {(system,component): _Source}
+        self._kinds = {}        # {header: _Kind}
+        self._cleared = self.sources.cleared
+
+    def restart(self):
+        "Forget half a frame and the numbers: what comes now is from a new connection"
+        self._rest,self._lost = b'',False
+        for source in list(self.seen.values()): source.restart()
+
+    def _resume(self, buf:bytes, pos:int)->int:
+        "Where the next frame could begin, when none begins at `pos`"
+        self.bad += 1
+        starts = buf.find(b'\xfd', pos+1),buf.find(b'\xfe', pos+1)
+        return min((i for i in starts if i>0), default=len(buf))
+
+    def _is_torn(self, data:bytes)->bool:
+        "Whether `data` begins a new frame, and doesn't continue the partial one"
+        if not data or good_length(data, 0)<=0 or _Kind(data).extra is None: return False
+        return good_length(self._rest+data, 0)<=0
+
+# %% ../../nbs/api/wire/01_frames.ipynb #a3c3c81c
+class Wanted:
+    "Message ids that are wanted, counted; `None` means all of them"
+    def __init__(self, *msg_ids): self.counts,self._lock = dict(Counter(msg_ids)),clock.Lock()
+    def __contains__(self, msg_id): return msg_id in self.counts or None in self.counts
+
+    def add(self, *msg_ids):
+        "Want these messages, once more each"
+        with self._lock:
+            for i in msg_ids: self.counts[i] = self.counts.get(i, 0)+1
+
+    def remove(self, *msg_ids):
+        "Want these messages once less each"
+        with self._lock:
+            for i in msg_ids:
+                if self.counts[i]>1: self.counts[i] -= 1
+                else: del self.counts[i]
 
 # %% ../../nbs/api/wire/01_frames.ipynb #4c3777bf
 def promised(buf:bytes, pos:int, # Where a frame could start
@@ -105,7 +160,7 @@ class _Kind:
     __slots__ = 'header','head','seq_at','key','msg_id','counted','extra','build','source'
     def __init__(self, frame:bytes):
         two = frame[0]==0xfd
-        self.head,self.seq_at = (10,4) if two else (6,2)
+        self.head,self.seq_at = (10,4) if two else (6,2)     # where its payload begins, and where its number is
         self.header = frame[5:10] if two else frame[3:6]
         self.key,self.msg_id = (self.header[0],self.header[1]),int.from_bytes(self.header[2:],'little')
         cls = mavlink.mavlink_map.get(self.msg_id)
@@ -135,7 +190,7 @@ def good_length(buf:bytes, pos:int, # Where a frame could start
     two = buf[pos]==0xfd
     if two and buf[pos+2]>1: return -1      # flags from the future
     if n>left: return 0
-    tail = pos+buf[pos+1]+(10 if two else 6)
+    tail = pos+buf[pos+1]+(10 if two else 6)        # where its CRC is
     extra = crc_extras.get(int.from_bytes(buf[pos+7:pos+10],'little') if two else buf[pos+5])
     if extra is None and n==left and not whole: return 0        # its CRC says nothing: what follows must begin a frame
     if extra is None: good = n==left or buf[pos+n] in b'\xfd\xfe'
@@ -180,24 +235,6 @@ def pack(msg, # A pymavlink message
     sender = mav.seq,mav.srcSystem,mav.srcComponent
     frame = _head.pack(0xfd, len(payload), 0, 0, *sender, msg_id&0xffff, msg_id>>16)+payload
     return frame+crc(frame[1:]+extra).to_bytes(2,'little')
-
-# %% ../../nbs/api/wire/01_frames.ipynb #a3c3c81c
-class Wanted:
-    "Message ids that are wanted, counted; `None` means all of them"
-    def __init__(self, *msg_ids): self.counts,self._lock = dict(Counter(msg_ids)),clock.Lock()
-    def __contains__(self, msg_id): return msg_id in self.counts or None in self.counts
-
-    def add(self, *msg_ids):
-        "Want these messages, once more each"
-        with self._lock:
-            for i in msg_ids: self.counts[i] = self.counts.get(i, 0)+1
-
-    def remove(self, *msg_ids):
-        "Want these messages once less each"
-        with self._lock:
-            for i in msg_ids:
-                if self.counts[i]>1: self.counts[i] -= 1
-                else: del self.counts[i]
 
 # %% ../../nbs/api/wire/01_frames.ipynb #38d440ca
 class _Source:
@@ -280,43 +317,6 @@ class Sources(dict):
             self.cleared += 1
         return self.get(key) or self.setdefault(key, _Source())
 
-# %% ../../nbs/api/wire/01_frames.ipynb #643a5fcb
-class FrameReader:
-    "Cuts frames out of a byte stream; `feed` returns the messages among them that are wanted"
-    most_kinds = 4096       # that are remembered
-
-    def __init__(self,
-        wanted:Wanted, # Message ids: messages with other ids are counted, not built
-        sources:Sources|None=None, # To share between readers
-        datagrams:bool=False, # Does data begin with a frame, as in UDP?
-        check=None, # Called with `(frame, msg_id, (system,component))` of each good frame: is it to be believed?
-        only_signed:bool=False, # Is a sender known (`seen`) only by a frame with a signature?
-    ):
-        store_attr('wanted,datagrams,check,only_signed')
-        self.sources = Sources() if sources is None else sources
-        self.bad = 0            # pieces of garbage
-        self._rest = b''        # the beginning of a frame
-        self._lost = False      # True from garbage to the next frame with a good CRC
-        self.seen = {}          # {(system,component): _Source}
-        self._kinds = {}        # {header: _Kind}
-        self._cleared = self.sources.cleared
-
-    def restart(self):
-        "Forget half a frame and the numbers: what comes now is from a new connection"
-        self._rest,self._lost = b'',False
-        for source in list(self.seen.values()): source.restart()
-
-    def _resume(self, buf:bytes, pos:int)->int:
-        "Where the next frame could begin, when none begins at `pos`"
-        self.bad += 1
-        starts = buf.find(b'\xfd', pos+1),buf.find(b'\xfe', pos+1)
-        return min((i for i in starts if i>0), default=len(buf))
-
-    def _is_torn(self, data:bytes)->bool:
-        "Whether `data` begins a new frame, and doesn't continue the partial one"
-        if not data or good_length(data, 0)<=0 or _Kind(data).extra is None: return False
-        return good_length(self._rest+data, 0)<=0
-
 # %% ../../nbs/api/wire/01_frames.ipynb #16b545db
 @patch
 def _take(self:FrameReader, kind:_Kind, frame:bytes):
@@ -350,7 +350,7 @@ def _cut(self:FrameReader, data:bytes):
     while pos<len(buf):
         frame = buf[pos:pos+promised(buf, pos)]
         kind = self._kinds.get(frame[5:10])
-        if not (kind and kind.is_whole(frame)): kind = None
+        if not (kind and kind.is_whole(frame)): kind = None         # a frame of a known kind needs no more
         n = len(frame) if kind else good_length(buf, pos, self.datagrams)
         if n==0: break
         if n>0: kind = kind or self._kinds.get(frame[5:10] if frame[0]==0xfd else frame[3:6]) or _Kind(frame)

@@ -15,7 +15,7 @@ from ..utils.threads import _begin_thread
 from .dialect import LinkError
 
 # %% auto #0
-__all__ = ['log', 'link_types', 'Link', 'VirtualLink', 'UDPLink', 'open_link']
+__all__ = ['log', 'link_types', 'Link', 'open_link', 'VirtualLink', 'UDPLink']
 
 # %% ../../nbs/api/wire/03_links.ipynb #011b9ba0
 log = get_logger('links')
@@ -45,6 +45,17 @@ class Link:
         self.close()
         self.release()
 
+# %% ../../nbs/api/wire/03_links.ipynb #5ddefd82
+def open_link(connection_string:str, # See the table at the top
+              baudrate:int=57600, # For serial ports
+             )->Link:
+    "Open the link that `connection_string` names; raises `LinkError` at once when that cannot be done"
+    _check_name(connection_string)
+    fitting = [(prefix,cls) for cls in link_types for prefix in cls.prefixes if connection_string.startswith(prefix)]
+    if not fitting: raise LinkError(f'{connection_string!r} begins with none of the prefixes of links')
+    prefix,cls = max(fitting, key=lambda f: len(f[0]))
+    return cls(connection_string.removeprefix(prefix), baudrate)
+
 # %% ../../nbs/api/wire/03_links.ipynb #acb83fc8
 class VirtualLink(Link):
     "Joins all in this process that open the same name"
@@ -72,13 +83,16 @@ class VirtualLink(Link):
 def _net_addresses(name:str)->list:
     "Socket addresses of `HOST:PORT`, IPv4 first; four numbers long for IPv6. Raises `LinkError`"
     host,colon,port = name.rpartition(':')
-    is_port,in_brackets = port.isdecimal() and int(port)<=65535,host[:1]=='[' and host[-1:]==']'
-    if ':' in host.strip('[]') and not in_brackets and not host.startswith('//'):
+    is_port = port.isdecimal() and int(port)<=65535
+    is_url = host.startswith('//')
+    in_brackets = host[:1]=='[' and host[-1:]==']'
+    if ':' in host.strip('[]') and not in_brackets and not is_url:
         raise LinkError(f'{name!r} is not a HOST:PORT: IPv6 is written in brackets, such as [::1]:14550')
-    if not colon or not is_port or host.startswith('//'):
+    if not colon or not is_port or is_url:
         raise LinkError(f'{name!r} is not a HOST:PORT, such as 127.0.0.1:{port if is_port else 14550}')
-    host,found = host[1:-1] if in_brackets else host or '0.0.0.0',[]
-    for family in (socket.AF_INET6,) if in_brackets else (socket.AF_INET,socket.AF_INET6):
+    host = host[1:-1] if in_brackets else host or '0.0.0.0'
+    found,families = [],(socket.AF_INET6,) if in_brackets else (socket.AF_INET,socket.AF_INET6)
+    for family in families:
         try: found += [f[4] for f in socket.getaddrinfo(host, int(port), family, socket.SOCK_DGRAM)]
         except (ValueError, OSError) as e: problem = e
     if not found: raise LinkError(f'{name!r} is not a HOST:PORT that can be reached: {problem}') from problem
@@ -181,45 +195,6 @@ class _UDPIn(UDPLink):
         for peer,welcome in peers.items():
             if welcome==latest or now-welcome<self.forget: self._send(data, peer)
 
-# %% ../../nbs/api/wire/03_links.ipynb #c0edf032
-_elsewhere = dict(udp='udpin:', udpin='udpin:', udpout='udpout:', tcp='tcp:', tcpout='tcp:', tcpin='tcpin:', serial='')
-
-# %% ../../nbs/api/wire/03_links.ipynb #67fd6306
-def _in_our_words(name:str)->str:
-    "Suggest a replacement for a MAVSDK connection string; empty for other names"
-    found = re.fullmatch(r'(\w+)://(.*?)(?::(\d+))?/?', name)
-    if not found or found[1] not in _elsewhere: return ''
-    kind,host,port = found.groups()
-    if kind=='serial': return f"'{host}', baudrate={port or 57600}"
-    return f"'{_elsewhere[kind]}{host or '0.0.0.0'}:{port or 14540}'"
-
-# %% ../../nbs/api/wire/03_links.ipynb #b37ca79c
-link_types = [_UDPIn, _UDPOut, VirtualLink]
-
-def _prefixes()->list: return [prefix for cls in link_types for prefix in cls.prefixes if prefix]
-
-# %% ../../nbs/api/wire/03_links.ipynb #f882a4b8
-def _check_name(name):
-    "Raise `LinkError` with what to write, when a connection string is not written as ours are"
-    if not isinstance(name, str):
-        port = name if isinstance(name, int) else 14550
-        raise LinkError(f"{name!r} is no connection string: write 'udpin:127.0.0.1:{port}', or '/dev/ttyACM0'")
-    if better := _in_our_words(name): raise LinkError(f'{name!r} is how MAVSDK writes it: here it is {better}')
-    if name.startswith(tuple(_prefixes())): return
-    if re.fullmatch(r'([\w.-]+|\[[\w.:%-]+\]):\d+', name):
-        raise LinkError(f"{name!r} is no link: 'udpin:{name}' listens there, 'udpout:{name}' sends there")
-
-# %% ../../nbs/api/wire/03_links.ipynb #5ddefd82
-def open_link(connection_string:str, # See the table at the top
-              baudrate:int=57600, # For serial ports
-             )->Link:
-    "Open the link that `connection_string` names; raises `LinkError` at once when that cannot be done"
-    _check_name(connection_string)
-    fitting = [(prefix,cls) for cls in link_types for prefix in cls.prefixes if connection_string.startswith(prefix)]
-    if not fitting: raise LinkError(f'{connection_string!r} begins with none of the prefixes of links')
-    prefix,cls = max(fitting, key=lambda f: len(f[0]))
-    return cls(connection_string.removeprefix(prefix), baudrate)
-
 # %% ../../nbs/api/wire/03_links.ipynb #1530076f
 class _Backlog:
     "Sends what it can without waiting, and the rest as soon as there is room"
@@ -228,6 +203,18 @@ class _Backlog:
         self.device,self.send = device,send     # has a `fileno`; sends some bytes, and says how many
         self.kept,self._lock,self._closed = b'',clock.Lock(),False
         self._thread,self._ring = None,None     # of the thread that sends the rest, and what wakes it
+
+    def write(self, data:bytes):
+        "Send `data`, now or when there is room; dropped when more than `most` bytes are kept already"
+        with self._lock:
+            is_busy = bool(self.kept)       # the thread is at it
+            if self._closed or len(self.kept)>self.most: return
+            self.kept += data
+            if is_busy: return
+            self._send()
+            if not self.kept: return
+            bell,self._ring = socket.socketpair()
+            self._thread = _begin_thread(lambda: self._send_rest(bell, self._ring), 'rest of a stream')
 
     def _send(self):
         "Send some of what is kept"
@@ -256,20 +243,6 @@ def _send_rest(self:_Backlog, bell:socket.socket, ring:socket.socket):
             with self._lock:
                 if self.kept: self._send()
                 if not self.kept: return
-
-# %% ../../nbs/api/wire/03_links.ipynb #8e4034fa
-@patch
-def write(self:_Backlog, data:bytes):
-    "Send `data`, now or when there is room; dropped when more than `most` bytes are kept already"
-    with self._lock:
-        is_busy = bool(self.kept)       # the thread is at it
-        if self._closed or len(self.kept)>self.most: return
-        self.kept += data
-        if is_busy: return
-        self._send()
-        if not self.kept: return
-        bell,self._ring = socket.socketpair()
-        self._thread = _begin_thread(lambda: self._send_rest(bell, self._ring), 'rest of a stream')
 
 # %% ../../nbs/api/wire/03_links.ipynb #81fc7b70
 def _tcp_outbox(sock:socket.socket)->_Backlog:
@@ -399,21 +372,6 @@ def recv(self:_TCPIn):
                 else: self._drop(client)
     return self._inbox.popleft()
 
-# %% ../../nbs/api/wire/03_links.ipynb #c7ab480d
-_why_not = {errno.ENOENT:'it is not there; `python -m serial.tools.list_ports` lists those that are',
-            errno.EACCES:'you may not use it; `sudo usermod -aG dialout $USER` and a new login allow it',
-            errno.EWOULDBLOCK:'another program has it', errno.EBUSY:'another program has it'}
-
-# %% ../../nbs/api/wire/03_links.ipynb #e0f7d68d
-def _serial_trouble(name:str, error:Exception)->str:
-    "Why a serial port cannot be opened, in one sentence; `error` is pyserial's"
-    kinds = ' '.join(_prefixes())
-    if re.match(r'[A-Za-z]\w+:.', name): return f'{name!r} is no link: links begin with {kinds} or name a serial port'
-    said = str(error).replace('invalid literal for int() with base 10: ', 'no baud rate is ')
-    why = _why_not.get(getattr(error, 'errno', None), said)
-    others = '' if '/' in name else f' (other links begin with {kinds})'
-    return f'cannot open serial port {name}: {why}{others}'
-
 # %% ../../nbs/api/wire/03_links.ipynb #b56b99a8
 class _SerialLink(_StreamLink):
     "A serial port, `DEVICE` or `DEVICE,BAUDRATE`"
@@ -445,5 +403,45 @@ class _SerialLink(_StreamLink):
         self._outbox.close()
         self.port.cancel_read()
 
-# %% ../../nbs/api/wire/03_links.ipynb #006cb091
-link_types[:0] = [_TCPOut, _TCPIn, _SerialLink]
+# %% ../../nbs/api/wire/03_links.ipynb #c0edf032
+_elsewhere = dict(udp='udpin:', udpin='udpin:', udpout='udpout:', tcp='tcp:', tcpout='tcp:', tcpin='tcpin:', serial='')
+
+# %% ../../nbs/api/wire/03_links.ipynb #67fd6306
+def _in_our_words(name:str)->str:
+    "Suggest a replacement for a MAVSDK connection string; empty for other names"
+    found = re.fullmatch(r'(\w+)://(.*?)(?::(\d+))?/?', name)
+    if not found or found[1] not in _elsewhere: return ''
+    kind,host,port = found.groups()
+    if kind=='serial': return f"'{host}', baudrate={port or 57600}"
+    return f"'{_elsewhere[kind]}{host or '0.0.0.0'}:{port or 14540}'"
+
+# %% ../../nbs/api/wire/03_links.ipynb #b37ca79c
+link_types = [_TCPOut, _TCPIn, _SerialLink, _UDPIn, _UDPOut, VirtualLink]
+
+def _prefixes()->list: return [prefix for cls in link_types for prefix in cls.prefixes if prefix]
+
+# %% ../../nbs/api/wire/03_links.ipynb #f882a4b8
+def _check_name(name):
+    "Raise `LinkError` with what to write, when a connection string is not written as ours are"
+    if not isinstance(name, str):
+        port = name if isinstance(name, int) else 14550
+        raise LinkError(f"{name!r} is no connection string: write 'udpin:127.0.0.1:{port}', or '/dev/ttyACM0'")
+    if better := _in_our_words(name): raise LinkError(f'{name!r} is how MAVSDK writes it: here it is {better}')
+    if name.startswith(tuple(_prefixes())): return
+    if re.fullmatch(r'([\w.-]+|\[[\w.:%-]+\]):\d+', name):
+        raise LinkError(f"{name!r} is no link: 'udpin:{name}' listens there, 'udpout:{name}' sends there")
+
+# %% ../../nbs/api/wire/03_links.ipynb #c7ab480d
+_why_not = {errno.ENOENT:'it is not there; `python -m serial.tools.list_ports` lists those that are',
+            errno.EACCES:'you may not use it; `sudo usermod -aG dialout $USER` and a new login allow it',
+            errno.EWOULDBLOCK:'another program has it', errno.EBUSY:'another program has it'}
+
+# %% ../../nbs/api/wire/03_links.ipynb #e0f7d68d
+def _serial_trouble(name:str, error:Exception)->str:
+    "Why a serial port cannot be opened, in one sentence; `error` is pyserial's"
+    kinds = ' '.join(_prefixes())
+    if re.match(r'[A-Za-z]\w+:.', name): return f'{name!r} is no link: links begin with {kinds} or name a serial port'
+    text = str(error).replace('invalid literal for int() with base 10: ', 'no baud rate is ')
+    why = _why_not.get(getattr(error, 'errno', None), text)
+    others = '' if '/' in name else f' (other links begin with {kinds})'
+    return f'cannot open serial port {name}: {why}{others}'

@@ -27,7 +27,6 @@ __all__ = ['log', 'latest', 'first_year', 'ten_years', 'Signing', 'state_file', 
 try: import fcntl
 except ImportError: fcntl = None    # Windows
 
-# %% ../../nbs/api/wire/02_signing.ipynb #837062b6
 log = get_logger('signing')
 
 # %% ../../nbs/api/wire/02_signing.ipynb #b295a529
@@ -55,10 +54,24 @@ class Signing(Closes):
         dropped = ', '.join(f'{n} {why}' for why,n in sorted(self.dropped.items())) or 'nothing'
         return f'Signing with key {self.fingerprint}: {len(self.streams)} streams, dropped {dropped}'
 
-# %% ../../nbs/api/wire/02_signing.ipynb #e811baa5
-latest = (1<<48)-1
+    def sign(self, frame:bytes, # A whole frame
+             link_id:int=0, # A number for each link, 0 … 255
+            )->bytes:
+        "`frame` with a signature; MAVLink 1 frames and signed ones come back as they are"
+        if frame[0]!=0xfd or frame[2]: return frame
+        now = _ticks(self.clock())
+        check = (frame[-2]|frame[-1]<<8)^_flag_crc(frame[1])
+        with self._lock:
+            self.timestamp = stamp = min(max(now, self.timestamp+1), latest)
+            self.reserve.cover(stamp, self.streams, now)
+        signed = frame[:2]+b'\1'+frame[3:-2]+_crc_link_time.pack(check, link_id, stamp)[:9]
+        h = self._hash.copy()
+        h.update(signed)
+        return signed+h.digest()[:6]
 
 # %% ../../nbs/api/wire/02_signing.ipynb #9fd8dccd
+latest = (1<<48)-1
+
 def _ticks(seconds:float)->int:
     "UNIX time as the timestamp of a signature"
     return int((seconds-1_420_070_400)*100_000) if seconds>1_420_070_400 else 0
@@ -89,6 +102,26 @@ class _TimestampFile:
 
     def _newest(self, streams:dict)->dict: return dict(sorted(streams.items(), key=lambda s: s[1])[-self.most:])
 
+    def _read(self)->tuple:
+        "`(timestamp, streams, id of the last writer)`; raises for what makes no sense"
+        try: data = json.loads(self.path.read_bytes())
+        except FileNotFoundError: return 0,{},''
+        streams = {tuple(map(int, stream.split('/'))): t for stream,t in data['streams'].items()}
+        for t in (data['timestamp'],*streams.values()):
+            if type(t) is not int or not 0<=t<=latest: raise ValueError('a timestamp that cannot be')
+        for s in streams:
+            if len(s)!=3 or min(s)<0 or max(s)>255: raise ValueError('a stream that cannot be')
+        timestamp = data['timestamp'] if data['timestamp']<=self.last else 0        # else a time that cannot be
+        return timestamp,{s: t for s,t in streams.items() if t<=self.last},str(data['by'])
+
+    def load(self)->tuple:
+        "`(timestamp, streams)` to begin with; a file that makes no sense is one warning"
+        try: timestamp,streams,self._last_writer = self._read()
+        except Exception as e:
+            log.warning('the signing timestamps in %s are ignored: %r', self.path, e)
+            return 0,{}
+        return timestamp,self._newest(streams)
+
 # %% ../../nbs/api/wire/02_signing.ipynb #e77998f4
 @patch
 @contextmanager
@@ -103,30 +136,6 @@ def _locked(self:_TimestampFile, wait:bool):
         except OSError as e: ours = not isinstance(e, BlockingIOError)
         yield ours
     finally: os.close(folder)
-
-# %% ../../nbs/api/wire/02_signing.ipynb #307448c7
-@patch
-def _read(self:_TimestampFile)->tuple:
-    "`(timestamp, streams, id of the last writer)`; raises for what makes no sense"
-    try: data = json.loads(self.path.read_bytes())
-    except FileNotFoundError: return 0,{},''
-    streams = {tuple(map(int, stream.split('/'))): t for stream,t in data['streams'].items()}
-    for t in (data['timestamp'],*streams.values()):
-        if type(t) is not int or not 0<=t<=latest: raise ValueError('a timestamp that cannot be')
-    for s in streams:
-        if len(s)!=3 or min(s)<0 or max(s)>255: raise ValueError('a stream that cannot be')
-    timestamp = data['timestamp'] if data['timestamp']<=self.last else 0        # one that an older version took over
-    return timestamp,{s: t for s,t in streams.items() if t<=self.last},str(data['by'])
-
-# %% ../../nbs/api/wire/02_signing.ipynb #e21bd5fd
-@patch
-def load(self:_TimestampFile)->tuple:
-    "`(timestamp, streams)` to begin with; a file that makes no sense is one warning"
-    try: timestamp,streams,self._last_writer = self._read()
-    except Exception as e:
-        log.warning('the signing timestamps in %s are ignored: %r', self.path, e)
-        return 0,{}
-    return timestamp,self._newest(streams)
 
 # %% ../../nbs/api/wire/02_signing.ipynb #d4614341
 @patch
@@ -211,40 +220,34 @@ class _Reserve:
         self.ours,self.streams = -1,{}      # what the file holds
         self._renew,self._saved,self._step = -1,0,self.period//20
 
-# %% ../../nbs/api/wire/02_signing.ipynb #f8b6d902
-@patch
-def load(self:_Reserve)->tuple:
-    "`(timestamp, streams)` to begin with; what we send is later than all that we may have accepted"
-    if self.file is None: return 0,{}
-    timestamp,self.streams = self.file.load()
-    return max(timestamp, *self.streams.values(), 0),dict(self.streams)
+    def load(self)->tuple:
+        "`(timestamp, streams)` to begin with; what we send is later than all that we may have accepted"
+        if self.file is None: return 0,{}
+        timestamp,self.streams = self.file.load()
+        return max(timestamp, *self.streams.values(), 0),dict(self.streams)
 
-# %% ../../nbs/api/wire/02_signing.ipynb #0f80ba78
-@patch
-def cover(self:_Reserve, timestamp:int, streams:dict, now:int, stream:tuple|None=None):
-    "Reserve ahead when the file is not ahead of these any more, or soon will not be; a frame came from `stream`"
-    if self.file is None: return
-    left = self.lead if stream is None else self.streams.get(stream, -1)-streams.get(stream, -1)
-    behind = timestamp>self.ours or left<0
-    soon = timestamp>self._renew or left<self.lead//2 or not 0<=now-self._saved<self.period
-    if not (behind or soon): return
-    step = min(2*self._step, 2*self.period)
-    ours = min(timestamp+step, latest)
-    ahead = {stream: t if t==self.streams.get(stream) else min(t+self.lead, latest) for stream,t in streams.items()}
-    if not self.file.save(ours, ahead, wait=behind, sync=timestamp>self.ours): return       # another one is writing
-    self.ours,self.streams = ours,ahead
-    self._renew,self._saved,self._step = timestamp+step//2,now,step
+    def cover(self, timestamp:int, streams:dict, now:int, stream:tuple|None=None):
+        "Reserve ahead when the file is not ahead of these any more, or soon will not be; a frame came from `stream`"
+        if self.file is None: return
+        left = self.lead if stream is None else self.streams.get(stream, -1)-streams.get(stream, -1)
+        behind = timestamp>self.ours or left<0
+        soon = timestamp>self._renew or left<self.lead//2 or not 0<=now-self._saved<self.period
+        if not (behind or soon): return
+        step = min(2*self._step, 2*self.period)
+        ours = min(timestamp+step, latest)
+        ahead = {s: t if t==self.streams.get(s) else min(t+self.lead, latest) for s,t in streams.items()}
+        if not self.file.save(ours, ahead, wait=behind, sync=timestamp>self.ours): return       # another one is writing
+        self.ours,self.streams = ours,ahead
+        self._renew,self._saved,self._step = timestamp+step//2,now,step
 
-# %% ../../nbs/api/wire/02_signing.ipynb #498067e8
-@patch
-def settle(self:_Reserve, timestamp:int, streams:dict):
-    "Write the exact timestamps; afterwards more may still be used"
-    if self.file is None or self.ours<0: return
-    self.file.save(timestamp, streams, sync=True, exact=True)
-    self.ours,self.streams,self._renew,self._step = -1,dict(streams),-1,self.period//20
+    def settle(self, timestamp:int, streams:dict):
+        "Write the exact timestamps; afterwards more may still be used"
+        if self.file is None or self.ours<0: return
+        self.file.save(timestamp, streams, sync=True, exact=True)
+        self.ours,self.streams,self._renew,self._step = -1,dict(streams),-1,self.period//20
 
 # %% ../../nbs/api/wire/02_signing.ipynb #0536cbd1
-_crc_link_time,_link_time = Struct('<HBQ'),Struct('<BIH')
+_crc_link_time = Struct('<HBQ')
 
 # %% ../../nbs/api/wire/02_signing.ipynb #8d39aecc
 def _date(seconds:float)->str: # UNIX time
@@ -275,23 +278,6 @@ def why_unheard(self:Signing)->str:
             f'{_date(self.clock())}, so others drop our frames as old. Set it, or have the other side send first '
             '(udpin here, udpout there)')
 
-# %% ../../nbs/api/wire/02_signing.ipynb #ab20c47e
-@patch
-def sign(self:Signing, frame:bytes, # A whole frame
-         link_id:int=0, # A number for each link, 0 … 255
-        )->bytes:
-    "`frame` with a signature; MAVLink 1 frames and signed ones come back as they are"
-    if frame[0]!=0xfd or frame[2]: return frame
-    now = _ticks(self.clock())
-    check = (frame[-2]|frame[-1]<<8)^_flag_crc(frame[1])
-    with self._lock:
-        self.timestamp = stamp = min(max(now, self.timestamp+1), latest)
-        self.reserve.cover(stamp, self.streams, now)
-    signed = frame[:2]+b'\1'+frame[3:-2]+_crc_link_time.pack(check, link_id, stamp)[:9]
-    h = self._hash.copy()
-    h.update(signed)
-    return signed+h.digest()[:6]
-
 # %% ../../nbs/api/wire/02_signing.ipynb #67b16c49
 @patch
 def _judge(self:Signing, frame:bytes, source:tuple)->str:
@@ -299,13 +285,15 @@ def _judge(self:Signing, frame:bytes, source:tuple)->str:
     h = self._hash.copy()
     h.update(frame[:-6])
     if not hmac.compare_digest(h.digest()[:6], frame[-6:]): return 'wrong'
-    link,low,high = _link_time.unpack_from(frame, len(frame)-13)
-    stream,stamp,now = (*source,link),low|high<<32,_ticks(self.clock())
+    stream,stamp = (*source,frame[-13]),int.from_bytes(frame[-12:-6], 'little')
+    now = _ticks(self.clock())
     if stamp>_last_believed(now): return 'ahead'
     with self._lock:
         last = self.streams.get(stream)
-        if last is not None and stamp<=last: return 'replayed'
-        if last is None and (stamp+self.minute<max(now, self.timestamp) or stamp<=self._forgotten): return 'old'
+        if last is None:
+            is_late = stamp+self.minute<max(now, self.timestamp)
+            if is_late or stamp<=self._forgotten: return 'old'
+        elif stamp<=last: return 'replayed'
         self.streams[stream],self.timestamp = stamp,max(self.timestamp, stamp)
         if len(self.streams)>self.most:
             oldest = min(self.streams, key=self.streams.get)
@@ -341,7 +329,7 @@ def check(self:Signing, frame:bytes, # A whole frame, its CRC checked
             log.log(level, 'first frame dropped as %s: message %s of %s/%s%s', why, msg_id, *source, says)
     return not why
 
-# %% ../../nbs/api/wire/02_signing.ipynb #401f7317
+# %% ../../nbs/api/wire/02_signing.ipynb #d1cc03e0
 @patch
 def close(self:Signing):
     "Write the exact timestamps; frames may still be signed and checked afterwards"
