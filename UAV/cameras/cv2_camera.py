@@ -265,11 +265,13 @@ class _Controls:
 
     def again(self, capture):
         "Set a device that came back as the old one was"
-        for name,value in self.made.items(): capture.set(_number_of(name), value)
+        for name,value in list(self.made.items()): self._put(capture, name, value)
 
     def leave(self, capture):
         "Leave the device as it was found"
-        for name in reversed(self.made): capture.set(_number_of(name), self.defaults[name])
+        for name in reversed(list(self.made)): self._put(capture, name, self.defaults[name])
+
+    def _put(self, capture, name, value): capture.set(_number_of(name), value)
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6a0f5061
 def _takes(capture, number:int, value:float)->bool:
@@ -398,17 +400,8 @@ class _DriverControls(_Controls):
         from linuxpy.video.device import Device
         with Device(self.path) as device: yield dict(device.controls.items())
 
-    def serve(self, capture): "Nothing waits for the reader"
-    def again(self, capture):
-        "Set a device that came back as the old one was"
-        self._try(list(self.made.items()))
-    def leave(self, capture):
-        "Leave the device as it was found, if it is there"
-        self._try([(name, self.defaults[name]) for name in reversed(self.made)])
-
-    def _try(self, values):
-        for name,value in values:
-            with suppress(CameraError): self.set(name, value)
+    def _put(self, capture, name, value):
+        with suppress(CameraError): self.set(name, value)       # it may be gone
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #1fe9f181
 @patch

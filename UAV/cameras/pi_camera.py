@@ -87,21 +87,16 @@ def _start(self:PiCamera, size:tuple, fps:float, still_width:int|None):
     device.configure(device.create_video_configuration(**streams, colour_space=libcamera.ColorSpace.Smpte170m(),
                                                        buffer_count=4, encode='lores', queue=False))
     self.sizes = {name: device.camera_configuration()[name]['size'] for name in streams}
-    self.information = self._describe(device.camera_properties)
+    about = device.camera_properties
+    cells,nm = about['PixelArraySize'],about.get('UnitCellSize', (NAN,NAN))
+    self.information = CameraInformation('Raspberry Pi', about.get('Model', 'camera'),
+                                         sensor_size_h=cells[0]*nm[0]/1e6, sensor_size_v=cells[1]*nm[1]/1e6,
+                                         resolution_h=self.sizes['main'][0], resolution_v=self.sizes['main'][1])
     self._duration = max(round(1e6/fps), device.camera_controls['FrameDurationLimits'][0])
     self.frame_rate = 1e6/self._duration
     device.set_controls({'FrameDurationLimits': (self._duration,self._duration)})
     device.post_callback = self._on_request
     device.start()
-
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #0c87d3d6
-@patch
-def _describe(self:PiCamera, properties:dict)->CameraInformation:
-    "Return the `information` in picamera2's `camera_properties`"
-    cells,nm = properties['PixelArraySize'],properties.get('UnitCellSize', (NAN,NAN))
-    return CameraInformation('Raspberry Pi', properties.get('Model', 'camera'),
-                             sensor_size_h=cells[0]*nm[0]/1e6, sensor_size_v=cells[1]*nm[1]/1e6,
-                             resolution_h=self.sizes['main'][0], resolution_v=self.sizes['main'][1])
 
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #d7ca4cfd
 def _still_size(size:tuple, sensor:tuple, width:int|None=None)->tuple:

@@ -45,7 +45,7 @@ class URLCamera(_LiveCamera):
         if _scheme(url) not in receivers: raise ValueError(f'{_source_name(url)}: write {", ".join(receivers)}://…')
         self.information = replace(self.information, vendor=vendor, model=model)
         super().__init__(folder, quota, storages=storages)
-        self._newest = _AskedFrame()
+        self._newest = _AskedFrame(self._decode_frames, self._lease)
         self._encoder = _CodedSource('h264', model)
         self._frames = _FrameSink(self._newest, model)
         self._receiver = None           # while it is connected
@@ -79,22 +79,16 @@ def next_frame(self:URLCamera,
 )->Frame:
     "Wait for a frame later than `after`; raises `CameraError` when none comes"
     timeout = self.read_timeout if timeout is None else timeout
-    frame = self._newest.next(max(after, self._ask()), timeout, lambda: self._problem)
+    frame = self._newest.next(max(after, self._newest.ask()), timeout, lambda: self._problem)
     if self._newest.over: raise CameraError(self._newest.over)
     if frame and not self._problem: return frame
     raise CameraError(self._problem or f'{_source_name(self.url)}: no frame for {timeout:g} s')
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #230b4cec
 @patch
-def _ask(self:URLCamera)->int:
-    "Have frames decoded, for a while; returns the number of the last frame that is too old"
-    newest = self._newest
-    with newest.changed:
-        newest.asked = clock.monotonic()
-        if newest.open or self._closing.is_set(): return -1
-        newest.open = True
-        self._encoder.add(self._frames)
-        return newest.number
+def _decode_frames(self:URLCamera, on:bool):
+    if not on: self._encoder.remove(self._frames, wait=False)
+    elif not self._closing.is_set(): self._encoder.add(self._frames)
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #b9430cb4
 @patch
@@ -116,13 +110,10 @@ def _on_unit(self:URLCamera, unit):
     if unit.key: self._measure_new(unit)
     if not self._sets: return self._wait_size()
     self._vain = None
-    i,newest = self.information,self._newest
+    i = self.information
     self._encoder.pass_on(unit, width=i.resolution_h, height=i.resolution_v, rate=self.frame_rate, bitrate=self.bitrate)
     self._note(None)
-    with newest.changed:
-        if newest.open and not newest.waiting and clock.monotonic()-newest.asked>self._lease:
-            newest.open = False
-            self._encoder.remove(self._frames, wait=False)
+    self._newest.expire()
 
 @patch
 def _wait_size(self:URLCamera):
