@@ -645,6 +645,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                          'UAV/cameras/parameters.py'),
                                         'UAV.cameras.parameters.Parameters._chosen': ( 'api/cameras/parameters.html#parameters._chosen',
                                                                                        'UAV/cameras/parameters.py'),
+                                        'UAV.cameras.parameters.Parameters._end_change': ( 'api/cameras/parameters.html#parameters._end_change',
+                                                                                           'UAV/cameras/parameters.py'),
                                         'UAV.cameras.parameters.Parameters._fit': ( 'api/cameras/parameters.html#parameters._fit',
                                                                                     'UAV/cameras/parameters.py'),
                                         'UAV.cameras.parameters.Parameters._kept': ( 'api/cameras/parameters.html#parameters._kept',

@@ -403,21 +403,19 @@ class _DriverControls(_Controls):
     def _put(self, capture, name, value):
         with suppress(CameraError): self.set(name, value)       # it may be gone
 
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #1fe9f181
-@patch
-def set(self:_DriverControls, name:str, value, timeout:float=0.)->dict:
-    "Set it at once; returns the resulting value and other changes; raises `CameraError`"
-    updates = next(p.updates for p in self.declared if p.name==name)
-    switch = next((p for p in self.declared if name in p.updates), None)
-    automatic = [o.value for o in switch.options if name in o.exclusions] if switch else []     # positions that hold it
-    try:
-        with self._open() as controls:
-            def now(name): return controls[self.ids[name]].value
-            if automatic and now(switch.name) in automatic: return {}
-            controls[self.ids[name]].value = self.made[name] = value
-            return {n: now(n) for n in (name, *updates)}
-    except (OSError,AttributeError,KeyError) as e:
-        raise CameraError(f'the device refuses {name} {value:g}: {e}') from None
+    def set(self, name:str, value, timeout:float=0.)->dict:
+        "Set it at once; returns the resulting value and other changes; raises `CameraError`"
+        updates = next(p.updates for p in self.declared if p.name==name)
+        switch = next((p for p in self.declared if name in p.updates), None)
+        automatic = [o.value for o in switch.options if name in o.exclusions] if switch else []     # these hold it
+        try:
+            with self._open() as controls:
+                def now(name): return controls[self.ids[name]].value
+                if automatic and now(switch.name) in automatic: return {}
+                controls[self.ids[name]].value = self.made[name] = value
+                return {n: now(n) for n in (name, *updates)}
+        except (OSError,AttributeError,KeyError) as e:
+            raise CameraError(f'the device refuses {name} {value:g}: {e}') from None
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #9470504c
 def _controls_of(source, capture)->_Controls:

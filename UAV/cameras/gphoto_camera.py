@@ -167,18 +167,22 @@ class _Body:
         self.tried = clock.Event()              # set after the first attempt to open it
         self.thread = _begin_thread(self._run, 'gphoto2')
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #200118d0
-@patch
-def do(self:_Body, f, timeout:float):
-    "Return what `f(camera)` gives on our thread; raises `CameraError`, also after `timeout` s"
-    if self.closed: raise CameraError('the camera body is closed')
-    if self.camera is None: raise CameraError(self.fault)
-    done = Future()
-    self.jobs.put((f, done))
-    try: return done.result(timeout)
-    except TimeoutError:
-        done.cancel()           # it is not begun, if it waits
-        raise CameraError(f'the camera body has not answered for {timeout:g} s') from None
+    def do(self, f, timeout:float):
+        "Return what `f(camera)` gives on our thread; raises `CameraError`, also after `timeout` s"
+        if self.closed: raise CameraError('the camera body is closed')
+        if self.camera is None: raise CameraError(self.fault)
+        done = Future()
+        self.jobs.put((f, done))
+        try: return done.result(timeout)
+        except TimeoutError:
+            done.cancel()           # it is not begun, if it waits
+            raise CameraError(f'the camera body has not answered for {timeout:g} s') from None
+
+    def close(self):
+        "Let go of the body; may be called twice"
+        self.closed = True
+        self.jobs.put(None)
+        if not _has_ended(self.thread, 2.): get_logger('gphoto2').error('the camera body hangs; closed without it')
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #4a24e39a
 def _gphoto2():
@@ -246,14 +250,6 @@ def _serve(self:_Body, f, done:Future):
             self.on_fault(self.fault)
         done.set_exception(CameraError(self.fault or f'{self.model} refuses: {e.string}'))
     except BaseException as e: done.set_exception(e)
-
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #89a56822
-@patch
-def close(self:_Body):
-    "Let go of the body; may be called twice"
-    self.closed = True
-    self.jobs.put(None)
-    if not _has_ended(self.thread, 2.): get_logger('gphoto2').error('the camera body hangs; closed without it')
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #f80d6eee
 @patch

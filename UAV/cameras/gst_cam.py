@@ -353,35 +353,28 @@ class _GSTControls:
             if name not in found: found[name] = _channel_parameter(name, element, channel)
         self.declared = list(found.values())
 
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #272879f9
-@patch
-def set(self:_GSTControls, pipeline, name:str, value)->dict:
-    "Set it in a `GSTPipeline` that runs (`None`: none does): what the element has made of it; raises `CameraError`"
-    if pipeline is None: raise CameraError('the source does not run')
-    if row := self.table.get(name):
-        element = pipeline.element(row['element'])
-        element.set_property(row['property'], value)
-        now = element.get_property(row['property'])
-    else: now = self._balance(pipeline, name, value)
-    self.made[name] = value
-    return {name: now if isinstance(now, (bool,float)) else int(now)}
+    def set(self, pipeline, name:str, value)->dict:
+        "Set it in a `GSTPipeline` that runs (`None`: none does): what the element has made of it; raises `CameraError`"
+        if pipeline is None: raise CameraError('the source does not run')
+        if row := self.table.get(name):
+            element = pipeline.element(row['element'])
+            element.set_property(row['property'], value)
+            now = element.get_property(row['property'])
+        else: now = self._balance(pipeline, name, value)
+        self.made[name] = value
+        return {name: now if isinstance(now, (bool,float)) else int(now)}
 
-@patch
-def _balance(self:_GSTControls, pipeline, name:str, value:int)->int:
-    "Set a channel of a colour balance"
-    element,channel = next(((e, c) for n,e,c in _channels_of(pipeline) if n == name), (None,None))
-    if element is None: raise CameraError(f'the source does not have {name} now')
-    _colour_balance().set_value(element, channel, value)
-    return _colour_balance().get_value(element, channel)
+    def _balance(self, pipeline, name:str, value:int)->int:
+        "Set a channel of a colour balance"
+        element,channel = next(((e, c) for n,e,c in _channels_of(pipeline) if n == name), (None,None))
+        if element is None: raise CameraError(f'the source does not have {name} now')
+        _colour_balance().set_value(element, channel, value)
+        return _colour_balance().get_value(element, channel)
 
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #18eac149
-@patch
-def _try(self:_GSTControls, pipeline, values:dict):
-    "Set these; pass over those that the pipeline doesn't have"
-    for name in list(self.made):
-        with suppress(CameraError): self.set(pipeline, name, values[name])
+    def _try(self, pipeline, values:dict):
+        "Set these; pass over those that the pipeline doesn't have"
+        for name in list(self.made):
+            with suppress(CameraError): self.set(pipeline, name, values[name])
 
-@patch
-def again(self:_GSTControls, pipeline): self._try(pipeline, self.made)
-@patch
-def leave(self:_GSTControls, pipeline): self._try(pipeline, {p.name: p.default for p in self.declared})
+    def again(self, pipeline): self._try(pipeline, self.made)
+    def leave(self, pipeline): self._try(pipeline, {p.name: p.default for p in self.declared})

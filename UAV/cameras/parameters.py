@@ -101,7 +101,8 @@ def text(self:Parameter, value, # That `check` gave
     if self.options: return next((o.name for o in self.options if o.value == value), str(value))
     if self.kind == 'bool': return 'on' if value else 'off'
     if self.kind == 'custom': return f'{len(value)} bytes'
-    return f'{f"{value:g}" if isinstance(value, float) else value} {self.unit}'.rstrip()
+    number = f'{value:g}' if isinstance(value, float) else value
+    return f'{number} {self.unit}'.rstrip()
 
 # %% ../../nbs/api/cameras/05_parameters.ipynb #ccbf8053
 @patch
@@ -111,11 +112,12 @@ def what(self:Parameter)->str:
     if self.kind in ('bool','custom'): return dict(bool='off, on', custom='up to 128 bytes')[self.kind]
     if self.low is self.high is None: return self.kind
     low,high = ('' if end is None else f'{end:g}' for end in (self.low, self.high))
-    return f'{low} … {high}{f" by {self.step:g}" if self.step else ""} {self.unit}'.strip()
+    step = f' by {self.step:g}' if self.step else ''
+    return f'{low} … {high}{step} {self.unit}'.strip()
 
 # %% ../../nbs/api/cameras/05_parameters.ipynb #ce77a8f1
-_widths = {f'{sign}int{bits}': (-(sign == '') << bits-1, (1 << bits-(sign == '')) - 1)
-           for sign in ('u','') for bits in (8,16,32,64)}
+_widths = {f'uint{bits}': (0, 2**bits-1) for bits in (8,16,32,64)}
+_widths |= {f'int{bits}': (-2**(bits-1), 2**(bits-1)-1) for bits in (8,16,32,64)}
 kinds = 'bool',*_widths,'float','double','custom'      # the types that a parameter may have
 _all_ = ['kinds']
 
@@ -302,19 +304,24 @@ def allowed(self:Parameters, name:str)->tuple:
 @contextmanager
 def _changing(self:Parameters):
     "For a `with`: a dict that holds all that moved, at the end; raises `CameraBusy`"
-    outer = clock.current_thread() not in self._changers        # else another change calls for this one
-    if outer and not self._lock.acquire(timeout=self.patience): raise CameraBusy('another parameter is being set')
-    if outer: self._changers = {clock.current_thread()}
+    is_inner = clock.current_thread() in self._changers         # another change calls for this one, and announces both
+    if not is_inner:
+        if not self._lock.acquire(timeout=self.patience): raise CameraBusy('another parameter is being set')
+        self._changers = {clock.current_thread()}
     before,moved = dict(self._values),{}
     try: yield moved
     finally:
         moved |= {name: value for name,value in self._values.items() if value != before[name]}
-        try:
-            if outer: self._changers = set()
-            if outer and moved and self.file: self._save()
-            if outer and moved and self.changed: self.changed(dict(moved))
-        finally:
-            if outer: self._lock.release()
+        if not is_inner: self._end_change(moved)
+
+@patch
+def _end_change(self:Parameters, moved:dict):
+    "Keep and announce what moved, and let the next change begin"
+    self._changers = set()              # what a listener sets is a change of its own
+    try:
+        if moved and self.file: self._save()
+        if moved and self.changed: self.changed(dict(moved))
+    finally: self._lock.release()
 
 # %% ../../nbs/api/cameras/05_parameters.ipynb #64cf00c1
 @patch
@@ -341,7 +348,8 @@ def _fit(self:Parameters):
     for _ in self.declared:             # one move may call for another
         limited = {name for _,o in self._chosen() for name in o.ranges}
         for p in self.declared.values():
-            options,now = self.allowed(p.name) if p.name in limited else (),self._values[p.name]
+            now = self._values[p.name]
+            options = self.allowed(p.name) if p.name in limited else ()
             if options and now not in [p.check(o.value) for o in options]: break
         else: return
         self._put(p, p.check(min(options, key=lambda o: abs(o.value-now)).value))
@@ -369,7 +377,8 @@ def _run_apply(self:Parameters, answer:Future, name:str, value):
     "The thread of `_set_in_device`"
     try: along,error = self.apply(name, value),None
     except BaseException as e: along,error = None,e
-    if answer.set_running_or_notify_cancel(): return answer.set_exception(error) if error else answer.set_result(along)
+    in_time = answer.set_running_or_notify_cancel()
+    if in_time: return answer.set_exception(error) if error else answer.set_result(along)
     log = get_logger('parameters')
     if error: return log.info('%s failed at last: %s', name, error)
     try: self.moved({name:value, **_moved(along)})

@@ -288,22 +288,18 @@ class TruthCamera(SimCamera):
         self.points[frame.number] = point
         return super()._target_place(frame, point)
 
-# %% ../../nbs/api/testing/00_kit.ipynb #97fa43db
-@patch
-def around_car(self:TruthCamera)->dict:
-    "Return the rectangle around the car in the next frame, for `camera_track_rectangle`"
-    with self.frames.watching():
-        last = self.frames.newest.number if self.frames.newest else -1
-        box = self.boxes[self.frames.next(last, 30).number]
-    return dict(zip(('left','top','right','bottom'), box))
+    def around_car(self)->dict:
+        "Return the rectangle around the car in the next frame, for `camera_track_rectangle`"
+        with self.frames.watching():
+            last = self.frames.newest.number if self.frames.newest else -1
+            box = self.boxes[self.frames.next(last, 30).number]
+        return dict(zip(('left','top','right','bottom'), box))
 
-# %% ../../nbs/api/testing/00_kit.ipynb #a1e31078
-@patch
-def frame_of(self:TruthCamera, status, # A `TrackingStatus` with a point
-            )->int:
-    "Return the number of its frame"
-    x,y = status.point
-    return min(list(self.points.items()), key=lambda item: abs(item[1][0]-x)+abs(item[1][1]-y))[0]
+    def frame_of(self, status, # A `TrackingStatus` with a point
+                )->int:
+        "Return the number of its frame"
+        x,y = status.point
+        return min(list(self.points.items()), key=lambda item: abs(item[1][0]-x)+abs(item[1][1]-y))[0]
 
 # %% ../../nbs/api/testing/00_kit.ipynb #b2559fff
 @patch
