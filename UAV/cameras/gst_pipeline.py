@@ -54,7 +54,7 @@ def start(self:GSTPipeline):
 @patch
 def problem(self:GSTPipeline, timeout:float, # s
            )->str|None:
-    "Wait for a message that says that it is over, and tell it; `None` on timeout, and after `wake`"
+    "Wait for a message that says that it is over, and return it; `None` on timeout, and after `wake`"
     kind = self.Gst.MessageType
     message = self.bus.timed_pop_filtered(int(timeout*1e9), kind.ERROR|kind.EOS|kind.APPLICATION)
     if message and message.type == kind.ERROR: return _in_words(message.parse_error()[0].message)
