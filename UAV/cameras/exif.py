@@ -215,6 +215,7 @@ def _properties(pose:Pose, make:str)->dict:
         properties |= {'exif:GPSAltitude': f'{round(abs(pose.alt)*1000)}/1000', 'exif:GPSAltitudeRef': '01'[pose.alt<0]}
     return properties
 
+# %% ../../nbs/api/cameras/01_exif.ipynb #884ebda2
 def _attributes(properties:dict, without:bytes=b'')->bytes:
     "Properties as the inside of an XML tag, with the namespaces that the tag `without` lacks"
     spaces = [f'xmlns:{name}="{url}"' for name,url in _namespaces.items()
@@ -333,10 +334,12 @@ _of_altitude = ['exif:GPSAltitude','exif:GPSAltitudeRef','drone-dji:AbsoluteAlti
 def _replaced(pose:Pose)->list:
     "Names of the properties in others' XMP that `pose` makes void"
     pose = _sound(pose)
-    has = (_of_attitude, known(pose.pitch) or known(pose.yaw)),(_of_position, known(pose.lat+pose.lon)), \
-          (_of_altitude, known(pose.alt))
-    names = [name for group,ours in has if ours for name in group]
-    return names+['drone-dji:RelativeAltitude']*known(pose.relative_alt)
+    names = []
+    if known(pose.pitch) or known(pose.yaw): names += _of_attitude
+    if known(pose.lat) and known(pose.lon): names += _of_position
+    if known(pose.alt): names += _of_altitude
+    if known(pose.relative_alt): names.append('drone-dji:RelativeAltitude')
+    return names
 
 def _prefixes(packet:bytes, name:str)->bytes:
     "A pattern for `name` and all other prefixes that `packet` has for its namespace"
@@ -346,10 +349,9 @@ def _prefixes(packet:bytes, name:str)->bytes:
 
 def _stripped(packet:bytes, names:list)->bytes:
     "An XMP block in UTF-8, without comments and some properties, which are written as attributes or as elements"
-    head = _xmp_head*packet.startswith(_xmp_head)
-    text = packet[len(head):]
+    text = packet[len(_xmp_head):]
     if text[:2] in (b'\xff\xfe',b'\xfe\xff'): text = text.decode('utf-16', 'ignore').encode()
-    packet = head+re.sub(rb'<!--.*?(?:-->|\Z)', b'', text.rstrip(b'\0'), flags=re.DOTALL)
+    packet = _xmp_head+re.sub(rb'<!--.*?(?:-->|\Z)', b'', text.rstrip(b'\0'), flags=re.DOTALL)
     for name in names:
         prefix,_,local = name.partition(':')
         tag = _prefixes(packet, prefix)+b':'+local.encode()

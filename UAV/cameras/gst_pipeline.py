@@ -54,7 +54,7 @@ def start(self:GSTPipeline):
 @patch
 def problem(self:GSTPipeline, timeout:float, # s
            )->str|None:
-    "Wait for a message that says that it is over, and tell it; `None` on timeout, and after `wake`"
+    "Wait for a message that says that it is over, and return it; `None` on timeout, and after `wake`"
     kind = self.Gst.MessageType
     message = self.bus.timed_pop_filtered(int(timeout*1e9), kind.ERROR|kind.EOS|kind.APPLICATION)
     if message and message.type == kind.ERROR: return _in_words(message.parse_error()[0].message)
@@ -355,15 +355,16 @@ def _gives(line:str)->str:
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #51d1fd06
 def _whole_line(recipe:_Recipe)->tuple:
     "The pipeline that GStreamer gets, and the codec of its units, or ''; raises `CameraError`"
-    find = gst().ElementFactory.find
+    has = gst().ElementFactory.find
     source = _gives(recipe.source)
-    if source in ('h264','h265'): encodes = source
-    elif recipe.encoder: encodes = _gives(f'identity ! {recipe.encoder}')
-    else: encodes = ''
-    if encodes not in ('', 'h264', 'h265'): raise CameraError(f'[encoder] gives {encodes}, not H.264 or H.265')
-    known = {f'avdec_{source}': f'avdec_{source} max-threads=1 output-corrupt=false', 'openh264dec': 'openh264dec'}
-    decoder = next((line for name,line in known.items() if source in name and find(name)), 'decodebin')
-    return recipe.line(source, encodes, decoder, parser=bool(encodes and find(f'{encodes}parse'))),encodes
+    codec = source if source in ('h264','h265') else ''
+    if recipe.encoder and not codec: codec = _gives(f'identity ! {recipe.encoder}')
+    if codec not in ('', 'h264', 'h265'): raise CameraError(f'[encoder] gives {codec}, not H.264 or H.265')
+    if has(f'avdec_{source}'): decoder = f'avdec_{source} max-threads=1 output-corrupt=false'
+    elif source == 'h264' and has('openh264dec'): decoder = 'openh264dec'
+    else: decoder = 'decodebin'
+    has_parser = bool(codec and has(f'{codec}parse'))
+    return recipe.line(source, codec, decoder, has_parser),codec
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #1594ebea
 _version = f'{sys.version_info.major}.{sys.version_info.minor}'
@@ -372,11 +373,10 @@ system_folders = ['/usr/lib/python3/dist-packages',                     # Debian
                   f'/usr/lib/python{_version}/site-packages']           # Arch
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #134365a6
-def _gi_folder(folders=None)->Path|None:
-    "The folder with a `gi` that was compiled for this Python; `None` when there is none. Usual are `system_folders`"
+def _gi_folder()->Path|None:
+    "The one of `system_folders` with a `gi` that was compiled for this Python; `None` when there is none"
     compiled = f'gi/_gi{sysconfig.get_config_var("EXT_SUFFIX")}'
-    folders = map(Path, system_folders if folders is None else folders)
-    return next((folder for folder in folders if (folder/compiled).exists()), None)
+    return next((folder for folder in map(Path, system_folders) if (folder/compiled).exists()), None)
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #c216fbfe
 class _SystemGi:
@@ -407,11 +407,10 @@ apt_line = ('sudo apt-get install -y --no-install-recommends python3-gi gir1.2-g
 class GStreamerMissing(ImportError): "GStreamer, or its binding for this Python, is not installed"
 
 # %% ../../nbs/api/cameras/14_gst_pipeline.ipynb #00726eb3
-def _what_is_missing(folders=None)->str:
+def _what_is_missing()->str:
     "A sentence about what is missing, with the line that installs it"
-    folders = [Path(folder) for folder in (system_folders if folders is None else folders)]
-    compiled = [file.name.split('.')[1] for folder in folders for file in folder.glob('gi/_gi.*')]
-    if _gi_folder(folders) or not compiled: return f'GStreamer is not installed. On Debian and Ubuntu: {apt_line}'
+    compiled = [file.name.split('.')[1] for folder in system_folders for file in Path(folder).glob('gi/_gi.*')]
+    if _gi_folder() or not compiled: return f'GStreamer is not installed. On Debian and Ubuntu: {apt_line}'
     return (f'the system has the GStreamer binding for {", ".join(compiled)}, and this is Python {_version}: make the '
             "virtual environment with the system's python3, or pip install 'PyGObject<3.51', which compiles it")
 

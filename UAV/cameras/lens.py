@@ -38,21 +38,19 @@ class Lens:
         "Back to the low end: no zoom"
         self.travel.go(self.travel.low)
 
-# %% ../../nbs/api/cameras/04_lens.ipynb #b2dba0e1
-@patch
-def zoom(self:Lens, kind:str, # One of `kinds`
-         value:float): # Steps (tele is positive), speed -1..1, % of the range, mm or degrees
-    "Zoom one of five ways (CAMERA_ZOOM_TYPE); raises `ValueError`"
-    travel = self.travel
-    ends = travel.low,travel.high
-    limits = dict(range=(0,100), focal_length=ends, horizontal_fov=sorted(map(self.fov, ends)))
-    one_of('kind', kind, self.kinds)
-    value = inside(kind, value, *limits.get(kind, (-99,99)))
-    if   kind == 'step':         travel.go(travel.position*self.step**value)
-    elif kind == 'continuous':   travel.move(value)
-    elif kind == 'range':        travel.percent = value
-    elif kind == 'focal_length': travel.go(value)
-    else: travel.go(self.sensor_size_h/2/math.tan(math.radians(value)/2))
+    def zoom(self, kind:str, # One of `kinds`
+             value:float): # Steps (tele is positive), speed -1..1, % of the range, mm or degrees
+        "Zoom one of five ways (CAMERA_ZOOM_TYPE); raises `ValueError`"
+        travel = self.travel
+        ends = travel.low,travel.high
+        limits = dict(range=(0,100), focal_length=ends, horizontal_fov=sorted(map(self.fov, ends)))
+        one_of('kind', kind, self.kinds)
+        value = inside(kind, value, *limits.get(kind, (-99,99)))
+        if   kind == 'step':         travel.go(travel.position*self.step**value)
+        elif kind == 'continuous':   travel.move(value)
+        elif kind == 'range':        travel.percent = value
+        elif kind == 'focal_length': travel.go(value)
+        else: travel.go(self.sensor_size_h/2/math.tan(math.radians(value)/2))
 
 # %% ../../nbs/api/cameras/04_lens.ipynb #5c0a5107
 @patch
@@ -121,17 +119,15 @@ class Focus:
         "The position for `distance` (m), %: 0 is nearest, 100 is infinity"
         return 100*(1 - self.near/distance)
 
-# %% ../../nbs/api/cameras/04_lens.ipynb #5c0a510d
-@patch
-def focus(self:Focus, kind:str, # One of `kinds`
-          value:float=0.): # Steps of 5 %, speed -1..1, % of the range or m; 'auto…' needs none
-    "Focus one of seven ways (SET_FOCUS_TYPE); raises `ValueError`"
-    if one_of('kind', kind, self.kinds).startswith('auto'): return self.reset()
-    value = inside(kind, value, *dict(range=(0,100), meters=(self.near,1e6)).get(kind, (-99,99)))
-    if   kind == 'step':       self.travel.go(self.percent + 5*value)
-    elif kind == 'continuous': self.travel.move(value)
-    elif kind == 'range':      self.travel.percent = value
-    else: self.travel.go(self.at(value))
+    def focus(self, kind:str, # One of `kinds`
+              value:float=0.): # Steps of 5 %, speed -1..1, % of the range or m; 'auto…' needs none
+        "Focus one of seven ways (SET_FOCUS_TYPE); raises `ValueError`"
+        if one_of('kind', kind, self.kinds).startswith('auto'): return self.reset()
+        value = inside(kind, value, *dict(range=(0,100), meters=(self.near,1e6)).get(kind, (-99,99)))
+        if   kind == 'step':       self.travel.go(self.percent + 5*value)
+        elif kind == 'continuous': self.travel.move(value)
+        elif kind == 'range':      self.travel.percent = value
+        else: self.travel.go(self.at(value))
 
 # %% ../../nbs/api/cameras/04_lens.ipynb #e31deb6c
 def rotation(roll:float, pitch:float, yaw:float):
@@ -161,26 +157,21 @@ class View:
         self.K = np.array([[self.f, 0, (size[0]-1)/2], [0, self.f, (size[1]-1)/2], [0, 0, 1]])
         self.R = rotation(*attitude).T[[1,2,0]]      # from the world to x right, y down, z forward
 
-# %% ../../nbs/api/cameras/04_lens.ipynb #5c0a5513
-@patch
-def project(self:View, points): # North, east, down, m: n x 3
-    "Pixels (n x 2) and depths (n)"
-    seen = (np.asarray(points, float)-self.position) @ (self.K @ self.R).T
-    with np.errstate(all='ignore'): return seen[:,:2]/seen[:,2:], seen[:,2]
+    def project(self, points): # North, east, down, m: n x 3
+        "Pixels (n x 2) and depths (n)"
+        seen = (np.asarray(points, float)-self.position) @ (self.K @ self.R).T
+        with np.errstate(all='ignore'): return seen[:,:2]/seen[:,2:], seen[:,2]
 
-# %% ../../nbs/api/cameras/04_lens.ipynb #5c0a5504
-@patch
-def rows(self:View, first:int, last:int):
-    "The view of some rows of the picture only"
-    part = copy.copy(self)
-    part.size,part.K = (self.size[0], last-first),self.K.copy()
-    part.K[1,2] -= first
-    return part
+    def rows(self, first:int, last:int):
+        "The view of some rows of the picture only"
+        part = copy.copy(self)
+        part.size,part.K = (self.size[0], last-first),self.K.copy()
+        part.K[1,2] -= first
+        return part
 
-@patch
-def plane(self:View, origin, across, down):
-    "3x3 homography: from `(a, b, 1)`, which is the place `origin + a*across + b*down`, to pixels"
-    return self.K @ self.R @ np.column_stack((across, down, np.asarray(origin)-self.position))
+    def plane(self, origin, across, down):
+        "3x3 homography: from `(a, b, 1)`, which is the place `origin + a*across + b*down`, to pixels"
+        return self.K @ self.R @ np.column_stack((across, down, np.asarray(origin)-self.position))
 
 # %% ../../nbs/api/cameras/04_lens.ipynb #0b0ee8ae
 _steepness = .02         # how much a ray must go down on its way, at least

@@ -24,57 +24,6 @@ from ..video.units import sensible_bitrate, VideoFormat
 # %% auto #0
 __all__ = ['PiCamera']
 
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #d7ca4cfd
-def _still_size(size:tuple, sensor:tuple, width:int|None=None)->tuple:
-    "Return the size of a photo in the shape of the video: the sensor's width, or `width`; raises `ValueError`"
-    most = min(sensor[0], sensor[1]*size[0]//size[1])
-    wide = min(width or most, most)
-    if wide < size[0]: raise ValueError(f'photos are {wide} px wide, so width must not be {size[0]}')
-    return wide//2*2,wide*size[1]//size[0]//2*2
-
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #e5b84f43
-_sliders = dict(     # by our name: libcamera's, and how we declare it
-    EXPOSURE=('ExposureTime', 'int32', 'Exposure time', 'us'), GAIN=('AnalogueGain', 'float', 'Analogue gain', ''),
-    FOCUS=('LensPosition', 'float', 'Focus: 1 / distance, 0 is infinity', '1/m'))
-_longest = 500_000          # us
-
-def _slider(name:str, controls:dict, metadata:dict)->Parameter|None:
-    "Return a number of `camera_controls` as a parameter, its value from a frame's `metadata`; `None`: there is none"
-    control,kind,what,unit = _sliders[name]
-    if control not in controls or control not in metadata: return None
-    low,high = max(controls[control][0], name=='EXPOSURE'),min(controls[control][1], _longest)  # 0 us is automatic
-    return Parameter(name, kind, min(max(metadata[control], low), high), what, low=low, high=high, unit=unit)
-
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #de896570
-_switches = dict(    # by our name: libcamera's, for people, positions as ours and libcamera's, the sliders it moves
-    AUTO_EXPOSURE=('AeEnable', 'Exposure mode', dict(Manual=(1,False), Auto=(0,True)), ('EXPOSURE','GAIN')),
-    AUTO_WB=('AwbEnable', 'White balance', dict(Manual=(0,False), Auto=(1,True)), ()),
-    AUTO_FOCUS=('AfMode', 'Focus mode', dict(Manual=(0,0), Auto=(1,2)), ('FOCUS',)))
-
-def _switch(name:str, sliders:list)->Parameter:
-    "Return an automatic, which excludes the sliders that it moves; its default is libcamera's"
-    _,what,positions,moves = _switches[name]
-    moves,first = [p.name for p in sliders if p.name in moves],'Manual' if name=='AUTO_FOCUS' else 'Auto'
-    options = [Option(o, n, moves if o=='Auto' else ()) for o,(n,_) in positions.items()]
-    return Parameter(name, 'int32', positions[first][0], what, options, updates=moves)
-
-def _settings(controls:dict, metadata:dict)->list:
-    "Return the `Parameter`s of a camera; switches first, so a reset begins with them"
-    sliders = [p for name in _sliders if (p := _slider(name, controls, metadata))]
-    return [_switch(name, sliders) for name,(control,*_) in _switches.items() if control in controls] + sliders
-
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #b4b6100a
-def _picamera2():
-    "Import picamera2; raises `CameraError` when it is missing, or was built for another NumPy"
-    try: import libcamera, picamera2, picamera2.encoders, picamera2.outputs  # noqa: F401
-    except ValueError as e:         # numpy.dtype size changed
-        raise CameraError(f"picamera2 doesn't load ({e}): on Debian 12 it needs "
-                          "`pip install 'numpy<2' 'opencv-python-headless<4.12'`") from None
-    except ImportError as e:
-        raise CameraError(f'picamera2 is missing ({e}): `sudo apt install python3-picamera2`, and make the environment '
-                          'with `python3 -m venv --system-site-packages`') from None
-    return picamera2
-
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #468d8fe4
 class PiCamera(_LiveCamera):
     "A camera on a Raspberry Pi's ribbon cable"
@@ -89,8 +38,10 @@ class PiCamera(_LiveCamera):
         "Raises `CameraError` when picamera2 is missing, or the camera"
         for what,value in dict(width=width, height=height, fps=fps).items(): inside(what, value, 1, 10_000)
         store_attr('pose')
-        self._turn,self._job,self._number,self._arrived = clock.Lock(),None,0,clock.monotonic()
-        self._module,self.encoder = _picamera2(),None        # `encoder`: the board's, once it was wanted
+        self._turn,self._job,self._number = clock.Lock(),None,0     # one waits at a time, for the frame of `_job`
+        self._arrived = clock.monotonic()       # when the last frame came
+        self._module = _picamera2()
+        self.encoder = None                     # the board's, once it was wanted
         try:
             self._device = self._module.Picamera2(camera_num)
             self._start((width//2*2,height//2*2), fps, still_width)
@@ -136,32 +87,59 @@ def _start(self:PiCamera, size:tuple, fps:float, still_width:int|None):
     device.configure(device.create_video_configuration(**streams, colour_space=libcamera.ColorSpace.Smpte170m(),
                                                        buffer_count=4, encode='lores', queue=False))
     self.sizes = {name: device.camera_configuration()[name]['size'] for name in streams}
-    self.information = self._describe(device.camera_properties)
+    about = device.camera_properties
+    cells,nm = about['PixelArraySize'],about.get('UnitCellSize', (NAN,NAN))
+    self.information = CameraInformation('Raspberry Pi', about.get('Model', 'camera'),
+                                         sensor_size_h=cells[0]*nm[0]/1e6, sensor_size_v=cells[1]*nm[1]/1e6,
+                                         resolution_h=self.sizes['main'][0], resolution_v=self.sizes['main'][1])
     self._duration = max(round(1e6/fps), device.camera_controls['FrameDurationLimits'][0])
     self.frame_rate = 1e6/self._duration
     device.set_controls({'FrameDurationLimits': (self._duration,self._duration)})
     device.post_callback = self._on_request
     device.start()
 
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #0c87d3d6
-@patch
-def _describe(self:PiCamera, properties:dict)->CameraInformation:
-    "Return the `information` in picamera2's `camera_properties`"
-    cells,nm = properties['PixelArraySize'],properties.get('UnitCellSize', (NAN,NAN))
-    return CameraInformation('Raspberry Pi', properties.get('Model', 'camera'),
-                             sensor_size_h=cells[0]*nm[0]/1e6, sensor_size_v=cells[1]*nm[1]/1e6,
-                             resolution_h=self.sizes['main'][0], resolution_v=self.sizes['main'][1])
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #d7ca4cfd
+def _still_size(size:tuple, sensor:tuple, width:int|None=None)->tuple:
+    "Return the size of a photo in the shape of the video: the sensor's width, or `width`; raises `ValueError`"
+    most = min(sensor[0], sensor[1]*size[0]//size[1])
+    wide = min(width or most, most)
+    if wide < size[0]: raise ValueError(f'photos are {wide} px wide, so width must not be {size[0]}')
+    return wide//2*2,wide*size[1]//size[0]//2*2
 
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #3c618990
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #b4b6100a
+def _picamera2():
+    "Import picamera2; raises `CameraError` when it is missing, or was built for another NumPy"
+    try: import libcamera, picamera2, picamera2.encoders, picamera2.outputs  # noqa: F401
+    except ValueError as e:         # numpy.dtype size changed
+        raise CameraError(f"picamera2 doesn't load ({e}): on Debian 12 it needs "
+                          "`pip install 'numpy<2' 'opencv-python-headless<4.12'`") from None
+    except ImportError as e:
+        raise CameraError(f'picamera2 is missing ({e}): `sudo apt install python3-picamera2`, and make the environment '
+                          'with `python3 -m venv --system-site-packages`') from None
+    return picamera2
+
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #89f23daf
 @patch
-def _on_request(self:PiCamera, request): self._arrived = clock.monotonic()
+def next_frame(self:PiCamera, after:int=-1, # Any number: each call gives a later frame
+              )->Frame:
+    "Wait for the next frame of the video; raises `CameraError` when none comes for a second"
+    return self._take('lores')
 
 @patch
-def _check_silence(self:PiCamera):
-    "Set the fault when frames have stopped, and clear it when they come"
-    silent = clock.monotonic()-self._arrived > self.silence
-    if silent: self.set_fault(f'{self.information.model} gives no frames: is its cable loose?')
-    elif self.fault: self.set_fault(None)
+def read_still(self:PiCamera)->Frame:
+    "Return a frame of the whole sensor, exposed after the call"
+    return self._take('main', fresh=True)
+
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #92762386
+@patch
+def _take(self:PiCamera, stream:str, fresh:bool=False)->Frame:
+    "Return the next frame of a stream"
+    with self._request(fresh) as (request,number):
+        planes,about = request.make_array(stream),request.get_metadata()
+    width,height = self.sizes[stream]               # rows have some more bytes, to be multiples of 32 or 64
+    image = np.ascontiguousarray(cv2.cvtColor(planes, cv2.COLOR_YUV2BGR_I420)[:height,:width])
+    taken = about['SensorTimestamp']/1e9
+    return Frame(image, number, clock.time()-clock.monotonic()+taken, tags=_exposure_tags(about))
 
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #22291d88
 @patch
@@ -169,7 +147,8 @@ def _check_silence(self:PiCamera):
 def _request(self:PiCamera, fresh:bool=False, # Exposed after this call?
              timeout:float|None=None): # s; `None` is `silence`, and what `fresh` may take
     "For a `with`: a frame as picamera2 gives it, and its number; raises `CameraError`"
-    timeout,device = timeout or self.silence + 3e-6*_longest*fresh,self._device
+    exposures = 3e-6*_longest if fresh else 0.          # s; one is under way, and one is being set up
+    timeout,device = timeout or self.silence+exposures,self._device
     try:
         with self._turn:
             if device is None: raise CameraError(f'{self!r} is closed')
@@ -189,28 +168,60 @@ def _exposure_tags(about:dict)->dict:
     tags['ISOSpeedRatings'] = round(100*about.get('AnalogueGain', 0)*about.get('DigitalGain', 1.))
     return {name: value for name,value in tags.items() if value}
 
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #92762386
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #3c618990
 @patch
-def _take(self:PiCamera, stream:str, fresh:bool=False)->Frame:
-    "Return the next frame of a stream"
-    with self._request(fresh) as (request,number):
-        planes,about = request.make_array(stream),request.get_metadata()
-    width,height = self.sizes[stream]               # rows have some more bytes, to be multiples of 32 or 64
-    image = np.ascontiguousarray(cv2.cvtColor(planes, cv2.COLOR_YUV2BGR_I420)[:height,:width])
-    taken = about['SensorTimestamp']/1e9
-    return Frame(image, number, clock.time()-clock.monotonic()+taken, tags=_exposure_tags(about))
-
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #89f23daf
-@patch
-def next_frame(self:PiCamera, after:int=-1, # Any number: each call gives a later frame
-              )->Frame:
-    "Wait for the next frame of the video; raises `CameraError` when none comes for a second"
-    return self._take('lores')
+def _on_request(self:PiCamera, request): self._arrived = clock.monotonic()
 
 @patch
-def read_still(self:PiCamera)->Frame:
-    "Return a frame of the whole sensor, exposed after the call"
-    return self._take('main', fresh=True)
+def _check_silence(self:PiCamera):
+    "Set the fault when frames have stopped, and clear it when they come"
+    silent = clock.monotonic()-self._arrived > self.silence
+    if silent: self.set_fault(f'{self.information.model} gives no frames: is its cable loose?')
+    elif self.fault: self.set_fault(None)
+
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #e5b84f43
+_sliders = dict(     # by our name: libcamera's, and how we declare it
+    EXPOSURE=('ExposureTime', 'int32', 'Exposure time', 'us'), GAIN=('AnalogueGain', 'float', 'Analogue gain', ''),
+    FOCUS=('LensPosition', 'float', 'Focus: 1 / distance, 0 is infinity', '1/m'))
+_longest = 500_000          # us
+
+def _slider(name:str, controls:dict, metadata:dict)->Parameter|None:
+    "Return a number of `camera_controls` as a parameter, its value from a frame's `metadata`; `None`: there is none"
+    control,kind,what,unit = _sliders[name]
+    if control not in controls or control not in metadata: return None
+    low,high = controls[control][:2]
+    low = max(low, 1 if name=='EXPOSURE' else 0)            # 0 us is automatic
+    high = min(high, _longest)
+    return Parameter(name, kind, min(max(metadata[control], low), high), what, low=low, high=high, unit=unit)
+
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #de896570
+_switches = dict(    # by our name: libcamera's, for people, positions as ours and libcamera's, the sliders it moves
+    AUTO_EXPOSURE=('AeEnable', 'Exposure mode', dict(Manual=(1,False), Auto=(0,True)), ('EXPOSURE','GAIN')),
+    AUTO_WB=('AwbEnable', 'White balance', dict(Manual=(0,False), Auto=(1,True)), ()),
+    AUTO_FOCUS=('AfMode', 'Focus mode', dict(Manual=(0,0), Auto=(1,2)), ('FOCUS',)))
+
+def _switch(name:str, sliders:list)->Parameter:
+    "Return an automatic, which excludes the sliders that it moves; its default is libcamera's"
+    _,what,positions,moves = _switches[name]
+    moves = [p.name for p in sliders if p.name in moves]
+    first = 'Manual' if name=='AUTO_FOCUS' else 'Auto'
+    options = [Option(o, n, moves if o=='Auto' else ()) for o,(n,_) in positions.items()]
+    return Parameter(name, 'int32', positions[first][0], what, options, updates=moves)
+
+def _settings(controls:dict, metadata:dict)->list:
+    "Return the `Parameter`s of a camera; switches first, so a reset begins with them"
+    sliders = [p for name in _sliders if (p := _slider(name, controls, metadata))]
+    return [_switch(name, sliders) for name,(control,*_) in _switches.items() if control in controls] + sliders
+
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #24c70a22
+@patch
+def apply_parameter(self:PiCamera, name:str, value)->dict|None:
+    "Set it in the camera; raises `CameraError` when no frame shows it"
+    if name in _switches: return self._turn_switch(name, value)
+    if name not in _sliders: return None                    # a subclass's own
+    switch,auto = next((n, positions['Auto'][0]) for n,(_,_,positions,moves) in _switches.items() if name in moves)
+    if switch in self.parameters and self.parameters[switch]==auto: return None     # a reset may come meanwhile
+    return self._put(name, value)
 
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #7a6a59ea
 @patch
@@ -230,7 +241,8 @@ def _put(self:PiCamera, name:str, value)->dict|None:
 def _turn_switch(self:PiCamera, name:str, value:int)->dict:
     "Set an automatic; return the values of its sliders when it is off"
     control,_,positions,moves = _switches[name]
-    orders,held = {control: dict(positions.values())[value]},{}
+    theirs = dict(positions.values())           # our number of a position to libcamera's value
+    orders,held = {control: theirs[value]},{}
     if value!=positions['Auto'][0]:
         with self._request() as (request,_): now = request.get_metadata()
         held = {p.name: p.default for n in moves if (p := _slider(n, self._device.camera_controls, now))}
@@ -239,15 +251,17 @@ def _turn_switch(self:PiCamera, name:str, value:int)->dict:
     self._device.set_controls(orders)
     return held
 
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #24c70a22
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #37176ab8
 @patch
-def apply_parameter(self:PiCamera, name:str, value)->dict|None:
-    "Set it in the camera; raises `CameraError` when no frame shows it"
-    if name in _switches: return self._turn_switch(name, value)
-    if name not in _sliders: return None                    # a subclass's own
-    switch = next(n for n,(*_,moves) in _switches.items() if name in moves)
-    automatic = switch in self.parameters and self.parameters[switch]==_switches[switch][2]['Auto'][0]
-    if not automatic: return self._put(name, value)         # a reset may come while it is automatic
+def make_encoder(self:PiCamera, codec:str, size:tuple|None, rate:float, bitrate:int|None):
+    "Return the board's encoder, when it has one that fits; else one for our frames"
+    width,height = own = self.sizes['lores']
+    has = self._module.get_platform()==self._module.Platform.VC4 and width<=1920 and height<=1088
+    if not has or codec!='h264' or size not in (None,own):
+        return Camera.make_encoder(self, codec, size or own, rate, bitrate)
+    self.encoder = self.encoder or _BoardEncoder(self)
+    if bitrate: self.encoder.bitrate = bitrate
+    return self.encoder
 
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #e1fc1fe3
 class _BoardEncoder(PassThrough):
@@ -295,15 +309,3 @@ def _output(module, push):
         def outputframe(self, frame, keyframe=True, timestamp=None, packet=None, audio=False):
             if not audio: push(frame, timestamp)
     return Pictures()
-
-# %% ../../nbs/api/cameras/18_pi_camera.ipynb #37176ab8
-@patch
-def make_encoder(self:PiCamera, codec:str, size:tuple|None, rate:float, bitrate:int|None):
-    "Return the board's encoder, when it has one that fits; else one for our frames"
-    width,height = own = self.sizes['lores']
-    has = self._module.get_platform()==self._module.Platform.VC4 and width<=1920 and height<=1088
-    if not has or codec!='h264' or size not in (None,own):
-        return Camera.make_encoder(self, codec, size or own, rate, bitrate)
-    self.encoder = self.encoder or _BoardEncoder(self)
-    if bitrate: self.encoder.bitrate = bitrate
-    return self.encoder

@@ -351,6 +351,23 @@ class SimDualCamera(SimCamera):
         super().close()
         self.thermal_frames.close(1.)
 
+    def set_camera_zoom(self, kind, value):
+        "Zoom as `SimCamera`; raises `ValueError` while the thermal camera is primary"
+        if self.source[0]=='ir': raise ValueError('the thermal camera does not zoom')
+        SimCamera.set_camera_zoom(self, kind, value)
+
+    def reset_camera_settings(self):
+        "Reset as `SimCamera`, and show the visible picture"
+        self.set_camera_source()
+        SimCamera.reset_camera_settings(self)
+
+    def read_still(self)->Frame:
+        "Return a still of the primary source"
+        if not self.source[1]: return SimCamera.read_still(self)
+        size,self._still.now = self._still_size(),True
+        try: return self.read(size)
+        finally: self._still.now = False
+
 # %% ../../nbs/api/cameras/12_sim.ipynb #e2e4c16c
 @patch
 def _temperatures(self:SimDualCamera, number:int, look:tuple, size:tuple|None=None):
@@ -395,28 +412,6 @@ def set_camera_source(self:SimDualCamera, primary:str='default', # 'default', 'r
     for stream in self.streams:
         if not self._only_thermal(stream): self.filming._announce_stream(stream)
     self.announce(self.settings())          # the zoom is the other eye's
-
-# %% ../../nbs/api/cameras/12_sim.ipynb #09de9554
-@patch
-def set_camera_zoom(self:SimDualCamera, kind, value):
-    "Zoom as `SimCamera`; raises `ValueError` while the thermal camera is primary"
-    if self.source[0]=='ir': raise ValueError('the thermal camera does not zoom')
-    SimCamera.set_camera_zoom(self, kind, value)
-
-@patch
-def reset_camera_settings(self:SimDualCamera):
-    "Reset as `SimCamera`, and show the visible picture"
-    self.set_camera_source()
-    SimCamera.reset_camera_settings(self)
-
-# %% ../../nbs/api/cameras/12_sim.ipynb #7921bcfa
-@patch
-def read_still(self:SimDualCamera)->Frame:
-    "Return a still of the primary source"
-    if not self.source[1]: return SimCamera.read_still(self)
-    size,self._still.now = self._still_size(),True
-    try: return self.read(size)
-    finally: self._still.now = False
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #bc3f67ed
 @patch

@@ -73,6 +73,21 @@ def car(self:SimWorld, t:float, # s
     a = t*self.car_speed/self.car_radius
     return self.car_radius*math.cos(a), self.car_radius*math.sin(a), math.degrees(a)%360+90
 
+# %% ../../nbs/api/cameras/11_sim_world.ipynb #62629ae5
+@patch
+def render(self:SimWorld, view:View, # From where
+           t:float=0.): # s, for what moves
+    "The picture of the world: BGR, height x width x 3, uint8"
+    visible,(north,east,_) = self.visible_tags(view),self.car(t)
+    def distance(place): return np.linalg.norm(view.position-place)
+    boards = [n for n in visible if n in self.boards]
+    behind = [n for n in boards if distance(self.tags[n].mean(0)) >= distance((north,east,0))]
+    image = self._still(view, [n for n in visible if n not in self.boards] + behind)    # what lies comes first
+    self._draw_car(image, view, t)
+    for n in boards:
+        if n not in behind: self._draw_tag(image, view, n, self.tags[n])
+    return image
+
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5506
 def _wrapping_noise(seed:int, size:int):
     "A square, `size` px wide, of noise of many sizes (float32, about -3..3), whose edges fit each other"
@@ -264,21 +279,6 @@ def _draw_car(self:SimWorld, image, view, t):
         if depths.min() <= .1 or abs(pixels).max() >= 1e4: continue
         sixteenths = np.round(pixels*16).astype(np.int32)         # `shift=4`: four bits after the point
         cv2.fillConvexPoly(image, sixteenths, (30,40,shade), cv2.LINE_AA, shift=4)
-
-# %% ../../nbs/api/cameras/11_sim_world.ipynb #62629ae5
-@patch
-def render(self:SimWorld, view:View, # From where
-           t:float=0.): # s, for what moves
-    "The picture of the world: BGR, height x width x 3, uint8"
-    visible,(north,east,_) = self.visible_tags(view),self.car(t)
-    def distance(place): return np.linalg.norm(view.position-place)
-    boards = [n for n in visible if n in self.boards]
-    behind = [n for n in boards if distance(self.tags[n].mean(0)) >= distance((north,east,0))]
-    image = self._still(view, [n for n in visible if n not in self.boards] + behind)    # what lies comes first
-    self._draw_car(image, view, t)
-    for n in boards:
-        if n not in behind: self._draw_tag(image, view, n, self.tags[n])
-    return image
 
 # %% ../../nbs/api/cameras/11_sim_world.ipynb #5c0a5531
 class _Stills:

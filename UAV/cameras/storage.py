@@ -230,18 +230,22 @@ def recordings(self:Storage)->list:
     return [file for name in self.ours if name.startswith('VID') and (file := self.folder/name).is_file()]
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #bf67f7ce
+lost_line = 'its line in the log is lost'
+
 @patch
 def _recover(self:Storage):
     "Clear up, read the log, and take in what a crash left"
     self._clear_up()
     log = _ShotLog(self.log_file)
     self.ours = list(dict.fromkeys(log.ours))
-    found = log.pictures | {i: self._lost(i) for i in log.missing()}
-    self.count,self.next_index = log.count,max([log.next_index, *(i+1 for i in found)])
-    while picture := _orphan(self.folder, self.next_index, self.ours):          # a crash left it without a line
+    self.count,self.next_index = log.count,log.next_index
+    found = dict(log.pictures)
+    for index in log.missing():
+        found[index] = _orphan(self.folder, index, self.ours) or Picture(index, 0., ok=False, error=lost_line)
+    while picture := _orphan(self.folder, self.next_index, self.ours):      # a crash came before its line
         found[self.next_index] = picture
         self.next_index += 1
-    self.pictures = [replace(found[i], storage_id=self.storage_id) for i in sorted(found)]
+    self.pictures = [replace(found[index], storage_id=self.storage_id) for index in sorted(found)]
     if not log.whole or len(log.pictures) < len(found):
         lines = _log_lines(self.pictures, self.count, self.next_index, self.ours)
         try: write_file(self.log_file, b''.join(lines))
@@ -261,14 +265,6 @@ def _clear_up(self:Storage):
         self._take_older()
         self._finish_format()
     except OSError as e: self._warn(f'{self.folder}: its log cannot be brought up to date', e)
-
-# %% ../../nbs/api/cameras/02_storage.ipynb #8d730c1b
-lost_line = 'its line in the log is lost'
-
-@patch
-def _lost(self:Storage, index:int):
-    "Rebuild a shot's entry from its file"
-    return _orphan(self.folder, index, self.ours) or Picture(index, 0., ok=False, error=lost_line)
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #b7c20665
 @patch
@@ -300,41 +296,45 @@ def _add_up(self:Storage):
 class _ShotLog:
     "Read a log; a missing one is empty"
     def __init__(self, path:Path):
-        self.path,self.pictures = path,{}           # pictures by index
+        self.path = path
+        self.pictures = {}                          # by index
         self.elsewhere = []                         # ranges of indexes on other storages
         self.ours = []                              # names of other files of ours
         self.count,self.next_index = '',0           # the count's name, if it has one
         lines = path.read_bytes().splitlines(keepends=True) if path.exists() else []
-        self.most = len(lines) + sum(1 for _ in path.parent.glob('IMG_*.jpg'))  # lost at a stretch
+        self.most = len(lines) + sum(1 for _ in path.parent.glob('IMG_*.jpg'))  # shots that there can be
         self.whole = all([self._take(line) for line in lines])
 
     def _take(self, line:bytes)->bool:
         "Take in one line; false when it is damaged"
-        if found := _count_pattern.fullmatch(line):
-            self.count,first = found[1].decode(),int(found[2])
-            if first > self.next_index: self.elsewhere.append(range(self.next_index, first))
-            self.next_index = max(self.next_index, first)
+        if found := _count_pattern.fullmatch(line): self._take_count(found[1].decode(), int(found[2]))
         elif found := _ours_pattern.fullmatch(line): self.ours.append(found[1].decode())
-        else:
-            try: picture = _from_line(line)
-            except ValueError: return False
-            if picture.index in self.pictures or not self._possible(picture): return False
-            self.pictures[picture.index] = picture
-            self.next_index = max(self.next_index, picture.index+1)
+        elif not self._take_picture(line): return False
         return line.endswith(b'\n')
 
-    def _possible(self, picture:Picture)->bool:
-        "Check a number for plausibility"
-        if picture.index < self.most + sum(map(len, self.elsewhere)): return True
-        return bool(picture.file and _picture_in(self.path.parent/picture.file, picture.index))
+    def _take_count(self, name:str, first:int):
+        self.count = name
+        if first > self.next_index: self.elsewhere.append(range(self.next_index, first))
+        self.next_index = max(self.next_index, first)
 
-    def missing(self)->list:
-        "Indexes of which this log should know, and does not"
-        found,at = [],0
-        for gap in [*self.elsewhere, range(self.next_index, self.next_index)]:
-            found += [i for i in range(at, min(gap.start, at+self.most)) if i not in self.pictures]
-            at = gap.stop
-        return found
+    def _take_picture(self, line:bytes)->bool:
+        try: picture = _from_line(line)
+        except ValueError: return False
+        possible = picture.index < self.most + sum(map(len, self.elsewhere))
+        if not possible and picture.file: possible = _picture_in(self.path.parent/picture.file, picture.index)
+        if picture.index in self.pictures or not possible: return False
+        self.pictures[picture.index] = picture
+        self.next_index = max(self.next_index, picture.index+1)
+        return True
+
+# %% ../../nbs/api/cameras/02_storage.ipynb #558bc1e0
+@patch
+def missing(self:_ShotLog)->list:
+    "Indexes of which this log should know, and does not"
+    starts = [0, *(there.stop for there in self.elsewhere)]         # of each stretch on this storage
+    ends = [*(there.start for there in self.elsewhere), self.next_index]
+    here = (range(start, min(end, start+self.most)) for start,end in zip(starts, ends))
+    return [index for stretch in here for index in stretch if index not in self.pictures]
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #7621e39e
 def _count_line(name:str, first:int)->bytes:

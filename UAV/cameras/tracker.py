@@ -41,22 +41,25 @@ class Follower:
         size,middle = self.size.round(),self.middle.round()
         return f'{type(self).__name__}: {size} px at {middle}, {"lost, " if self.lost else ""}{self.confidence:.2f}'
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #b5bfaee4
-@patch
-def follow(self:Follower, image, # The next picture
-          )->float:
-    "Set `box` to where it is in the next picture; returns the confidence, below `good` it is `lost`"
-    if self.lost: self.search(image)
-    else:
-        before,bounds = self.middle,image.shape[1::-1]
-        self.move(image)
-        self.fit(image)
-        self.judge(image)
-        self.size = np.clip(self.size, self.smallest, bounds)
-        if not ((self.middle>=0) & (self.middle<bounds)).all(): self.confidence = 0.        # it has left the picture
-        self.lost = self.confidence<self.good
-        if not self.lost: self.learn(image, before)
-    return self.confidence
+    def follow(self, image, # The next picture
+              )->float:
+        "Set `box` to where it is in the next picture; returns the confidence, below `good` it is `lost`"
+        if self.lost: self.search(image)
+        else:
+            before,bounds = self.middle,image.shape[1::-1]
+            self.move(image)
+            self.fit(image)
+            self.judge(image)
+            self.size = np.clip(self.size, self.smallest, bounds)
+            if not ((self.middle>=0) & (self.middle<bounds)).all(): self.confidence = 0.    # it is out of sight
+            self.lost = self.confidence<self.good
+            if not self.lost: self.learn(image, before)
+        return self.confidence
+
+    @property
+    def box(self)->tuple:
+        "left, top, right, bottom, px"
+        return *(self.middle-self.size/2).tolist(), *(self.middle+self.size/2).tolist()
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #ba971177
 @patch
@@ -76,12 +79,6 @@ def _square(self:Follower, image, scale=1.): return _cut_out(image, self.middle,
 def keep(self:Follower, image):
     "Remember what it looks like, for when it is lost"
     self.face = cv2.getRectSubPix(image, tuple(map(round, self.size.tolist())), tuple(self.middle.tolist()))
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #30f5772a
-@patch(as_prop=True)
-def box(self:Follower)->tuple:
-    "left, top, right, bottom, px"
-    return *(self.middle-self.size/2).tolist(), *(self.middle+self.size/2).tolist()
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #57f75212
 side,context = 64,2.2       # px of the square; how much more it shows than the target itself
@@ -167,11 +164,9 @@ class _Colours(_Learned):
         inner,outer = self.inner[numbers],self.outer[numbers]
         return ((inner+1e-4)/(inner+outer+2e-4)).astype(np.float32)
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #0e438149
-@patch
-def contrast(self:_Colours, likelihood)->float:
-    "How much more the core of a square is the target's than its ring is: 1 clearly, 0 not at all"
-    return float(likelihood[_grid().core].mean()-likelihood[_grid().ring].mean())
+    def contrast(self, likelihood)->float:
+        "How much more the core of a square is the target's than its ring is: 1 clearly, 0 not at all"
+        return float(likelihood[_grid().core].mean()-likelihood[_grid().ring].mean())
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #d3c9f849
 class _Portrait(_Learned):
@@ -299,22 +294,20 @@ class Pursuit:
         self.number = -1                            # of the last frame
         self.seen = self.arrived = None               # when the target was seen, and when a frame came: s on a clock
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #df296eab
-@patch
-def look(self:Pursuit, frame:Frame, # The next one of the camera
-         focal_length:float=NAN, # With which it was taken, mm
-        )->TrackingStatus:
-    "Return the status in this frame; raises `ValueError` for one that is no picture"
-    self.number = frame.number
-    self._find(frame, focal_length)
-    sure = max(0., round(self.follower.confidence, 3))
-    if self.follower.lost:
-        return TrackingStatus('error', self.mode, frame=frame, confidence=sure, why='the target is lost')
-    width,height = self.size.tolist()
-    sides = zip(self.follower.box, (width,height)*2)
-    left,top,right,bottom = (min(max(n/size, 0.), 1.) for n,size in sides)
-    point,radius = ((left+right)/2,(top+bottom)/2),float(max(self.follower.size))/2/width
-    return TrackingStatus('active', self.mode, (left,top,right,bottom), point, radius, frame, sure)
+    def look(self, frame:Frame, # The next one of the camera
+             focal_length:float=NAN, # With which it was taken, mm
+            )->TrackingStatus:
+        "Return the status in this frame; raises `ValueError` for one that is no picture"
+        self.number = frame.number
+        self._find(frame, focal_length)
+        sure = max(0., round(self.follower.confidence, 3))
+        if self.follower.lost:
+            return TrackingStatus('error', self.mode, frame=frame, confidence=sure, why='the target is lost')
+        width,height = self.size.tolist()
+        sides = zip(self.follower.box, (width,height)*2)
+        left,top,right,bottom = (min(max(n/size, 0.), 1.) for n,size in sides)
+        point,radius = ((left+right)/2,(top+bottom)/2),float(max(self.follower.size))/2/width
+        return TrackingStatus('active', self.mode, (left,top,right,bottom), point, radius, frame, sure)
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #be8f948c
 @patch
@@ -397,33 +390,27 @@ class Tracker:
 
     def __repr__(self): return f'{type(self).__name__}: {self.status}'
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #c525a400
-@patch
-def start(self:Tracker, pursuit:Pursuit): # What to track
-    "Track this from the next frame on, in place of what was tracked before; raises `CameraError` when closed"
-    with self._changed:
-        if self.closed: raise CameraError(f'{self.camera!r} is closed')
-        self._pursuit,self.status = pursuit,TrackingStatus('active', pursuit.mode)
-        self._announced = pursuit,None           # its end is announced, even when no frame has come
-        if self._runs: return
-        self._thread,self._runs = _begin_thread(self._run, f'tracker {self.camera.information.model}'),True
+    def start(self, pursuit:Pursuit): # What to track
+        "Track this from the next frame on, in place of what was tracked before; raises `CameraError` when closed"
+        with self._changed:
+            if self.closed: raise CameraError(f'{self.camera!r} is closed')
+            self._pursuit,self.status = pursuit,TrackingStatus('active', pursuit.mode)
+            self._announced = pursuit,None           # its end is announced, even when no frame has come
+            if self._runs: return
+            self._thread,self._runs = _begin_thread(self._run, f'tracker {self.camera.information.model}'),True
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #0c931c9e
-@patch
-def stop(self:Tracker):
-    "Track no more; fine when nothing is tracked"
-    with self._announcing: self._set(self._pursuit, TrackingStatus(), ends=True)
+    def stop(self):
+        "Track no more; fine when nothing is tracked"
+        with self._announcing: self._set(self._pursuit, TrackingStatus(), ends=True)
 
-# %% ../../nbs/api/cameras/06_tracker.ipynb #0eb9fc88
-@patch
-def next(self:Tracker, after:int=-1, # The number of the last frame seen
-         timeout:float|None=None, # s; `None` waits as long as it takes
-        )->TrackingStatus|None:
-    "Wait for the status in a later frame than `after`; `None` on timeout, and when nothing is tracked"
-    def there(): return self.status.frame is not None and self.status.frame.number>after
-    with self._changed:
-        self._changed.wait_for(lambda: self._pursuit is None or there(), timeout)
-        return self.status if there() else None
+    def next(self, after:int=-1, # The number of the last frame seen
+             timeout:float|None=None, # s; `None` waits as long as it takes
+            )->TrackingStatus|None:
+        "Wait for the status in a later frame than `after`; `None` on timeout, and when nothing is tracked"
+        def there(): return self.status.frame is not None and self.status.frame.number>after
+        with self._changed:
+            self._changed.wait_for(lambda: self._pursuit is None or there(), timeout)
+            return self.status if there() else None
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #dd5c0254
 @patch

@@ -272,43 +272,34 @@ class TruthCamera(SimCamera):
         car_speed:float|None=None, # m/s; `None`: the default
         **kwargs, # Arguments of `SimCamera`
     ):
-        self.boxes,self.points,self._last_view = {},{},None     # rectangles and tracked points, by frame number
+        self.boxes,self.points = {},{}      # rectangles and tracked points, by frame number
         super().__init__(*args, **kwargs)
         if car_speed is None: return
         self.world = SimWorld(self.world.seed)
         self.world.car_speed = car_speed
 
-    def view(self, look=None, *args):
-        found = super().view(look, *args)
-        if look is not None: self._last_view = found            # the view of a frame
-        return found
-
-    def read(self):
-        frame = super().read()
-        box = self.world.car_box(self._last_view, frame.number/self.frame_rate)
-        self.boxes[frame.number] = tuple(n/size for n,size in zip(box, self._last_view.size*2))
-        return frame
+    def _draw(self, number, look, size):
+        view = self.view(look, size)
+        box = self.world.car_box(view, number/self.frame_rate)
+        self.boxes[number] = tuple(n/length for n,length in zip(box, view.size*2))
+        return super()._draw(number, look, size)
 
     def _target_place(self, frame, point):
         self.points[frame.number] = point
         return super()._target_place(frame, point)
 
-# %% ../../nbs/api/testing/00_kit.ipynb #97fa43db
-@patch
-def around_car(self:TruthCamera)->dict:
-    "Return the rectangle around the car in the next frame, for `camera_track_rectangle`"
-    with self.frames.watching():
-        last = self.frames.newest.number if self.frames.newest else -1
-        box = self.boxes[self.frames.next(last, 30).number]
-    return dict(zip(('left','top','right','bottom'), box))
+    def around_car(self)->dict:
+        "Return the rectangle around the car in the next frame, for `camera_track_rectangle`"
+        with self.frames.watching():
+            last = self.frames.newest.number if self.frames.newest else -1
+            box = self.boxes[self.frames.next(last, 30).number]
+        return dict(zip(('left','top','right','bottom'), box))
 
-# %% ../../nbs/api/testing/00_kit.ipynb #a1e31078
-@patch
-def frame_of(self:TruthCamera, status, # A `TrackingStatus` with a point
-            )->int:
-    "Return the number of its frame"
-    x,y = status.point
-    return min(list(self.points.items()), key=lambda item: abs(item[1][0]-x)+abs(item[1][1]-y))[0]
+    def frame_of(self, status, # A `TrackingStatus` with a point
+                )->int:
+        "Return the number of its frame"
+        x,y = status.point
+        return min(list(self.points.items()), key=lambda item: abs(item[1][0]-x)+abs(item[1][1]-y))[0]
 
 # %% ../../nbs/api/testing/00_kit.ipynb #b2559fff
 @patch
