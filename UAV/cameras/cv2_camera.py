@@ -35,48 +35,11 @@ class _LiveCamera(Camera):
 
     def _read_watched(self): return self.read_still()
 
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #cac5af76
-class _Controls:
-    "Settings for a device's reader, requested and set; none without a `cv2.VideoCapture`"
-    exposure_unit = NAN         # s; OpenCV passes on what each system counts in
-    def __init__(self, capture=None):
-        self.declared = [] if capture is None else _find_controls(capture)
-        self.defaults = {p.name: p.default for p in self.declared}
-        self.wishes,self.made = clock.SimpleQueue(),{}
-
-    def set(self, name:str, value:float, timeout:float)->dict:
-        "Have the reader set it within `timeout` s: what the device has made of it; raises `CameraError`"
-        done = Future()
-        self.wishes.put((name, value, done))
-        try: return done.result(timeout)
-        except TimeoutError: pass
-        if done.cancel(): raise CameraError(f'{name} was not set: the device has given no frame for {timeout:g} s')
-        return done.result()
-
-    def serve(self, capture):
-        "The reader calls this between two frames: do what is asked"
-        while not self.wishes.empty():
-            name,value,done = self.wishes.get()
-            if not done.set_running_or_notify_cancel(): continue        # too late
-            number = _number_of(name)
-            try:
-                if not capture.set(number, value): raise CameraError(f'the device refuses {name} {value:g}')
-                self.made[name] = value
-                done.set_result({name: capture.get(number)})
-            except BaseException as e: done.set_exception(e)
-
-    def again(self, capture):
-        "Set a device that came back as the old one was"
-        for name,value in self.made.items(): capture.set(_number_of(name), value)
-
-    def leave(self, capture):
-        "Leave the device as it was found"
-        for name in reversed(self.made): capture.set(_number_of(name), self.defaults[name])
-
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #fa7b6ac9
 class CV2Camera(_LiveCamera):
     "A camera that OpenCV can open"
-    _parts = dict(controls=_Controls, kind=lambda value: value in ('file','device','url'), _newest=NewestFrame)
+    _parts = dict(controls=lambda value: isinstance(value, _Controls), _newest=NewestFrame,
+                  kind=lambda value: value in ('file','device','url'))
     def __init__(self, source, # Device number or path, file name, or URL (rtsp, http, udp, tcp)
                  width:int|None=None, height:int|None=None, # px; frames are scaled when the source has another size
                  fps:float|None=None, # Frames per second; `None` is what the source says
@@ -89,10 +52,10 @@ class CV2Camera(_LiveCamera):
                  pose=None): # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
         store_attr('source,width,height,fps,loop,open_timeout,read_timeout,backend,pose')
         self.kind = _source_kind(source)
-        self.paced,self.lockstep = paced and self.kind == 'file',not paced and self.kind == 'file'
+        self.paced = paced and self.kind == 'file'
+        self.lockstep = not paced and self.kind == 'file'       # the reader waits until its frame is taken
         self._capture,image = self._open()
-        height,width = image.shape[:2]
-        self.information = CameraInformation(model=model, resolution_h=width, resolution_v=height)
+        self.information = CameraInformation(model=model, resolution_h=image.shape[1], resolution_v=image.shape[0])
         with _silent_cv2():
             self.controls = _controls_of(source, self._capture) if self.kind == 'device' else _Controls()
         self.declared = [*self.declared, *self.controls.declared]
@@ -112,6 +75,20 @@ class CV2Camera(_LiveCamera):
         self._newest.end(f'{self!r} is closed', forget=True)
         ended = _has_ended(self._reader, self.open_timeout+self.read_timeout+1)         # a driver may hang
         if not ended: self.log.error('%r does not let go of %s', self, _source_name(self.source))
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #16b66f2c
+@patch
+def next_frame(self:CV2Camera, after:int=-1, # The number of the last frame seen
+              )->Frame:
+    "Wait for a frame later than `after`; raises `CameraError` when none comes for `read_timeout`"
+    if self.lockstep: frame = self._newest.take(self.read_timeout)
+    else: frame = self._newest.next(after, self.read_timeout)
+    problem = self._silence()
+    if frame is None:           # a frame counts, although the film is over by now
+        silent = f'{_source_name(self.source)} has given no frame for {self.read_timeout:g} s'
+        problem = self._newest.over or problem or silent
+    if problem: raise CameraError(problem)
+    return frame
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #52556ee6
 @patch
@@ -135,46 +112,9 @@ def _fit(self:CV2Camera, image):
     "The image in BGR, and in the size that was asked for"
     if image.ndim == 2: image = cv2.cvtColor(image, cv2.COLOR_GRAY2BGR)
     height,width = image.shape[:2]
-    wanted = (self.width or round(width*(self.height or height)/height),        # one of them alone keeps the shape
+    wanted = (self.width or round(width*(self.height or height)/height),
               self.height or round(height*(self.width or width)/width))
     return image if wanted == (width,height) else cv2.resize(image, wanted, interpolation=cv2.INTER_AREA)
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6f7d4c28
-# FFmpeg is to be quiet; OpenCV reads this once, when it first needs FFmpeg
-os.environ['OPENCV_FFMPEG_LOGLEVEL'] = os.environ.get('OPENCV_FFMPEG_LOGLEVEL', '-8')
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #72641505
-def _source_kind(source)->str:
-    "'device', 'url' or 'file'"
-    text = str(source)
-    return 'device' if text.isdigit() or text.startswith('/dev/') else 'url' if '://' in text else 'file'
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #f28194c4
-def _source_name(source)->str:
-    "The source for people: quoted, and without user and password"
-    if not isinstance(source, (str,os.PathLike)): return repr(source)
-    shown,found = re.subn(r'(?<=://)[^/]*@', '', os.fspath(source))
-    return repr(shown if found else re.sub(r'(?<=://).*@', '…@', shown))        # a / may be of the password
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #02ed1d99
-@contextmanager
-def _silent_cv2():
-    "Suppress OpenCV's output; errors are raised"
-    set_level = cv2.setLogLevel if hasattr(cv2, 'setLogLevel') else cv2.utils.logging.setLogLevel      # OpenCV 4 and 5
-    level = set_level(0)
-    try: yield
-    finally: set_level(level)
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #5c0a5705
-def _how_to_open(source, open_timeout:float, read_timeout:float, backend:int|None)->tuple:
-    "The arguments of `cv2.VideoCapture`: name, backend and parameters; raises `CameraError` when there is no such file"
-    kind,name = _source_kind(source),int(source) if str(source).isdigit() else os.fspath(source)
-    missing = kind == 'file' and backend is None and not os.path.isfile(name)
-    if missing: raise CameraError(f'there is no file {_source_name(source)}')
-    if backend is None: backend = cv2.CAP_FFMPEG if kind == 'url' else cv2.CAP_ANY
-    if kind != 'url' or backend != cv2.CAP_FFMPEG: return name, backend, []
-    open_ms,read_ms = round(open_timeout*1000),round(read_timeout*1000)
-    return name, backend, [cv2.CAP_PROP_OPEN_TIMEOUT_MSEC, open_ms, cv2.CAP_PROP_READ_TIMEOUT_MSEC, read_ms]
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #61c90b71
 def _open_source(source, open_timeout:float=5., read_timeout:float=5., backend:int|None=None)->tuple:
@@ -190,23 +130,44 @@ def _open_source(source, open_timeout:float=5., read_timeout:float=5., backend:i
     hint = ': is it there (`ls /dev/video*`), and does no other program have it?'
     raise CameraError(f'{_source_name(source)} {problem}' + (hint if _source_kind(source)=='device' else ''))
 
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #bb9dab1c
-@patch
-def _publish(self:CV2Camera, image):
-    self._arrived = clock.monotonic()
-    self._newest.put(Frame(image, self._newest.number+1, clock.time()))
-    if self.fault: self.set_fault(None)
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #72641505
+def _source_kind(source)->str:
+    "'device', 'url' or 'file'"
+    text = str(source)
+    if text.isdigit() or text.startswith('/dev/'): return 'device'
+    return 'url' if '://' in text else 'file'
 
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #3a0e5c03
-_by_hand = 1,2      # V4L2_EXPOSURE_MANUAL, V4L2_EXPOSURE_SHUTTER_PRIORITY
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #f28194c4
+def _source_name(source)->str:
+    "The source for people: quoted, and without user and password"
+    if not isinstance(source, (str,os.PathLike)): return repr(source)
+    shown,found = re.subn(r'(?<=://)[^/]*@', '', os.fspath(source))
+    return repr(shown if found else re.sub(r'(?<=://).*@', '…@', shown))        # a / may be of the password
 
-@patch
-def read_still(self:CV2Camera)->Frame:
-    "Return the newest frame, with its exposure time if that is set by hand"
-    frame,values = self.read(),dict(self.parameters)
-    time = round(values.get('EXPOSURE', 0)*self.controls.exposure_unit, 6)
-    if not time>0 or values.get('AUTO_EXPOSURE', _by_hand[0]) not in _by_hand: return frame
-    return replace(frame, tags=dict(ExposureTime=time))
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #5c0a5705
+def _how_to_open(source, open_timeout:float, read_timeout:float, backend:int|None)->tuple:
+    "The arguments of `cv2.VideoCapture`: name, backend and parameters; raises `CameraError` when there is no such file"
+    kind = _source_kind(source)
+    name = int(source) if str(source).isdigit() else os.fspath(source)
+    if kind == 'file' and backend is None and not os.path.isfile(name):
+        raise CameraError(f'there is no file {_source_name(source)}')
+    if backend is None: backend = cv2.CAP_FFMPEG if kind == 'url' else cv2.CAP_ANY
+    if kind != 'url' or backend != cv2.CAP_FFMPEG: return name, backend, []
+    open_ms,read_ms = round(open_timeout*1000),round(read_timeout*1000)
+    return name, backend, [cv2.CAP_PROP_OPEN_TIMEOUT_MSEC, open_ms, cv2.CAP_PROP_READ_TIMEOUT_MSEC, read_ms]
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6f7d4c28
+# FFmpeg is to be quiet; OpenCV reads this once, when it first needs FFmpeg
+os.environ['OPENCV_FFMPEG_LOGLEVEL'] = os.environ.get('OPENCV_FFMPEG_LOGLEVEL', '-8')
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #02ed1d99
+@contextmanager
+def _silent_cv2():
+    "Suppress OpenCV's output; errors are raised"
+    set_level = cv2.setLogLevel if hasattr(cv2, 'setLogLevel') else cv2.utils.logging.setLogLevel      # OpenCV 4 and 5
+    level = set_level(0)
+    try: yield
+    finally: set_level(level)
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #a551c63b
 @patch
@@ -222,20 +183,26 @@ def _read_on(self:CV2Camera):
             try:
                 self.controls.serve(self._capture)
                 ok,image = self._capture.read()
-                image = self._fit(image) if ok else self._again()           # `None`: none will come
+                image = self._fit(image) if ok else self._reopen()
             except Exception as e:              # OpenCV may raise all kinds of them
                 self.set_fault(str(e) or type(e).__name__, e)
                 self._closing.wait(self.first_retry)
                 continue
-            if image is None: return
+            if image is None: return            # the film has ended, or we are closed
             self._publish(image)
     finally:
         self.controls.leave(self._capture)
         self._capture.release()
 
+@patch
+def _publish(self:CV2Camera, image):
+    self._arrived = clock.monotonic()
+    self._newest.put(Frame(image, self._newest.number+1, clock.time()))
+    if self.fault: self.set_fault(None)
+
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #718025aa
 @patch
-def _again(self:CV2Camera):
+def _reopen(self:CV2Camera):
     "Reopen the source: its first image, or `None` when that is not to be"
     if self.kind == 'file' and not self.loop:
         ended = f'{_source_name(self.source)} has ended'
@@ -260,23 +227,51 @@ def _silence(self:CV2Camera)->str|None:
     if silent <= self.read_timeout or self.lockstep: return None
     return f'{_source_name(self.source)} has given no frame for {silent:.0f} s'
 
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #5c0a5713
 @patch
 def _check_silence(self:CV2Camera):
-    "Has a frame come lately? Called by the timer"
+    "Set the fault of a silent device; called by the timer"
     if not self.fault and (silence := self._silence()): self.set_fault(silence)
 
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #16b66f2c
-@patch
-def next_frame(self:CV2Camera, after:int=-1, # The number of the last frame seen
-              )->Frame:
-    "Wait for a frame later than `after`; raises `CameraError` when none comes for `read_timeout`"
-    if self.lockstep: frame = self._newest.take(self.read_timeout)
-    else: frame = self._newest.next(after, self.read_timeout)
-    why = frame is None and self._newest.over or self._silence()        # a frame counts, although it is over by now
-    if why: raise CameraError(why)
-    if frame is None: raise CameraError(f'{_source_name(self.source)} has given no frame for {self.read_timeout:g} s')
-    return frame
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #cac5af76
+class _Controls:
+    "Settings for a device's reader, requested and set; none without a `cv2.VideoCapture`"
+    exposure_unit = NAN         # s; OpenCV passes on what each system counts in
+    def __init__(self, capture=None):
+        self.declared = [] if capture is None else _find_controls(capture)
+        self.defaults = {p.name: p.default for p in self.declared}
+        self.requests = clock.SimpleQueue()     # of name, value and the Future of a caller that waits
+        self.made = {}                          # what was set: name to value
+
+    def set(self, name:str, value:float, timeout:float)->dict:
+        "Have the reader set it within `timeout` s: what the device has made of it; raises `CameraError`"
+        done = Future()
+        self.requests.put((name, value, done))
+        try: return done.result(timeout)
+        except TimeoutError: pass
+        if done.cancel(): raise CameraError(f'{name} was not set: the device has given no frame for {timeout:g} s')
+        return done.result()
+
+    def serve(self, capture):
+        "The reader calls this between two frames: do what is requested"
+        while not self.requests.empty():
+            name,value,done = self.requests.get()
+            if not done.set_running_or_notify_cancel(): continue        # too late
+            number = _number_of(name)
+            try:
+                if not capture.set(number, value): raise CameraError(f'the device refuses {name} {value:g}')
+                self.made[name] = value
+                done.set_result({name: capture.get(number)})
+            except BaseException as e: done.set_exception(e)
+
+    def again(self, capture):
+        "Set a device that came back as the old one was"
+        for name,value in list(self.made.items()): self._put(capture, name, value)
+
+    def leave(self, capture):
+        "Leave the device as it was found"
+        for name in reversed(list(self.made)): self._put(capture, name, self.defaults[name])
+
+    def _put(self, capture, name, value): capture.set(_number_of(name), value)
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #6a0f5061
 def _takes(capture, number:int, value:float)->bool:
@@ -293,10 +288,9 @@ def _end_of(capture, number:int, towards:int)->float:
         if step < 1/128: break
         capture.set(number, reach+towards*step)
         got = capture.get(number)
-        if (got-reach)*towards <= 0: step /= 2
-        else:
-            if got != reach+towards*step: return got
-            reach = got
+        if (got-reach)*towards <= 0: step /= 2                  # refused
+        elif got != reach+towards*step: return got              # clipped: that is the end
+        else: reach = got
     capture.set(number, reach)
     return reach
 
@@ -341,14 +335,18 @@ def _slider(capture, name:str)->Parameter|None:
     return Parameter(name, 'float', now, _sliders[name], low=low, high=high, step=1 if whole else None)
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #4588dea1
+def _linked(parameters:list)->list:
+    "Parameters of a device, those switches without their links whose sliders it lacks"
+    names = {p.name for p in parameters}
+    def alone(p): return replace(p, options=[replace(o, exclusions=()) for o in p.options], updates=())
+    return [p if names.issuperset(p.updates) else alone(p) for p in parameters]
+
 def _find_controls(capture)->list:
     "List a device's settings as `Parameter`s; their defaults are its present values"
     switches = [p for name in _switches if (p := _switch(capture, name))]
     sliders = [p for name in _sliders if (p := _slider(capture, name))]
     for p in switches: capture.set(_number_of(p.name), p.default)
-    names = {p.name for p in sliders}
-    def alone(p): return replace(p, options=[replace(o, exclusions=()) for o in p.options], updates=())
-    return [p if names.issuperset(p.updates) else alone(p) for p in switches] + sliders
+    return _linked(switches+sliders)
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #81c24d87
 _names = dict(      # linuxpy's: ours; it calls the first control of all BASE
@@ -369,10 +367,10 @@ def _driver_parameter(control)->Parameter|None:
     low,high,step = control.minimum,control.maximum,control.step or 1
     if now is None or not control.is_writeable or low>=high: return None
     if name in _automatics:
-        what,positions,does = _automatics[name]
-        there = [n for n in positions if n in (getattr(control, 'data', None) or (0,1))]
-        options = [Option(positions[n], n, [does] if positions[n]!='Manual' else ()) for n in there]
-        return Parameter(name, 'int32', int(now), what, options, updates=[does])
+        what,positions,slider = _automatics[name]
+        has = getattr(control, 'data', None) or (0,1)           # the positions of its menu, or of a switch
+        options = [Option(positions[n], n, [slider] if positions[n]!='Manual' else ()) for n in positions if n in has]
+        return Parameter(name, 'int32', int(now), what, options, updates=[slider])
     if kind=='BOOLEAN': return Parameter(name, 'bool', now, control.name)
     if 'MENU' in kind:
         return Parameter(name, 'int32', now, control.name, {str(text): n for n,text in control.data.items()})
@@ -385,15 +383,15 @@ class _DriverControls(_Controls):
     exposure_unit = 1e-4        # s, by V4L2_CID_EXPOSURE_ABSOLUTE
     def __init__(self, path:str):
         super().__init__()
-        self.path,self.ids,found = path,{},[]
+        self.path = path
+        self.ids = {}           # our name of a control to its number
+        found = []
         with self._open() as controls:
             for number,control in controls.items():
                 with suppress(OSError):             # one that cannot be read
                     p = _driver_parameter(control)
                     if p and self.ids.setdefault(p.name, number)==number: found.append(p)
-        def alone(p): return replace(p, options=[replace(o, exclusions=()) for o in p.options], updates=())
-        self.declared = [p if set(self.ids).issuperset(p.updates) else alone(p) for p in found]
-        self.declared.sort(key=lambda p: p.name not in _automatics)         # a reset switches first
+        self.declared = sorted(_linked(found), key=lambda p: p.name not in _automatics)     # a reset switches first
         self.defaults = {p.name: p.default for p in self.declared}
 
     @contextmanager
@@ -402,32 +400,22 @@ class _DriverControls(_Controls):
         from linuxpy.video.device import Device
         with Device(self.path) as device: yield dict(device.controls.items())
 
-    def serve(self, capture): "Nothing waits for the reader"
-    def again(self, capture):
-        "Set a device that came back as the old one was"
-        self._try(list(self.made.items()))
-    def leave(self, capture):
-        "Leave the device as it was found, if it is there"
-        self._try([(name, self.defaults[name]) for name in reversed(self.made)])
+    def _put(self, capture, name, value):
+        with suppress(CameraError): self.set(name, value)       # it may be gone
 
-    def _try(self, values):
-        for name,value in values:
-            with suppress(CameraError): self.set(name, value)
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #1fe9f181
-@patch
-def set(self:_DriverControls, name:str, value, timeout:float=0.)->dict:
-    "Set it at once; returns the resulting value and other changes; raises `CameraError`"
-    updates = next(p.updates for p in self.declared if p.name==name)
-    switch = next((p for p in self.declared if name in p.updates), None)
-    try:
-        with self._open() as controls:
-            def now(name): return controls[self.ids[name]].value
-            if switch and any(o.value==now(switch.name) for o in switch.options if name in o.exclusions): return {}
-            controls[self.ids[name]].value = self.made[name] = value
-            return {n: now(n) for n in (name, *updates)}
-    except (OSError,AttributeError,KeyError) as e:
-        raise CameraError(f'the device refuses {name} {value:g}: {e}') from None
+    def set(self, name:str, value, timeout:float=0.)->dict:
+        "Set it at once; returns the resulting value and other changes; raises `CameraError`"
+        updates = next(p.updates for p in self.declared if p.name==name)
+        switch = next((p for p in self.declared if name in p.updates), None)
+        automatic = [o.value for o in switch.options if name in o.exclusions] if switch else []     # these hold it
+        try:
+            with self._open() as controls:
+                def now(name): return controls[self.ids[name]].value
+                if automatic and now(switch.name) in automatic: return {}
+                controls[self.ids[name]].value = self.made[name] = value
+                return {n: now(n) for n in (name, *updates)}
+        except (OSError,AttributeError,KeyError) as e:
+            raise CameraError(f'the device refuses {name} {value:g}: {e}') from None
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #9470504c
 def _controls_of(source, capture)->_Controls:
@@ -441,3 +429,14 @@ def apply_parameter(self:CV2Camera, name:str, value)->dict|None:
     "Set it in the device; raises `CameraError` when refused, or without frames"
     if name not in self.controls.defaults: return None          # a subclass's own
     return self.controls.set(name, value, self.read_timeout)
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #3a0e5c03
+_by_hand = 1,2      # V4L2_EXPOSURE_MANUAL, V4L2_EXPOSURE_SHUTTER_PRIORITY
+
+@patch
+def read_still(self:CV2Camera)->Frame:
+    "Return the newest frame, with its exposure time if that is set by hand"
+    frame,values = self.read(),dict(self.parameters)
+    time = round(values.get('EXPOSURE', 0)*self.controls.exposure_unit, 6)      # NaN for an unknown unit
+    is_by_hand = values.get('AUTO_EXPOSURE', _by_hand[0]) in _by_hand
+    return replace(frame, tags=dict(ExposureTime=time)) if is_by_hand and time>0 else frame

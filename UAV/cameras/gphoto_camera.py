@@ -30,8 +30,10 @@ class GPhotoCamera(Camera):
     def __init__(self, port:str|None=None, # Such as 'usb:001,004', which changes with each plugging in; `None`: any
                  folder:str|Path|None=None, quota:float|None=None, storages:list|None=None, # As for Camera
                  pose=None): # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
+        self.pose = pose
+        self._has_live = True               # until it refuses live view
+        self._latest,self._numbers = None,itertools.count()
         self._body = body = _Body(port, (self.first_retry,self.longest_back_off))
-        self._live,self._latest,self._numbers,self.pose = True,None,itertools.count(),pose
         try:
             body.tried.wait(self.patience)
             self._settings = body.do(lambda camera: _find_settings(body.gp, camera), self.patience)
@@ -42,7 +44,7 @@ class GPhotoCamera(Camera):
         except BaseException:
             body.close()
             raise
-        body.tell = self.set_fault
+        body.on_fault = self.set_fault
         self.set_fault(body.fault)
 
     @classmethod
@@ -51,143 +53,80 @@ class GPhotoCamera(Camera):
         "Open the body of a URL"
         return cls(url.path.strip('/') or None, **storage)
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #b5ab1ae4
+    def close(self):
+        "Stop, and let go of the body; may be called twice"
+        super().close()
+        self._body.close()
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #a50f6265
 @patch
-def close(self:GPhotoCamera):
-    "Stop, and let go of the body; may be called twice"
-    super(GPhotoCamera, self).close()
-    self._body.close()
+def read_still(self:GPhotoCamera)->Still:
+    "Take a picture with the body; raises `CameraError`, also for a RAW picture with no JPEG in it"
+    when = clock.time()
+    files = self._body.do(self._fetch, self.patience)
+    jpeg = next((files.pop(suffix) for suffix in ('.jpg','.jpeg') if suffix in files), None)
+    if jpeg is None: jpeg = max(map(_jpeg_in, files.values()), key=len)
+    if not jpeg: raise CameraError(f'there is no JPEG in the {", ".join(files)} of the body: set the body to RAW+JPEG')
+    self._latest = Still(_decoded(jpeg), next(self._numbers), when, None, jpeg, tuple(files.items()))
+    return self._latest
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #4a24e39a
-def _gphoto2():
-    "Import the package gphoto2; raises `CameraError` with the command that installs it"
-    try: import gphoto2
-    except ImportError as e: raise CameraError(f'gphoto2 cannot be imported ({e}): pip install gphoto2') from None
-    return gphoto2
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #af371d87
+def _content(file)->bytes: return bytes(file.get_data_and_size())         # which live as long as `file`
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #b48438b5
-_no_body = ('is it on, and on USB? `gphoto2 --auto-detect` lists what there is. The file manager of a desktop '
-            'grabs cameras: end gvfs-gphoto2-volume-monitor')
-
-def _is_gone(code:int)->bool:
-    "True if after this error of libgphoto2 the body has to be opened again"
-    return code in (-3,-7,-10) or -100<code<=-20        # no memory, I/O, a timeout; the errors of ports
-
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #8a4996ef
-class _Body:
-    "A camera body, and the one thread that uses it"
-    look = .5       # s between two looks whether it's there
-    def __init__(self, port:str|None, retries:tuple):
-        self.gp,self.port,self.retries = _gphoto2(),port,retries
-        self.camera,self.model,self.fault,self.closed = None,'','the camera body does not answer',False
-        self.tell = lambda fault: None          # called with a fault, and with `None` when it's over
-        self.jobs,self.tried = clock.SimpleQueue(),clock.Event()
-        self.thread = _begin_thread(self._run, 'gphoto2')
-
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #200118d0
 @patch
-def do(self:_Body, f, timeout:float):
-    "Return what `f(camera)` gives on our thread; raises `CameraError`, also after `timeout` s"
-    if self.closed: raise CameraError('the camera body is closed')
-    if self.camera is None: raise CameraError(self.fault)
-    done = Future()
-    self.jobs.put((f, done))
-    try: return done.result(timeout)
-    except TimeoutError:
-        done.cancel()           # it is not begun, if it waits
-        raise CameraError(f'the camera body has not answered for {timeout:g} s') from None
+def _fetch(self:GPhotoCamera, camera)->dict:
+    "Take a picture, and return its files: suffix to bytes"
+    gp,files = self._body.gp,{}
+    paths = self._expose(camera)
+    for path in paths:
+        files[Path(path[1]).suffix.lower()] = _content(camera.file_get(*path, gp.GP_FILE_TYPE_NORMAL))
+    target = self._value_of(camera, 'capturetarget')
+    in_memory = target and 'card' not in target.lower()
+    for path in paths if in_memory else ():
+        with suppress(gp.GPhoto2Error): camera.file_delete(*path)
+    return files
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #a950666d
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #d6eacf31
 @patch
-def _open(self:_Body)->bool:
-    "Open the body, if it's there"
-    gp = self.gp
-    try:
-        ports,found = gp.PortInfoList(),gp.Camera.autodetect()
-        port = self.port or (found.get_value(0) if found.count() else None)
-        if port is None: raise CameraError('no camera body is there')
-        ports.load()
-        camera = gp.Camera()
-        camera.set_port_info(ports[ports.lookup_path(port)])
-        camera.init()
-        self.model = camera.get_abilities().model
-    except (gp.GPhoto2Error,CameraError) as e:
-        if not self.model: self.fault = f'{f"{self.port}: " if self.port else ""}{e}: {_no_body}'
-        return False
-    self.camera,self.fault,self.thread.name = camera,None,f'gphoto2 {self.model}'
-    self.tell(None)
-    return True
+def _expose(self:GPhotoCamera, camera)->list:
+    "Take a picture; return (folder, name) of its files in the body"
+    gp = self._body.gp
+    first = camera.capture(gp.GP_CAPTURE_IMAGE)
+    paths = [(first.folder,first.name)]
+    two = any('+' in self._value_of(camera, widget) for widget in ('imageformat','imagequality'))
+    until = clock.monotonic() + (self.second_file if two else 0.)
+    while len(paths)<2 and (left := until-clock.monotonic())>0:
+        kind,path = camera.wait_for_event(int(left*1000))
+        if kind==gp.GP_EVENT_FILE_ADDED and Path(path.name).suffix!=Path(first.name).suffix:
+            paths.append((path.folder,path.name))
+    return paths
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #473d212b
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #d8a8f065
 @patch
-def _serve(self:_Body, f, done:Future):
-    "Do a job; an error may mean that the body is gone"
-    if not done.set_running_or_notify_cancel(): return
-    try: done.set_result(f(self.camera))
-    except self.gp.GPhoto2Error as e:
-        if _is_gone(e.code):
-            with suppress(self.gp.GPhoto2Error): self.camera.exit()
-            self.camera,self.fault = None,f'{self.model} is gone: {e.string}'
-            self.tell(self.fault)
-        done.set_exception(CameraError(self.fault or f'{self.model} refuses: {e.string}'))
-    except BaseException as e: done.set_exception(e)
+def _value_of(self:GPhotoCamera, camera, widget:str)->str:
+    "Return the value of a setting; empty when there is none"
+    try: return str(camera.get_single_config(widget).get_value())
+    except self._body.gp.GPhoto2Error as e:
+        if _is_gone(e.code): raise
+        return ''
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #1c339464
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #ff9a3914
 @patch
-def _run(self:_Body):
-    "Run the jobs, and look for the body, until `close`"
-    wait,longest_back_off = self.retries
-    while True:
-        if self.camera is None: wait = self.retries[0] if self._open() else min(2*wait, longest_back_off)
-        self.tried.set()
-        try: job = self.jobs.get(timeout=self.look if self.camera else wait)
-        except clock.Empty: job = (lambda camera: camera.wait_for_event(0), Future()) if self.camera else ()
-        if job is None: break
-        if job: self._serve(*job)
-    if self.camera:
-        with suppress(self.gp.GPhoto2Error): self.camera.exit()
+def read(self:GPhotoCamera)->Frame:
+    "Return a frame of live view, or else the latest picture; raises `CameraError` when there is neither"
+    jpeg = self._body.do(self._live_view, self.patience) if self._has_live else None
+    if jpeg is not None: return Frame(_decoded(jpeg), next(self._numbers), clock.time())
+    if self._latest is None: raise CameraError(f'{self._body.model} has no live view, and has taken no picture yet')
+    return self._latest
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #89a56822
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #2335e9e2
 @patch
-def close(self:_Body):
-    "Let go of the body; may be called twice"
-    self.closed = True
-    self.jobs.put(None)
-    if not _has_ended(self.thread, 2.): get_logger('gphoto2').error('the camera body hangs; closed without it')
-
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #06e55426
-_left_out = 'actions','status','other'          # sections of the tree
-
-def _unlike(name:str, taken)->str:
-    "Return a parameter's name for a widget: 15 capitals at most, and none of `taken`"
-    name = re.sub(r'[^A-Z0-9]', '_', name.upper())[:15]
-    return next(n for n in (name, *(f'{name[:13]}{i:02}' for i in range(100))) if n not in taken)
-
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #62590992
-def _declared(gp, widget, name:str)->Parameter|None:
-    "Return a widget as a parameter; `None` when it can't be set, or a ground station can't show it"
-    kind,now,what = widget.get_type(),widget.get_value(),widget.get_label()
-    try:
-        if kind in (gp.GP_WIDGET_RADIO,gp.GP_WIDGET_MENU):
-            choices = list(dict.fromkeys(widget.get_choices()))
-            p = Parameter(name, 'uint32', choices.index(now), what, {c: i for i,c in enumerate(choices)})
-        elif kind == gp.GP_WIDGET_RANGE:
-            low,high,step = widget.get_range()
-            p = Parameter(name, 'float', now, what, low=low, high=high, step=step or None)
-        elif kind == gp.GP_WIDGET_TOGGLE and now in (0,1): p = Parameter(name, 'bool', now, what)
-        else: return None
-        return None if check_parameters([p]) else p
-    except ValueError: return None          # such as a list in which the present value is not
-
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #8e4c9945
-def _find_settings(gp, camera)->dict:
-    "Return all parameters by name, each with its widget's name"
-    found,tree = {},camera.get_config()         # the widgets live as long as their tree
-    for section in tree.get_children():
-        for widget in () if section.get_name() in _left_out else section.get_children():
-            name = _unlike(widget.get_name(), found)
-            if not widget.get_readonly() and (p := _declared(gp, widget, name)): found[name] = p,widget.get_name()
-    return found
+def _live_view(self:GPhotoCamera, camera)->bytes|None:
+    "Return a JPEG of the live view; `None` when the body has none"
+    try: return _content(camera.capture_preview())
+    except self._body.gp.GPhoto2Error as e:
+        if e.code!=self._body.gp.GP_ERROR_NOT_SUPPORTED: raise
+        self._has_live = False
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #6b68b48e
 _next_marker = re.compile(rb'\xff[^\x00\xd0-\xd7\xff]')
@@ -208,88 +147,109 @@ def _jpeg_in(raw:bytes)->bytes:
     "Return the largest JPEG in a RAW picture; empty when there is none"
     return max((_jpeg_at(raw, m.start()) for m in re.finditer(rb'\xff\xd8\xff', raw)), key=len, default=b'')
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #d8a8f065
-@patch
-def _value_of(self:GPhotoCamera, camera, widget:str)->str:
-    "Return the value of a setting; empty when there is none"
-    try: return str(camera.get_single_config(widget).get_value())
-    except self._body.gp.GPhoto2Error as e:
-        if _is_gone(e.code): raise
-        return ''
-
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #d6eacf31
-@patch
-def _expose(self:GPhotoCamera, camera)->list:
-    "Take a picture; return (folder, name) of its files in the body"
-    gp,first = self._body.gp,camera.capture(self._body.gp.GP_CAPTURE_IMAGE)
-    paths,begun = [(first.folder,first.name)],clock.monotonic()
-    two = any('+' in self._value_of(camera, widget) for widget in ('imageformat','imagequality'))
-    while len(paths)<2 and (left := self.second_file*two - (clock.monotonic()-begun)) > 0:
-        kind,path = camera.wait_for_event(int(left*1000))
-        if kind==gp.GP_EVENT_FILE_ADDED and Path(path.name).suffix!=Path(first.name).suffix:
-            paths.append((path.folder,path.name))
-    return paths
-
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #af371d87
-def _content(file)->bytes: return bytes(file.get_data_and_size())         # which live as long as `file`
-
-@patch
-def _fetch(self:GPhotoCamera, camera)->dict:
-    "Take a picture, and return its files: suffix to bytes"
-    gp,files = self._body.gp,{}
-    paths = self._expose(camera)
-    for path in paths:
-        files[Path(path[1]).suffix.lower()] = _content(camera.file_get(*path, gp.GP_FILE_TYPE_NORMAL))
-    target = self._value_of(camera, 'capturetarget')
-    for path in paths if target and 'card' not in target.lower() else ():
-        with suppress(gp.GPhoto2Error): camera.file_delete(*path)
-    return files
-
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #f1f83a79
 def _decoded(jpeg:bytes):
     "Decode a JPEG of the body; raises `CameraError`"
     try: return decode_picture(jpeg, fit=True)
     except ValueError as e: raise CameraError(f'the camera body gave a JPEG that cannot be read: {e}') from None
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #a50f6265
-@patch
-def read_still(self:GPhotoCamera)->Still:
-    "Take a picture with the body; raises `CameraError`, also for a RAW picture with no JPEG in it"
-    when = clock.time()
-    files = self._body.do(self._fetch, self.patience)
-    jpeg = next((files.pop(suffix) for suffix in ('.jpg','.jpeg') if suffix in files), None)
-    if jpeg is None: jpeg = max(map(_jpeg_in, files.values()), key=len)
-    if not jpeg: raise CameraError(f'there is no JPEG in the {", ".join(files)} of the body: set the body to RAW+JPEG')
-    self._latest = Still(_decoded(jpeg), next(self._numbers), when, None, jpeg, tuple(files.items()))
-    return self._latest
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #8a4996ef
+class _Body:
+    "A camera body, and the one thread that uses it"
+    poll = .5       # s between two checks that it's there
+    def __init__(self, port:str|None, retries:tuple): # s between attempts to find it: the first, and the longest
+        self.gp,self.port,self.retries = _gphoto2(),port,retries
+        self.camera,self.model = None,''        # while it's open; kept when it's gone
+        self.fault = 'the camera body does not answer'
+        self.on_fault = lambda fault: None      # called with a fault, and with `None` when it's over
+        self.closed = False
+        self.jobs = clock.SimpleQueue()         # of a function of the body, and the Future of its caller
+        self.tried = clock.Event()              # set after the first attempt to open it
+        self.thread = _begin_thread(self._run, 'gphoto2')
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #2335e9e2
-@patch
-def _live_view(self:GPhotoCamera, camera)->bytes|None:
-    "Return a JPEG of the live view; `None` when the body has none"
-    try: return _content(camera.capture_preview())
-    except self._body.gp.GPhoto2Error as e:
-        if e.code!=self._body.gp.GP_ERROR_NOT_SUPPORTED: raise
-        self._live = False
+    def do(self, f, timeout:float):
+        "Return what `f(camera)` gives on our thread; raises `CameraError`, also after `timeout` s"
+        if self.closed: raise CameraError('the camera body is closed')
+        if self.camera is None: raise CameraError(self.fault)
+        done = Future()
+        self.jobs.put((f, done))
+        try: return done.result(timeout)
+        except TimeoutError:
+            done.cancel()           # it is not begun, if it waits
+            raise CameraError(f'the camera body has not answered for {timeout:g} s') from None
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #ff9a3914
-@patch
-def read(self:GPhotoCamera)->Frame:
-    "Return a frame of live view, or else the latest picture; raises `CameraError` when there is neither"
-    jpeg = self._body.do(self._live_view, self.patience) if self._live else None
-    if jpeg is not None: return Frame(_decoded(jpeg), next(self._numbers), clock.time())
-    if self._latest is None: raise CameraError(f'{self._body.model} has no live view, and has taken no picture yet')
-    return self._latest
+    def close(self):
+        "Let go of the body; may be called twice"
+        self.closed = True
+        self.jobs.put(None)
+        if not _has_ended(self.thread, 2.): get_logger('gphoto2').error('the camera body hangs; closed without it')
 
-# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #23cf493f
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #4a24e39a
+def _gphoto2():
+    "Import the package gphoto2; raises `CameraError` with the command that installs it"
+    try: import gphoto2
+    except ImportError as e: raise CameraError(f'gphoto2 cannot be imported ({e}): pip install gphoto2') from None
+    return gphoto2
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #1c339464
 @patch
-def _put(self:GPhotoCamera, camera, name:str, value)->dict:
-    "Set it in the body, and return its value there"
-    p,widget_name = self._settings[name]
-    widget = camera.get_single_config(widget_name)
-    widget.set_value(dict(bool=int, float=float).get(p.kind, p.text)(value))
-    camera.set_single_config(widget_name, widget)
-    return {name: p.check(camera.get_single_config(widget_name).get_value())}
+def _run(self:_Body):
+    "Run the jobs, and check for the body, until `close`"
+    wait,longest_back_off = self.retries
+    while True:
+        if self.camera is None: wait = self.retries[0] if self._open() else min(2*wait, longest_back_off)
+        self.tried.set()
+        try: job = self.jobs.get(timeout=self.poll if self.camera else wait)
+        except clock.Empty:
+            if self.camera: self._serve(lambda camera: camera.wait_for_event(0), Future())
+            continue
+        if job is None: break
+        self._serve(*job)
+    if self.camera:
+        with suppress(self.gp.GPhoto2Error): self.camera.exit()
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #a950666d
+@patch
+def _open(self:_Body)->bool:
+    "Open the body, if it's there"
+    gp = self.gp
+    try:
+        ports,found = gp.PortInfoList(),gp.Camera.autodetect()
+        port = self.port or (found.get_value(0) if found.count() else None)
+        if port is None: raise CameraError('no camera body is there')
+        ports.load()
+        camera = gp.Camera()
+        camera.set_port_info(ports[ports.lookup_path(port)])
+        camera.init()
+        self.model = camera.get_abilities().model
+    except (gp.GPhoto2Error,CameraError) as e:
+        if not self.model: self.fault = f'{f"{self.port}: " if self.port else ""}{e}: {_no_body}'
+        return False
+    self.camera,self.fault,self.thread.name = camera,None,f'gphoto2 {self.model}'
+    self.on_fault(None)
+    return True
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #b48438b5
+_no_body = ('is it on, and on USB? `gphoto2 --auto-detect` lists what there is. The file manager of a desktop '
+            'grabs cameras: end gvfs-gphoto2-volume-monitor')
+
+def _is_gone(code:int)->bool:
+    "True if after this error of libgphoto2 the body has to be opened again"
+    return code in (-3,-7,-10) or -100<code<=-20        # no memory, I/O, a timeout; the errors of ports
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #473d212b
+@patch
+def _serve(self:_Body, f, done:Future):
+    "Do a job; an error may mean that the body is gone"
+    if not done.set_running_or_notify_cancel(): return
+    try: done.set_result(f(self.camera))
+    except self.gp.GPhoto2Error as e:
+        if _is_gone(e.code):
+            with suppress(self.gp.GPhoto2Error): self.camera.exit()
+            self.camera,self.fault = None,f'{self.model} is gone: {e.string}'
+            self.on_fault(self.fault)
+        done.set_exception(CameraError(self.fault or f'{self.model} refuses: {e.string}'))
+    except BaseException as e: done.set_exception(e)
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #f80d6eee
 @patch
@@ -297,3 +257,49 @@ def apply_parameter(self:GPhotoCamera, name:str, value)->dict|None:
     "Set it in the body, and read it back; raises `CameraError` when the body refuses"
     if name not in self._settings: return None          # a subclass's own
     return self._body.do(lambda camera: self._put(camera, name, value), self.patience)
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #23cf493f
+@patch
+def _put(self:GPhotoCamera, camera, name:str, value)->dict:
+    "Set it in the body, and return its value there"
+    p,widget_name = self._settings[name]
+    widget = camera.get_single_config(widget_name)
+    as_widget = dict(bool=int, float=float).get(p.kind, p.text)     # a choice is set by its text
+    widget.set_value(as_widget(value))
+    camera.set_single_config(widget_name, widget)
+    return {name: p.check(camera.get_single_config(widget_name).get_value())}
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #8e4c9945
+_left_out = 'actions','status','other'          # sections of the tree
+
+def _find_settings(gp, camera)->dict:
+    "Return all parameters by name, each with its widget's name"
+    found,tree = {},camera.get_config()         # the widgets live as long as their tree
+    for section in tree.get_children():
+        if section.get_name() in _left_out: continue
+        for widget in section.get_children():
+            name = _free_name(widget.get_name(), found)
+            if not widget.get_readonly() and (p := _declared(gp, widget, name)): found[name] = p,widget.get_name()
+    return found
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #06e55426
+def _free_name(name:str, taken)->str:
+    "Return a parameter's name for a widget: 15 capitals at most, and none of `taken`"
+    name = re.sub(r'[^A-Z0-9]', '_', name.upper())[:15]
+    return next(n for n in (name, *(f'{name[:13]}{i:02}' for i in range(100))) if n not in taken)
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #62590992
+def _declared(gp, widget, name:str)->Parameter|None:
+    "Return a widget as a parameter; `None` when it can't be set, or a ground station can't show it"
+    kind,now,what = widget.get_type(),widget.get_value(),widget.get_label()
+    try:
+        if kind in (gp.GP_WIDGET_RADIO,gp.GP_WIDGET_MENU):
+            choices = list(dict.fromkeys(widget.get_choices()))
+            p = Parameter(name, 'uint32', choices.index(now), what, {c: i for i,c in enumerate(choices)})
+        elif kind == gp.GP_WIDGET_RANGE:
+            low,high,step = widget.get_range()
+            p = Parameter(name, 'float', now, what, low=low, high=high, step=step or None)
+        elif kind == gp.GP_WIDGET_TOGGLE and now in (0,1): p = Parameter(name, 'bool', now, what)
+        else: return None
+        return None if check_parameters([p]) else p
+    except ValueError: return None          # such as a list in which the present value is not

@@ -49,7 +49,8 @@ class GSTCamera(_LiveCamera):
         self.information,self.controls = self.recipe.information,_GSTControls(self.recipe.parameters)
         super().__init__(folder, quota, storages=storages)
         self.log.setLevel(loglevel)
-        self.newest,self.keeper = _AskedFrame(),_Keeper(line, self, self.information.model)
+        self.newest = _AskedFrame(self._make_frames, self._lease)
+        self.keeper = _Keeper(line, self, self.information.model)
         self.encoder = _PipelineEncoder(self, codec) if codec else None
         self._begin()
 
@@ -111,9 +112,20 @@ def _begin(self:GSTCamera):
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #38d25435
 class _AskedFrame(NewestFrame):
     "The newest frame of a source that makes frames while one asks"
-    def __init__(self):
+    def __init__(self, make, # Called with True when frames are to be made, with False when they aren't any more
+                 lease:float): # s that they are made after the last request
         super().__init__()
-        self.open,self.asked,self.waiting = False,0.,0          # is the valve open? when did one ask? how many wait?
+        self.make,self.lease,self.open = make,lease,False
+        self.asked,self.waiting = 0.,0          # when one asked last, monotonic s; how many wait
+
+    def ask(self)->int:
+        "Have frames made; return the number of the last one that is too old"
+        with self.changed:
+            self.asked = clock.monotonic()
+            if self.open: return -1
+            self.open = True
+            self.make(True)
+            return self.number
 
     def next(self, after:int, timeout:float, fails=lambda: None)->Frame|None:
         with self.changed: self.waiting += 1
@@ -121,28 +133,20 @@ class _AskedFrame(NewestFrame):
         finally:
             with self.changed: self.waiting,self.asked = self.waiting-1,clock.monotonic()
 
+    def expire(self):
+        "Have no more frames made when nobody has asked for a while"
+        with self.changed:
+            if not self.open or self.waiting or clock.monotonic()-self.asked<self.lease: return
+            self.open = False
+            self.make(False)
+
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #c2b2daad
 @patch
-def _ask(self:GSTCamera)->int:
-    "Have frames made, for a while; the number of the last frame that is too old"
-    newest,pipeline = self.newest,self.keeper.pipeline
-    with newest.changed:
-        newest.asked = clock.monotonic()
-        if newest.open: return -1
-        newest.open,old = True,newest.number
-        if pipeline: pipeline.open_valve('uav_frames_valve', at_key=self._coded)
-    if pipeline and self._coded: pipeline.ask_key()
-    return old
+def _make_frames(self:GSTCamera, on:bool):
+    if pipeline := self.keeper.pipeline: pipeline.open_valve('uav_frames_valve', on, at_key=self._coded)
 
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #d9b62b9c
 @patch
-def _on_beat(self:GSTCamera):
-    "Close the valve when none has asked for a while; the keeper calls it"
-    newest = self.newest
-    with newest.changed:
-        if not newest.open or newest.waiting or clock.monotonic()-newest.asked < self._lease: return
-        newest.open = False
-        self.keeper.pipeline.open_valve('uav_frames_valve', False)
+def _on_beat(self:GSTCamera): self.newest.expire()
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #628e9272
 @patch
@@ -153,7 +157,9 @@ def next_frame(self:GSTCamera,
     "Wait for a frame later than `after`; raises `CameraError` when none comes"
     newest,keeper = self.newest,self.keeper
     if timeout is None: timeout = self.open_timeout if self._coded else self.read_timeout
-    frame = newest.next(max(after, self._ask()), timeout, lambda: keeper.problem)
+    was_open,too_old = newest.open,newest.ask()
+    if self._coded and not was_open and keeper.pipeline: keeper.pipeline.ask_key()
+    frame = newest.next(max(after, too_old), timeout, lambda: keeper.problem)
     if newest.over: raise CameraError(newest.over)
     if frame and not keeper.problem: return frame
     raise CameraError(f'{self.information.model}: {keeper.problem or f"no frame for {timeout:g} s"}')
@@ -347,35 +353,28 @@ class _GSTControls:
             if name not in found: found[name] = _channel_parameter(name, element, channel)
         self.declared = list(found.values())
 
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #272879f9
-@patch
-def set(self:_GSTControls, pipeline, name:str, value)->dict:
-    "Set it in a `GSTPipeline` that runs (`None`: none does): what the element has made of it; raises `CameraError`"
-    if pipeline is None: raise CameraError('the source does not run')
-    if row := self.table.get(name):
-        element = pipeline.element(row['element'])
-        element.set_property(row['property'], value)
-        now = element.get_property(row['property'])
-    else: now = self._balance(pipeline, name, value)
-    self.made[name] = value
-    return {name: now if isinstance(now, (bool,float)) else int(now)}
+    def set(self, pipeline, name:str, value)->dict:
+        "Set it in a `GSTPipeline` that runs (`None`: none does): what the element has made of it; raises `CameraError`"
+        if pipeline is None: raise CameraError('the source does not run')
+        if row := self.table.get(name):
+            element = pipeline.element(row['element'])
+            element.set_property(row['property'], value)
+            now = element.get_property(row['property'])
+        else: now = self._balance(pipeline, name, value)
+        self.made[name] = value
+        return {name: now if isinstance(now, (bool,float)) else int(now)}
 
-@patch
-def _balance(self:_GSTControls, pipeline, name:str, value:int)->int:
-    "Set a channel of a colour balance"
-    element,channel = next(((e, c) for n,e,c in _channels_of(pipeline) if n == name), (None,None))
-    if element is None: raise CameraError(f'the source does not have {name} now')
-    _colour_balance().set_value(element, channel, value)
-    return _colour_balance().get_value(element, channel)
+    def _balance(self, pipeline, name:str, value:int)->int:
+        "Set a channel of a colour balance"
+        element,channel = next(((e, c) for n,e,c in _channels_of(pipeline) if n == name), (None,None))
+        if element is None: raise CameraError(f'the source does not have {name} now')
+        _colour_balance().set_value(element, channel, value)
+        return _colour_balance().get_value(element, channel)
 
-# %% ../../nbs/api/cameras/15_gst_cam.ipynb #18eac149
-@patch
-def _try(self:_GSTControls, pipeline, values:dict):
-    "Set these; pass over those that the pipeline doesn't have"
-    for name in list(self.made):
-        with suppress(CameraError): self.set(pipeline, name, values[name])
+    def _try(self, pipeline, values:dict):
+        "Set these; pass over those that the pipeline doesn't have"
+        for name in list(self.made):
+            with suppress(CameraError): self.set(pipeline, name, values[name])
 
-@patch
-def again(self:_GSTControls, pipeline): self._try(pipeline, self.made)
-@patch
-def leave(self:_GSTControls, pipeline): self._try(pipeline, {p.name: p.default for p in self.declared})
+    def again(self, pipeline): self._try(pipeline, self.made)
+    def leave(self, pipeline): self._try(pipeline, {p.name: p.default for p in self.declared})

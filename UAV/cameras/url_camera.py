@@ -25,6 +25,160 @@ from ..video.units import parameter_sets, Sink
 # %% auto #0
 __all__ = ['URLCamera']
 
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #3f674b14
+class URLCamera(_LiveCamera):
+    "A camera whose H.264 or H.265 comes over the network"
+    _lease = 3.                 # s that frames are decoded for one who has asked for a frame
+    bitrate = 0                 # bit/s of its video, if known
+    def __init__(self, url:str, # rtsp://[USER:PASSWORD@]HOST[:PORT]/PATH; or `udp`, `tcp` and `rtp` as for `Player`
+                 open_timeout:float=5., # s to wait for the connection, and for the first frame
+                 read_timeout:float=5., # s without a picture that are a fault
+                 model:str='URLCamera', vendor:str='', # As in CameraInformation
+                 folder:str|Path|None=None, quota:float|None=None, storages:list|None=None, # As for Camera
+                 pose=None, # Function that returns the Pose of a picture, from an autopilot or a gimbal, say
+                 wait:bool=True): # False: the source may come later, such as a device that boots
+        "Raises `ValueError` for a URL that can't be read, and `CameraError` when there is no picture"
+        store_attr('url,open_timeout,read_timeout,pose')
+        try: _ = urlsplit(url).port
+        except ValueError:
+            raise ValueError(f'{_source_name(url)} is no URL: write %2F for a / of the password') from None
+        if _scheme(url) not in receivers: raise ValueError(f'{_source_name(url)}: write {", ".join(receivers)}://…')
+        self.information = replace(self.information, vendor=vendor, model=model)
+        super().__init__(folder, quota, storages=storages)
+        self._newest = _AskedFrame(self._decode_frames, self._lease)
+        self._encoder = _CodedSource('h264', model)
+        self._frames = _FrameSink(self._newest, model)
+        self._receiver = None           # while it is connected
+        self._sets = None               # parameter sets of its video, as measured
+        self._problem = None            # why no picture comes
+        self._vain = None               # monotonic s since when pictures come, and none can be decoded
+        if not wait: self._note('no picture has come yet')
+        self._thread = _begin_thread(self._run, f'url {model}')
+        if not wait: return
+        try: self.next_frame(timeout=open_timeout)
+        except BaseException:
+            self.close()
+            raise
+
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #411369ab
+@patch
+def close(self:URLCamera):
+    "Stop, and hang up; may be called twice"
+    super(URLCamera, self).close()
+    self._newest.end(f'{self!r} is closed', forget=True)
+    if receiver := self._receiver: receiver.stop()
+    self._encoder.close()
+    ended = _has_ended(self._thread, self.open_timeout)
+    if not (self._frames.close() and ended): self.log.error('%r does not hang up', self)
+
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #043d80e9
+@patch
+def next_frame(self:URLCamera,
+    after:int=-1, # The number of the last frame seen
+    timeout:float|None=None, # s; `None`: `read_timeout`
+)->Frame:
+    "Wait for a frame later than `after`; raises `CameraError` when none comes"
+    timeout = self.read_timeout if timeout is None else timeout
+    frame = self._newest.next(max(after, self._newest.ask()), timeout, lambda: self._problem)
+    if self._newest.over: raise CameraError(self._newest.over)
+    if frame and not self._problem: return frame
+    raise CameraError(self._problem or f'{_source_name(self.url)}: no frame for {timeout:g} s')
+
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #230b4cec
+@patch
+def _decode_frames(self:URLCamera, on:bool):
+    if not on: self._encoder.remove(self._frames, wait=False)
+    elif not self._closing.is_set(): self._encoder.add(self._frames)
+
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #b9430cb4
+@patch
+def _receive(self:URLCamera):
+    "Pass on all that comes in one connection; raises `OSError`"
+    scheme,(url,transport) = _scheme(self.url),_in_our_schemes(self.url)
+    with receivers[scheme](url, self.open_timeout, *([transport] if scheme=='rtsp' else [])) as self._receiver:
+        if self._closing.is_set(): return
+        self._receiver.on_fault = self._note
+        with closing(self._receiver.units()) as units:
+            for unit in units:
+                self._receiver.timeout = self.read_timeout
+                self._on_unit(unit)
+
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #72f9642e
+@patch
+def _on_unit(self:URLCamera, unit):
+    "Pass on an access unit; decode it, too, while a program looks at frames"
+    if unit.key: self._measure_new(unit)
+    if not self._sets: return self._wait_size()
+    self._vain = None
+    i = self.information
+    self._encoder.pass_on(unit, width=i.resolution_h, height=i.resolution_v, rate=self.frame_rate, bitrate=self.bitrate)
+    self._note(None)
+    self._newest.expire()
+
+@patch
+def _wait_size(self:URLCamera):
+    "Say so when pictures of unknown size come for too long"
+    self._vain = self._vain or clock.monotonic()
+    if clock.monotonic()-self._vain>(patience := self._receiver.patience):
+        self._note(f'no picture can be decoded for {patience:g} s')
+
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #948c9ad5
+@patch
+def _measure_new(self:URLCamera, unit):
+    "Measure a key frame with new parameter sets"
+    sets = parameter_sets(unit.data, unit.format.codec)
+    if sets==self._sets or not (measured := _measure(unit)): return
+    width,height,rate = measured
+    self._sets,self.frame_rate = sets,rate or self.frame_rate
+    self.information = replace(self.information, resolution_h=width, resolution_v=height)
+
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #344b884e
+def _measure(unit)->tuple|None:
+    "Return width and height (px) of a key frame, and pictures per second, 0 if unknown; `None` if it can't be decoded"
+    decoder = _decoder(unit.format.codec)
+    pictures = _decode(decoder, unit.data) or _decode(decoder, b'')
+    sized = pictures[0] if pictures else decoder            # the decoder has the size of its parameter sets
+    width,height = sized.width,sized.height
+    turns = _frame_turns(pictures[0]) if pictures else None
+    if turns and turns[0]: width,height = height,width
+    rate = float(decoder.framerate or 0)
+    return (width, height, rate if 1<=rate<=240 else 0.) if width and height else None
+
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #683768c9
+@patch
+def _run(self:URLCamera):
+    "Receive, and connect again, until `close`"
+    wait = self.first_retry
+    while not self._closing.is_set():
+        number = self._encoder._number
+        try: self._receive()
+        except _Stopped: return
+        except OSError as e: self._note(e.strerror or str(e) or type(e).__name__)
+        except Exception as e:
+            self.log.exception('%r', self)
+            self._note(str(e) or type(e).__name__)
+        wait = self.first_retry if self._encoder._number>number else min(2*wait, self.longest_back_off)
+        self._closing.wait(wait)
+
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #74e05aa3
+@patch
+def _note(self:URLCamera, problem:str|None):
+    "Note a problem, or that it is over"
+    if not (problem or self._problem or self.fault): return
+    self._problem = problem and f'{_source_name(self.url)}: {problem}'
+    self._newest.wake()
+    self.set_fault(self._problem)
+
+# %% ../../nbs/api/cameras/16_url_camera.ipynb #b7fa6e2e
+@patch
+def make_encoder(self:URLCamera, codec:str, size:tuple|None, rate:float, bitrate:int|None):
+    "Return the camera's own video, unless codec, size or bitrate ask for another: then an encoder of our frames"
+    ours,i = self._encoder,self.information
+    same_size = size in (None, (i.resolution_h,i.resolution_v))
+    same_codec = codec==ours.codec or not ours.format
+    if bitrate is None and same_size and same_codec: return ours
+    return Camera.make_encoder(self, codec, size, rate, bitrate)
+
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #1b9eebab
 class _CodedSource(PassThrough):
     "The access units of a network camera"
@@ -45,160 +199,3 @@ class _FrameSink(Sink):
         for picture,_,time_utc in self._decoding(unit):
             image = _turned(picture.to_ndarray(format='bgr24'), _frame_turns(picture))
             self.newest.put(Frame(image, self.newest.number+1, time_utc or clock.time()))
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #344b884e
-def _measure(unit)->tuple:
-    "Return width and height (px) of a key frame, and pictures per second, 0 if unknown; `None` if it can't be decoded"
-    decoder = _decoder(unit.format.codec)
-    pictures = _decode(decoder, unit.data) or _decode(decoder, b'')
-    picture = pictures[0] if pictures else decoder          # the decoder has the size of its parameter sets
-    rate,turns = float(decoder.framerate or 0),picture is not decoder and _frame_turns(picture)
-    size = (picture.width,picture.height)[::-1 if turns and turns[0] else 1]
-    return (*size, rate if 1<=rate<=240 else 0.) if all(size) else None
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #3f674b14
-class URLCamera(_LiveCamera):
-    "A camera whose H.264 or H.265 comes over the network"
-    _lease = 3.                  # s that frames are decoded for one who has asked for a frame
-    bitrate = 0                 # bit/s of its video, if known
-    def __init__(self, url:str, # rtsp://[USER:PASSWORD@]HOST[:PORT]/PATH; or `udp`, `tcp` and `rtp` as for `Player`
-                 open_timeout:float=5., # s to wait for the connection, and for the first frame
-                 read_timeout:float=5., # s without a picture that are a fault
-                 model:str='URLCamera', vendor:str='', # As in CameraInformation
-                 folder:str|Path|None=None, quota:float|None=None, storages:list|None=None, # As for Camera
-                 pose=None, # Function that returns the Pose of a picture, from an autopilot or a gimbal, say
-                 wait:bool=True): # False: the source may come later, such as a device that boots
-        "Raises `ValueError` for a URL that can't be read, and `CameraError` when there is no picture"
-        store_attr('url,open_timeout,read_timeout,pose')
-        try: _ = urlsplit(url).port
-        except ValueError:
-            raise ValueError(f'{_source_name(url)} is no URL: write %2F for a / of the password') from None
-        if _scheme(url) not in receivers: raise ValueError(f'{_source_name(url)}: write {", ".join(receivers)}://…')
-        self.information = replace(self.information, vendor=vendor, model=model)
-        super().__init__(folder, quota, storages=storages)
-        self._newest,self._encoder = _AskedFrame(),_CodedSource('h264', model)
-        self._frames = _FrameSink(self._newest, model)
-        self._receiver,self._sets = None,None       # while it is connected; parameter sets of its video
-        self._problem,self._vain = None,None        # why no picture comes; since when none can be decoded, monotonic s
-        if not wait: self._note('no picture has come yet')
-        self._thread = _begin_thread(self._run, f'url {model}')
-        if not wait: return
-        try: self.next_frame(timeout=open_timeout)
-        except BaseException:
-            self.close()
-            raise
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #411369ab
-@patch
-def close(self:URLCamera):
-    "Stop, and hang up; may be called twice"
-    super(URLCamera, self).close()
-    self._newest.end(f'{self!r} is closed', forget=True)
-    if receiver := self._receiver: receiver.stop()
-    self._encoder.close()
-    ended = _has_ended(self._thread, self.open_timeout)
-    if not (self._frames.close() and ended): self.log.error('%r does not hang up', self)
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #948c9ad5
-@patch
-def _measure_new(self:URLCamera, unit):
-    "Measure a key frame with new parameter sets"
-    sets = parameter_sets(unit.data, unit.format.codec)
-    if sets==self._sets or not (measured := _measure(unit)): return
-    width,height,rate = measured
-    self._sets,self.frame_rate = sets,rate or self.frame_rate
-    self.information = replace(self.information, resolution_h=width, resolution_v=height)
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #72f9642e
-@patch
-def _wait_size(self:URLCamera):
-    "Say so when pictures of unknown size come for too long"
-    self._vain = self._vain or clock.monotonic()
-    if clock.monotonic()-self._vain>(patience := self._receiver.patience):
-        self._note(f'no picture can be decoded for {patience:g} s')
-
-@patch
-def _on_unit(self:URLCamera, unit):
-    "Pass on an access unit; decode it, too, while a program looks at frames"
-    if unit.key: self._measure_new(unit)
-    if not self._sets: return self._wait_size()
-    self._vain = None
-    i,newest = self.information,self._newest
-    self._encoder.pass_on(unit, width=i.resolution_h, height=i.resolution_v, rate=self.frame_rate, bitrate=self.bitrate)
-    self._note(None)
-    with newest.changed:
-        if newest.open and not newest.waiting and clock.monotonic()-newest.asked>self._lease:
-            newest.open = False
-            self._encoder.remove(self._frames, wait=False)
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #b9430cb4
-@patch
-def _receive(self:URLCamera):
-    "Pass on all that comes in one connection; raises `OSError`"
-    scheme,(url,transport) = _scheme(self.url),_in_our_schemes(self.url)
-    with receivers[scheme](url, self.open_timeout, *([transport] if scheme=='rtsp' else [])) as self._receiver:
-        if self._closing.is_set(): return
-        self._receiver.on_fault = self._note
-        with closing(self._receiver.units()) as units:
-            for unit in units:
-                self._receiver.timeout = self.read_timeout
-                self._on_unit(unit)
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #74e05aa3
-@patch
-def _note(self:URLCamera, problem:str|None):
-    "Note a problem, or that it is over"
-    if not (problem or self._problem or self.fault): return
-    self._problem = problem and f'{_source_name(self.url)}: {problem}'
-    self._newest.wake()
-    self.set_fault(self._problem)
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #683768c9
-@patch
-def _run(self:URLCamera):
-    "Receive, and connect again, until `close`"
-    wait = self.first_retry
-    while not self._closing.is_set():
-        number = self._encoder._number
-        try: self._receive()
-        except _Stopped: return
-        except Exception as e:
-            surprise = not isinstance(e, OSError)
-            if surprise: self.log.exception('%r', self)
-            self._note((None if surprise else e.strerror) or str(e) or type(e).__name__)
-        wait = self.first_retry if self._encoder._number>number else min(2*wait, self.longest_back_off)
-        self._closing.wait(wait)
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #230b4cec
-@patch
-def _ask(self:URLCamera)->int:
-    "Have frames decoded, for a while; returns the number of the last frame that is too old"
-    newest = self._newest
-    with newest.changed:
-        newest.asked = clock.monotonic()
-        if newest.open or self._closing.is_set(): return -1
-        newest.open = True
-        self._encoder.add(self._frames)
-        return newest.number
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #043d80e9
-@patch
-def next_frame(self:URLCamera,
-    after:int=-1, # The number of the last frame seen
-    timeout:float|None=None, # s; `None`: `read_timeout`
-)->Frame:
-    "Wait for a frame later than `after`; raises `CameraError` when none comes"
-    timeout = self.read_timeout if timeout is None else timeout
-    frame = self._newest.next(max(after, self._ask()), timeout, lambda: self._problem)
-    if self._newest.over: raise CameraError(self._newest.over)
-    if frame and not self._problem: return frame
-    raise CameraError(self._problem or f'{_source_name(self.url)}: no frame for {timeout:g} s')
-
-# %% ../../nbs/api/cameras/16_url_camera.ipynb #b7fa6e2e
-@patch
-def make_encoder(self:URLCamera, codec:str, size:tuple|None, rate:float, bitrate:int|None):
-    "Return the camera's own video, unless codec, size or bitrate ask for another: then an encoder of our frames"
-    ours,i = self._encoder,self.information
-    same_size,same_codec = size in (None, (i.resolution_h,i.resolution_v)),codec==ours.codec or not ours.format
-    fits = bitrate is None and same_size and same_codec
-    return ours if fits else Camera.make_encoder(self, codec, size, rate, bitrate)
