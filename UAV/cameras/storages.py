@@ -77,12 +77,6 @@ def usage(self:Storages, storage_id:int, # From 1
     "A storage's use"
     return tuple(medium for medium in self.media if self.places[medium] == storage_id)
 
-# %% ../../nbs/api/cameras/03_storages.ipynb #aa138156
-@patch
-def check_room(self:Storages):
-    "Raise what speaks against another picture: `StorageError`, `StorageFull` or `CameraBusy`"
-    self.photo.check_room()
-
 # %% ../../nbs/api/cameras/03_storages.ipynb #53cb40da
 @patch
 def save(self:Storages,
