@@ -418,8 +418,7 @@ def _announce_settings(self:CameraServer, event:CameraSettings):
 
 @patch
 @announced(StorageInformation)
-def _announce_storage(self:CameraServer, event:StorageInformation)->list:
-    return self._storage_information(event.storage_id)
+def _announce_storage(self:CameraServer, event:StorageInformation): return self._encode_storage(event)
 
 @patch
 @announced(DeviceStatus)
@@ -462,7 +461,8 @@ def _resend_notice(self:_CameraVerbs, number:int, msg, before:Outcome):
 @patch
 def _note_number(self:_CameraVerbs, number:int, msg, outcome:Outcome):
     "Remember a shot's number; an autopilot's only as long as a frame can be delayed on another link"
-    self.served.note_number(msg, number, outcome, *[Served.overtaken]*self._flies(msg))
+    if self._flies(msg): self.served.note_number(msg, number, outcome, Served.overtaken)
+    else: self.served.note_number(msg, number, outcome)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ca8b44d
 @patch
@@ -483,7 +483,8 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
             raise
         outcome = Outcome(mavlink.MAV_RESULT_ACCEPTED, index+1 if type(index) is int else 0)
         if not single: return outcome.value
-        if number or msg.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE: self._note_number(number, msg, outcome)
+        if number: self._note_number(number, msg, outcome)
+        elif msg.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE: self.served.forget_numbers(msg)     # it counts anew
         self.presses.note(msg, number, outcome)
     return outcome.value
 

@@ -455,8 +455,8 @@ def say(self:Component, severity:int, # MAV_SEVERITY
     pieces = _pieces_of(text)
     self._text_id = self._text_id%0xffff+1
     for n,piece in enumerate(pieces):
-        send = self.sender.send_now if now else self.send_message
-        send(self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n))
+        msg = self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n)
+        self.sender.send(msg, now=now)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #d67f00b8
 def _pieces_of(text:str)->list:

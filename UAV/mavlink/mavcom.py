@@ -282,15 +282,10 @@ class Channel:
         "Read the link until `close`, on the thread"
         while not self._stop.is_set():
             got = None
-            try: got = self.link.recv()
+            try:
+                if got := self.link.recv(): self.take(*got)
             except Exception: self.com.log.exception('%s cannot be read', self)
-            if got is not None: self._take_safely(got)
-            elif not self._stop.is_set(): self._come_back()
-
-    def _take_safely(self, got:tuple):
-        try: self.take(*got)
-        except (Exception, SystemExit): self.com.log.exception('%s gave what cannot be taken', self)
-        finally: self.busy_since = None
+            if not (got or self._stop.is_set()): self._come_back()
 
     def _new_reader(self, peer)->FrameReader:
         "Return a reader for a new peer; of too many, drop those silent longest"
@@ -307,20 +302,24 @@ class Channel:
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #7a890940
 @patch
 def take(self:Channel, data:bytes, peer=None):
-    "Take bytes from `peer` and route their messages"
-    now = self.busy_since = clock.monotonic()
-    reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
+    "Take bytes from `peer` and route their messages; log what raises"
+    now,com = clock.monotonic(),self.com
+    self.busy_since = now
     judged = com.forward or com.signing is not None or com.message_log is not None
-    reader.heard,reader.check = now,self._check if judged else None
     try:
-        messages = reader.feed(data)
-        if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
-    finally:            # what was accepted goes on, whatever came after it
-        passing,self._passing = self._passing,[]
-        for frame in passing: com._forward(self, *frame)
-    for msg in messages:
-        msg.came_by = self,peer
-        com.route(msg)
+        reader = self.readers.get(peer) or self._new_reader(peer)
+        reader.heard,reader.check = now,self._check if judged else None
+        try:
+            messages = reader.feed(data)
+            if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
+        finally:            # what was accepted goes on, whatever came after it
+            passing,self._passing = self._passing,[]
+            for frame in passing: com._forward(self, *frame)
+        for msg in messages:
+            msg.came_by = self,peer
+            com.route(msg)
+    except (Exception, SystemExit): com.log.exception('%s gave what cannot be taken', self)
+    finally: self.busy_since = None
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #50b3d456
 @patch
@@ -759,7 +758,7 @@ def take_all(self:Channel):
         except BlockingIOError: return
         except ConnectionError: continue    # no program listens there (ICMP port unreachable)
         except OSError: return
-        if data and self.link._expects(peer): self._take_safely((data, peer))
+        if data and self.link.far_port in (None, peer[1]): self.take(data, peer)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #0b3b44dc
 @patch
