@@ -4058,6 +4058,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                             'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server._Sent': ( 'api/mavlink/camera_server.html#_sent',
                                                                                 'UAV/mavlink/camera_server.py'),
+                                           'UAV.mavlink.camera_server._check_source': ( 'api/mavlink/camera_server.html#_check_source',
+                                                                                        'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server._checked_camera': ( 'api/mavlink/camera_server.html#_checked_camera',
                                                                                           'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server._checked_name': ( 'api/mavlink/camera_server.html#_checked_name',

@@ -534,7 +534,7 @@ def send_ack(self:BaseComponent, msg, # The command
     if ack_result!=mavlink.MAV_RESULT_IN_PROGRESS: self.served.answered(msg, Outcome(ack_result, value))
     if self.log.isEnabledFor(LogLevels.DEBUG):
         self._log_ack('→', to, msg.command, ack_result, getattr(msg, 'came_at', None))
-    self.sender.send(mavlink.MAVLink_command_ack_message(msg.command, ack_result, progress, value, *to), now=True)
+    self.sender.send(mavlink.MAVLink_command_ack_message(msg.command, ack_result, progress, value, *to), to, now=True)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #f58e1698
 @patch

@@ -69,10 +69,7 @@ class CameraServer(_CameraVerbs):
         video_host:str|None=None, # Host in the URLs of our streams; `None`: the address at which each viewer reaches us
         name:str|None=None, # Its name at ground stations, at most 31 bytes; `None`: the model
     ):
-        if hasattr(source_component, 'information'):
-            raise TypeError('the first argument is a component id: write CameraServer(camera=…)')
-        if check_id('source_component', source_component)<=6:
-            raise ValueError(f'a camera cannot be component {source_component}, an autopilot\'s')
+        _check_source(source_component)
         super().__init__(source_component, mav_type, loglevel)
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
         if isinstance(guard, str) and guard!='signed': raise ValueError(f'guard is {guard!r}, not \'signed\'')
@@ -100,6 +97,13 @@ class CameraServer(_CameraVerbs):
         super().close()
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #417eeaa7
+def _check_source(number):
+    "Raise `TypeError` or `ValueError` unless `number` can be the component id of a camera"
+    if hasattr(number, 'information'):
+        raise TypeError('the first argument is a component id: write CameraServer(camera=…)')
+    if check_id('source_component', number)<=6:
+        raise ValueError(f'a camera cannot be component {number}, an autopilot\'s')
+
 def _checked_camera(camera):
     "Return `camera`; raises `TypeError` if it isn't one"
     if isinstance(camera, type): raise TypeError(f'{camera.__name__} is a class; a camera is {camera.__name__}()')
