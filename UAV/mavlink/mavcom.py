@@ -176,51 +176,6 @@ def _twins(self:MAVCom)->list:
     alike = [com for com in _open if com is not self and com.source_system==self.source_system]
     return [com for com in alike if leads(com)&leads(self)]
 
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0bead309
-@patch
-def _ground(self:MAVCom, name:str):
-    "Return our component of the class `UAV.mavlink.name`, made if there is none"
-    from UAV import mavlink as door         # it loads modules above this one on demand
-    kind = getattr(door, name)
-    found = next((c for c in self.component.values() if isinstance(c, kind)), None)
-    if found is not None: return found
-    free = (i for i in range(mavlink.MAV_COMP_ID_MISSIONPLANNER, 256) if i not in self.component)
-    return self.add_component(kind(next(free)))
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0a2ed3be
-@patch
-async def find_camera(self:MAVCom, name:str|None=None, # Part of its vendor and model
-                      system:int|None=None, # Only of this system
-                      component:int|None=None, # Only with this id
-                      timeout:float=5., # Seconds to listen
-                     )->RemoteCamera:
-    "Return the first camera that answers; raises `NoAnswer`, which lists the components seen"
-    return await self._ground('CameraClient').find_camera(name, system, component, timeout)
-
-@patch
-async def find_cameras(self:MAVCom, count:int|None=None, # Return as soon as this many are found
-                       timeout:float=1.5, # Seconds to listen
-                      )->list[RemoteCamera]:
-    "Return a `RemoteCamera` for each camera that sends heartbeats, ordered by address"
-    return await self._ground('CameraClient').find_cameras(count, timeout)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #224fa461
-@patch
-async def find_gimbal(self:MAVCom, name:str|None=None, # Part of its vendor and model
-                      system:int|None=None, # Only of this system
-                      component:int|None=None, # Only the manager or device with this id
-                      timeout:float=5., # Seconds to listen
-                     )->RemoteGimbal:
-    "Return the first gimbal that answers; raises `NoAnswer`, which lists the components seen"
-    return await self._ground('GimbalClient').find_gimbal(name, system, component, timeout)
-
-@patch
-async def find_gimbals(self:MAVCom, count:int|None=None, # Return as soon as this many are found
-                       timeout:float=1.5, # Seconds to listen
-                      )->list[RemoteGimbal]:
-    "Return a `RemoteGimbal` for each gimbal, ordered by address"
-    return await self._ground('GimbalClient').find_gimbals(count, timeout)
-
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #c2f728ea
 @patch
 def route(self:MAVCom, msg, # A received message, or one of ours
@@ -737,6 +692,51 @@ def summary(self:MAVCom)->str:
     dropped = self.signing.dropped if self.signing is not None else {}
     if dropped: lines.append('  dropped: '+', '.join(f'{n} {why}' for why,n in sorted(dropped.items())))
     return '\n'.join(lines+[f'  {c!r}' for c in list(self.component.values())])
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0bead309
+@patch
+def _ground(self:MAVCom, name:str):
+    "Return our component of the class `UAV.mavlink.name`, made if there is none"
+    from UAV import mavlink as door         # it loads modules above this one on demand
+    kind = getattr(door, name)
+    found = next((c for c in self.component.values() if isinstance(c, kind)), None)
+    if found is not None: return found
+    free = (i for i in range(mavlink.MAV_COMP_ID_MISSIONPLANNER, 256) if i not in self.component)
+    return self.add_component(kind(next(free)))
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0a2ed3be
+@patch
+async def find_camera(self:MAVCom, name:str|None=None, # Part of its vendor and model
+                      system:int|None=None, # Only of this system
+                      component:int|None=None, # Only with this id
+                      timeout:float=5., # Seconds to listen
+                     )->RemoteCamera:
+    "Return the first camera that answers; raises `NoAnswer`, which lists the components seen"
+    return await self._ground('CameraClient').find_camera(name, system, component, timeout)
+
+@patch
+async def find_cameras(self:MAVCom, count:int|None=None, # Return as soon as this many are found
+                       timeout:float=1.5, # Seconds to listen
+                      )->list[RemoteCamera]:
+    "Return a `RemoteCamera` for each camera that sends heartbeats, ordered by address"
+    return await self._ground('CameraClient').find_cameras(count, timeout)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #224fa461
+@patch
+async def find_gimbal(self:MAVCom, name:str|None=None, # Part of its vendor and model
+                      system:int|None=None, # Only of this system
+                      component:int|None=None, # Only the manager or device with this id
+                      timeout:float=5., # Seconds to listen
+                     )->RemoteGimbal:
+    "Return the first gimbal that answers; raises `NoAnswer`, which lists the components seen"
+    return await self._ground('GimbalClient').find_gimbal(name, system, component, timeout)
+
+@patch
+async def find_gimbals(self:MAVCom, count:int|None=None, # Return as soon as this many are found
+                       timeout:float=1.5, # Seconds to listen
+                      )->list[RemoteGimbal]:
+    "Return a `RemoteGimbal` for each gimbal, ordered by address"
+    return await self._ground('GimbalClient').find_gimbals(count, timeout)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #efb3cddf
 @patch
