@@ -186,10 +186,9 @@ def check_room(self:Storage, size:int|None=None): # Bytes; `None`: as large as t
 def _why_not(self:Storage)->StorageError:
     "The reason that it takes no picture"
     status = self.information().status
-    if status == 'empty': return StorageError(f'storage {self.name!r} is gone: its folder is not there')
-    if status == 'unformatted': return StorageError(f'storage {self.name!r} is unformatted')
-    if not self.is_writable(): return StorageError(f'storage {self.name!r} is read-only')
-    return StorageFull(f'storage {self.name!r} is full')
+    if status == 'ready' and self.is_writable(): return StorageFull(f'storage {self.name!r} is full')
+    why = dict(empty='gone: its folder is not there', ready='read-only').get(status, status)
+    return StorageError(f'storage {self.name!r} is {why}')
 
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #af2ca83f

@@ -222,7 +222,10 @@ def start(self:CaptureQueue, interval:float, # Seconds between pictures; 0 for o
     "Accept a job; raises `CameraBusy`, `StorageError` or `CameraError`"
     with self.changed:
         if self.refusal: raise self.refusal[0](self.refusal[1])
-        if self.jobs: self._check_queue(single=count == 1)
+        if self.jobs:                   # may it wait for those before it?
+            if self.sequence_runs: raise CameraBusy('a sequence is running')
+            if count != 1: raise CameraBusy('a picture is being taken')
+            if len(self.jobs) > self.max_waiting: raise CameraBusy(f'{self.max_waiting} pictures are waiting already')
         self.camera.storages.photo.check_room()
         if not self.running:
             if self.thread: self.thread.join()      # it has nothing left to do
@@ -265,13 +268,6 @@ class _CaptureJob:
 def sequence_runs(self:CaptureQueue)->bool:
     "True while a sequence is under way or waiting"
     return any(job.count!=1 and not job.stop.is_set() for job in list(self.jobs))
-
-@patch
-def _check_queue(self:CaptureQueue, single:bool):
-    "Raise `CameraBusy` unless one more job may wait for those before it"
-    if self.sequence_runs: raise CameraBusy('a sequence is running')
-    if not single: raise CameraBusy('a picture is being taken')
-    if len(self.jobs) > self.max_waiting: raise CameraBusy(f'{self.max_waiting} pictures are waiting already')
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #1d388f76
 def _next_slot(slot:int, late:float, interval:float)->int:

@@ -214,8 +214,7 @@ def close_all(cls:MAVCom):
     "Close every open `MAVCom` of this process"
     for com in _open: com.close()
 
-@atexit.register
-def _close_all(): MAVCom.close_all()
+atexit.register(MAVCom.close_all)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #7b653934
 class Channel:
@@ -391,13 +390,6 @@ def frames(self:Heart, address:tuple)->int:
     "Return the number of frames received from `address` on all links"
     return sum(c.sources[address].received for c in self.com.channels if address in c.sources)
 
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #1c0b5405
-@patch
-def lost(self:Heart, address:tuple)->str:
-    "Return why `address` is lost, or '' if it is not or has sent a frame since"
-    remote = self.remotes.get(address)
-    return self.remotes.why_lost(address) if remote and self.frames(address)==remote.frames else ''
-
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #99876a36
 @patch
 def watch(self:Heart):
@@ -455,8 +447,9 @@ def name_of(self:MAVCom, source:tuple)->str:
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #1c41e0c8
 @patch
 def lost(self:MAVCom, source:tuple)->str:
-    "Return why a component is lost, or '' if it is not"
-    return self.heart.lost(source)
+    "Return why a component is lost, or '' if it is not or has sent a frame since"
+    remote = self.remotes.get(source)
+    return self.remotes.why_lost(source) if remote and self.heart.frames(source)==remote.frames else ''
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #f914a4d9
 @patch

@@ -209,18 +209,13 @@ def find(self:Served, msg)->Outcome|None:
 def note(self:Served, msg, outcome:Outcome):
     "Store the answer to the executed command `msg`; only the latest few of its kind are kept"
     kind,values = identity(msg)
-    self._store(kind, values, msg, outcome, self._execute(kind, msg))
+    self._store(kind, values, msg, outcome, self.executed(msg))
 
 @patch
-def executed(self:Served, msg):
-    "Store that the command `msg` was executed, which outdates the answers to its contraries"
-    self._execute(identity(msg)[0], msg)
-
-@patch
-def _execute(self:Served, kind:tuple, msg)->int:
-    "Store an execution; returns its turn"
+def executed(self:Served, msg)->int:
+    "Store that the command `msg` was executed, which outdates the answers to its contraries; return its turn"
     turn = next(self._turns)
-    self._latest.note(kind, (turn,msg.get_seq(),self.clock()))
+    self._latest.note(identity(msg)[0], (turn,msg.get_seq(),self.clock()))
     return turn
 
 @patch
