@@ -22,9 +22,9 @@ from .camera_parameters import SettingsPart
 from .basecomponent import Part
 from .camera_tracking import CAMERA_TRACKING_IMAGE_STATUS, TrackingPart
 from .camera_video import VIDEO_STREAM_INFORMATION, VIDEO_STREAM_STATUS, VideoPart
-from .component import Component, DeviceServer, Health
+from .component import Component, _device_id, DeviceServer, Health
 from .ftp_server import FtpServer
-from UAV.mavlink.protocol import (announced, Busy, Cancelled, check_id, command, Denied, message, Outcome, Presses,
+from UAV.mavlink.protocol import (announced, Busy, Cancelled, command, Denied, message, Outcome, Presses,
     Served, Unsupported)
 from .vehicle import Geotagger, Survey
 from ..utils import clock
@@ -69,8 +69,7 @@ class CameraServer(_CameraVerbs):
         video_host:str|None=None, # Host in the URLs of our streams; `None`: the address at which each viewer reaches us
         name:str|None=None, # Its name at ground stations, at most 31 bytes; `None`: the model
     ):
-        _check_source(source_component)
-        super().__init__(source_component, mav_type, loglevel)
+        super().__init__(_device_id(source_component, 'camera', range(1,7)), mav_type, loglevel)    # 1: the autopilot
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
         if isinstance(guard, str) and guard!='signed': raise ValueError(f'guard is {guard!r}, not \'signed\'')
         self.camera,self.guard = FakeCamera() if camera is None else _checked_camera(camera),guard
@@ -84,8 +83,10 @@ class CameraServer(_CameraVerbs):
         self._announced,self._runs_on = {},False        # settings as last announced; is the end of a motion to come?
         self.ftp = self.add_part(FtpServer(self, guard=self.check_guard))
         self.video = self.add_part(VideoPart(self, video_host))
-        self.tracking,self.settings = self.add_part(TrackingPart(self)),self.add_part(SettingsPart(self))
-        self.vehicle,self.survey = self.add_part(Geotagger(self)),self.add_part(Survey(self))
+        self.tracking = self.add_part(TrackingPart(self))
+        self.settings = self.add_part(SettingsPart(self))
+        self.vehicle = self.add_part(Geotagger(self))
+        self.survey = self.add_part(Survey(self))
         self.mount_media()
         if self.can('subscribe'): self.camera.subscribe(self._on_camera)
 
@@ -97,13 +98,6 @@ class CameraServer(_CameraVerbs):
         super().close()
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #417eeaa7
-def _check_source(number):
-    "Raise `TypeError` or `ValueError` unless `number` can be the component id of a camera"
-    if hasattr(number, 'information'):
-        raise TypeError('the first argument is a component id: write CameraServer(camera=…)')
-    if check_id('source_component', number)<=6:
-        raise ValueError(f'a camera cannot be component {number}, an autopilot\'s')
-
 def _checked_camera(camera):
     "Return `camera`; raises `TypeError` if it isn't one"
     if isinstance(camera, type): raise TypeError(f'{camera.__name__} is a class; a camera is {camera.__name__}()')
