@@ -98,7 +98,7 @@ def link(self:MAVCom)->Link:
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #3e3be001
 class Member:
     "What a `MAVCom` calls on its components; a subclass has a `source_component` number and the methods that it needs"
-    parts,_closed = (),False        # its microservices
+    _closed = False
     def set_mav_connection(self, mav_com):
         "Called when it is added, before it gets messages"
         self.mav_com = mav_com
