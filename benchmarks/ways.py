@@ -1,11 +1,12 @@
-"""Which functions of ours three things pass through: `python benchmarks/ways.py [image] [frame] [press] [--calls]`.
+"""Which functions of ours three things pass through: `python benchmarks/ways.py [image] [frame] [press] [--calls|--tree]`.
 
 * image: a picture, from the datagram with `IMAGE_START_CAPTURE` to the idle camera
 * frame: a picture of the camera on its way to a viewer of its RTSP stream
 * press: a press on the panel's pad, from the browser's request to the gimbal's motor
 
 Of each it prints the calls, the modules, and how often the way goes over into another module. It runs on this tree and on
-older ones (`PYTHONPATH=TREE python benchmarks/ways.py`). `--calls` prints each function with its calls: there one looks for what to save.
+older ones (`PYTHONPATH=TREE python benchmarks/ways.py`). `--calls` prints each function with its calls, `--tree` who calls whom:
+there one looks for what to save.
 Calls are those of functions that have a name; timers and heartbeats are left out. Each way is gone several times, and
 the shortest one counts, because what else the program does at the same time comes on top."""
 import http.client, json, os, socket, sys, threading, time
@@ -25,19 +26,27 @@ LONGEST = 20        # s for anything that is waited for
 TIMES = 9           # how often a way is gone
 
 
+def is_ours(frame): return frame.f_globals.get('__name__', '').startswith('UAV.') and frame.f_code.co_name[0]!='<'
+
+
 class Calls:
-    "The calls of ours in all threads while `on`: `{thread: [(module, function)]}`"
-    def __init__(self):
-        self.on,self.found = False,defaultdict(list)
+    "The calls of ours in all threads while `on`: `{thread: [(module, function)]}`; with `tree` also how deep each one is"
+    def __init__(self, tree=False):
+        self.on,self.found,self.tree,self.depths = False,defaultdict(list),tree,defaultdict(list)
         threading.setprofile(self.note)
 
     def note(self, frame, event, arg):
         if not self.on or event!='call': return
         module,name = frame.f_globals.get('__name__', ''),frame.f_code.co_name
-        if module.startswith('UAV.') and name[0]!='<': self.found[threading.current_thread().name].append((module, name))
+        if not is_ours(frame): return
+        thread = threading.current_thread().name
+        self.found[thread].append((module, name))
+        if not self.tree: return
+        self.depths[thread].append(0)
+        while frame := frame.f_back: self.depths[thread][-1] += is_ours(frame)
 
     def __enter__(self):
-        self.found,self.on = defaultdict(list),True
+        self.found,self.depths,self.on = defaultdict(list),defaultdict(list),True
         return self
 
     def __exit__(self, *args): self.on = False
@@ -51,6 +60,11 @@ class Calls:
         kept = self.kept()
         changes = sum(a[0]!=b[0] for calls in kept for a,b in zip(calls, calls[1:]))
         return [round(sum(map(len, kept))/share), len({module for calls in kept for module,_ in calls}), round(changes/share)]
+
+    def lines(self):
+        "A line for each call, indented by how deep it is"
+        return [f'{"  "*depth}{module} {name}' for thread,calls in self.found.items() if calls in self.kept()
+                for depth,(module,name) in zip(self.depths[thread], calls)]
 
     def by_name(self): return Counter(call for calls in self.kept() for call in calls)
 
@@ -94,7 +108,9 @@ class Ground:
         self.send(self.mav.command_long_encode(222, 22, mavlink.MAV_CMD_IMAGE_START_CAPTURE, 0, 0, 0, 1, 0, 0, 0, 0))
 
     def beat(self): self.send(self.mav.heartbeat_encode(mavlink.MAV_TYPE_GCS, 8, 0, 0, 4))
-    def send(self, msg): self.sock.send(msg.pack(self.mav))
+    def send(self, msg):
+        self.sock.send(msg.pack(self.mav))
+        self.mav.seq = (self.mav.seq+1)%256     # as pymavlink's own `send` does: else each frame seems to come again
 
 
 def image(calls):
@@ -192,15 +208,17 @@ WAYS = dict(image=image, frame=frame, press=press)
 
 
 def measure(way, calls):
-    "The shortest of several: its calls, modules and changes, and the calls by name"
-    return min(WAYS[way](calls), key=lambda found: found[0][0])
+    "The shortest of several: its calls, modules and changes, the calls by name, and the tree of calls"
+    found = ((*once, calls.lines()) for once in WAYS[way](calls))
+    return min(found, key=lambda found: found[0][0])
 
 
 def main():
     words = sys.argv[1:]
-    calls,found = Calls(),{}
+    calls,found = Calls('--tree' in words),{}
     for way in [w for w in WAYS if w in words] or WAYS:
-        numbers,names = measure(way, calls)
+        numbers,names,lines = measure(way, calls)
+        print(*lines, sep='\n', end='\n'*bool(lines))
         found[way] = numbers
         if '--calls' in words: print(way, *numbers, *(f'\n{n:5} {module}.{name}' for (module,name),n in names.most_common()))
     print(json.dumps(found), flush=True)

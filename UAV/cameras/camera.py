@@ -268,7 +268,7 @@ def settings(self:Camera)->CameraSettings:
 @patch
 def capture_status(self:Camera)->CaptureStatus:
     "The camera's state"
-    available,recorder = self.storages.photo.information().available,self.filming.recorder
+    (_,_,available),recorder = self.storages.photo.space(),self.filming.recorder
     return CaptureStatus(*self.captures.state, self.storages.next_index, available, recorder is not None,
                          recorder.seconds if recorder is not None else 0., self.trigger.distance)
 
@@ -283,12 +283,13 @@ def set_fault(self:Camera, fault:str|None, # The device's fault; `None` when it 
               error:BaseException|None=None): # What was raised, when it is a surprise
     "Set or clear the fault; a change sends a `DeviceStatus`"
     with self._state_lock:
-        if self._closing.is_set(): return
-        was,self._fault_now = self._fault_now,fault or None
-    if (was is None) == (not fault): return
+        was,fault = self._fault_now,fault or None
+        if was == fault or self._closing.is_set(): return
+        self._fault_now = fault
+    if was and fault: return                # another one
     if fault: self.log.warning('%s', fault, exc_info=error)
     else: self.log.warning('works again, after: %s', was)
-    self.announce(DeviceStatus(fault or None))
+    self.announce(DeviceStatus(fault))
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #b7bb589d
 @patch

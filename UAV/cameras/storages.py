@@ -77,11 +77,15 @@ def usage(self:Storages, storage_id:int, # From 1
     "A storage's use"
     return tuple(medium for medium in self.media if self.places[medium] == storage_id)
 
-# %% ../../nbs/api/cameras/03_storages.ipynb #aa138156
+# %% ../../nbs/api/cameras/03_storages.ipynb #e0df35b8
 @patch
-def check_room(self:Storages):
-    "Raise what speaks against another picture: `StorageError`, `StorageFull` or `CameraBusy`"
-    self.photo.check_room()
+def about(self:Storages, storage:Storage, # One of ours
+         )->StorageInformation:
+    "How full one of them is, and what it is for"
+    return replace(storage.information(), storage_count=len(self.all), usage=self.usage(storage.storage_id))
+
+@patch
+def information(self:Storages)->list: return list(map(self.about, self.all))
 
 # %% ../../nbs/api/cameras/03_storages.ipynb #53cb40da
 @patch
@@ -137,14 +141,15 @@ def set_usage(self:Storages, storage_id:int, # From 1
     wanted = media_in(usage)
     with self._lock:
         before = self.places
-        places = {m: storage_id if m in wanted else 1 if now == storage_id else now for m,now in before.items()}
+        places = {m: 1 if n == storage_id else n for m,n in before.items()}     # the first takes what has no place
+        places.update(dict.fromkeys(wanted, storage_id))
         if any(storage.formatting for storage in self.all): raise CameraBusy('a storage is being formatted')
         new = self.numbered(places['photo'])
         if new is not self.photo: self._join(new)
         self.places = places
         if places != before: self._remember()
-        moved = [medium for medium in self.media if before[medium] != places[medium]]
-        return [self.numbered(n) for n in sorted({where[m] for m in moved for where in (before, places)})]
+        changed = {n for m in self.media if before[m] != places[m] for n in (before[m], places[m])}
+        return [self.numbered(n) for n in sorted(changed)]
 
 # %% ../../nbs/api/cameras/03_storages.ipynb #76e83e73
 @patch
@@ -170,13 +175,3 @@ def pictures(self:Storages)->list:
     for picture in (p for s in self._counting() for p in list(s.pictures) if p.index < end):    # one look at each log
         if picture.error != lost_line or picture.index not in known: known[picture.index] = picture
     return [known[index] for index in sorted(known)]
-
-# %% ../../nbs/api/cameras/03_storages.ipynb #e0df35b8
-@patch
-def about(self:Storages, storage:Storage, # One of ours
-         )->StorageInformation:
-    "How full one of them is, and what it is for"
-    return replace(storage.information(), storage_count=len(self.all), usage=self.usage(storage.storage_id))
-
-@patch
-def information(self:Storages)->list: return list(map(self.about, self.all))

@@ -221,7 +221,12 @@ def start(self:CaptureQueue, interval:float, # Seconds between pictures; 0 for o
          )->int: # Index of the first picture
     "Accept a job; raises `CameraBusy`, `StorageError` or `CameraError`"
     with self.changed:
-        self._check(single=count == 1)
+        if self.refusal: raise self.refusal[0](self.refusal[1])
+        if self.jobs:                   # may it wait for those before it?
+            if self.sequence_runs: raise CameraBusy('a sequence is running')
+            if count != 1: raise CameraBusy('a picture is being taken')
+            if len(self.jobs) > self.max_waiting: raise CameraBusy(f'{self.max_waiting} pictures are waiting already')
+        self.camera.storages.photo.check_room()
         if not self.running:
             if self.thread: self.thread.join()      # it has nothing left to do
             try: self.thread = _begin_thread(self._run, f'capture {self.camera.information.model}')
@@ -264,15 +269,6 @@ def sequence_runs(self:CaptureQueue)->bool:
     "True while a sequence is under way or waiting"
     return any(job.count!=1 and not job.stop.is_set() for job in list(self.jobs))
 
-@patch
-def _check(self:CaptureQueue, single:bool):
-    "Raise the reason that no picture can be taken now"
-    if self.refusal: raise self.refusal[0](self.refusal[1])
-    if self.sequence_runs: raise CameraBusy('a sequence is running')
-    if self.jobs and not single: raise CameraBusy('a picture is being taken')
-    if len(self.jobs) > self.max_waiting: raise CameraBusy(f'{self.max_waiting} pictures are waiting already')
-    self.camera.storages.check_room()
-
 # %% ../../nbs/api/cameras/07_trigger.ipynb #1d388f76
 def _next_slot(slot:int, late:float, interval:float)->int:
     "The slot to come after `slot`, `late` s after slot 0 was due, with `interval` s between slots"
@@ -292,8 +288,9 @@ def _run(self:CaptureQueue):
     "The capture thread: one job after the other"
     while job := self._next_job():
         try: self._do(job)
-        except BaseException: self.camera.log.exception('%r goes on, after', self)
-        self._finish(job)
+        except BaseException:
+            self.camera.log.exception('%r goes on, after', self)
+            self._finish(job)
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5222
 @patch
@@ -325,6 +322,7 @@ def _do(self:CaptureQueue, job):
         self.announce_state((False, job.interval))
         slot = _next_slot(slot, clock.monotonic()-t0, job.interval)
         job.stop.wait(max(0, t0+slot*job.interval-clock.monotonic()))
+    self._finish(job)                    # it was stopped
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a53f1
 @patch

@@ -92,9 +92,14 @@ class Sender:
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #53c0444c
 @patch
-def send_now(self:Sender, msg, # A message of the encoder `mav`
-             to:tuple|None=None): # `(system, component)` of its receiver; `None`: the target in the message
-    "Send `msg`, even while others are held back"
+def send(self:Sender, msg, # A message of the encoder `mav`
+         to:tuple|None=None, # `(system, component)` of its receiver; `None`: the target in the message
+         now:bool=False): # Send it even while others are held back?
+    "Send `msg`, or hold it back; raises `LinkError` if we are on no link, `ValueError` if a field does not fit"
+    if self._held and not now:
+        with self._lock:
+            held = self._held.get(clock.get_ident()) or self._held.get(None)
+            if held: return held.messages.append((msg, to))
     com = self.component.mav_com
     if self.mav is None: raise LinkError(_not_joined(self.component))
     if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_SETUP_SIGNING and 0 in (msg.target_system,msg.target_component):
@@ -138,7 +143,7 @@ def _take(self:Sender, held:_Held)->list:
 @patch
 def _send_all(self:Sender, messages:list):
     for msg,to in messages:
-        try: self.send_now(msg, to)
+        try: self.send(msg, to, now=True)
         except Exception: self.component.log.exception('held back, and then lost')
     with self._lock:
         self._sending -= 1
@@ -148,23 +153,12 @@ def _send_all(self:Sender, messages:list):
 @patch
 def ack_first(self:Sender, own_thread:bool=False, # Hold only messages of this thread
              )->_Held:
-    "For a `with`: hold back messages (not those of `send_now`) until its end"
+    "For a `with`: hold back messages (but those sent with `now`) until its end"
     key = clock.get_ident() if own_thread else None
     with self._lock:
         hold = self._held.get(key) or self._held.setdefault(key, _Held(self, key))
         hold.depth += 1
     return hold
-
-# %% ../../nbs/api/mavlink/03_basecomponent.ipynb #b84590bd
-@patch
-def send(self:Sender, msg, # A message of the encoder `mav`
-         to:tuple|None=None): # `(system, component)` of its receiver; `None`: the target in the message
-    "Send `msg`, or hold it back; raises `LinkError` if we are on no link, `ValueError` if a field does not fit"
-    if self._held:
-        with self._lock:
-            held = self._held.get(clock.get_ident()) or self._held.get(None)
-            if held: return held.messages.append((msg, to))
-    self.send_now(msg, to)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #7e0a51d2
 @patch
@@ -296,7 +290,7 @@ def _send_copy(self:BaseComponent, command:Command):
     target = command.key[1:]
     if self.log.isEnabledFor(LogLevels.DEBUG):
         self._log_command('→', target, command.key[0], command.params, command.copies)
-    self.sender.send_now(_encode_command(command), None if 0 in target else target)
+    self.sender.send(_encode_command(command), None if 0 in target else target, now=True)
 
 @patch
 def _send_fence(self:BaseComponent, target:tuple, number:int):
@@ -540,7 +534,7 @@ def send_ack(self:BaseComponent, msg, # The command
     if ack_result!=mavlink.MAV_RESULT_IN_PROGRESS: self.served.answered(msg, Outcome(ack_result, value))
     if self.log.isEnabledFor(LogLevels.DEBUG):
         self._log_ack('→', to, msg.command, ack_result, getattr(msg, 'came_at', None))
-    self.sender.send_now(mavlink.MAVLink_command_ack_message(msg.command, ack_result, progress, value, *to))
+    self.sender.send(mavlink.MAVLink_command_ack_message(msg.command, ack_result, progress, value, *to), to, now=True)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #f58e1698
 @patch

@@ -90,7 +90,7 @@ def _ack_parameter(self:SettingsPart, p:Parameter, result:int):
 
 @patch
 def _send_ack(self:SettingsPart, name:bytes, raw:bytes, kind:int, result:int):
-    self.component.sender.send_now(self.component.mav.param_ext_ack_encode(name, raw, kind, result))
+    self.component.sender.send(self.component.mav.param_ext_ack_encode(name, raw, kind, result), now=True)
 
 # %% ../../nbs/api/mavlink/09_camera_parameters.ipynb #6810abb0
 @patch

@@ -22,9 +22,9 @@ from .camera_parameters import SettingsPart
 from .basecomponent import Part
 from .camera_tracking import CAMERA_TRACKING_IMAGE_STATUS, TrackingPart
 from .camera_video import VIDEO_STREAM_INFORMATION, VIDEO_STREAM_STATUS, VideoPart
-from .component import Component, DeviceServer, Health
+from .component import Component, _device_id, DeviceServer, Health
 from .ftp_server import FtpServer
-from UAV.mavlink.protocol import (announced, Busy, Cancelled, check_id, command, Denied, message, Outcome, Presses,
+from UAV.mavlink.protocol import (announced, Busy, Cancelled, command, Denied, message, Outcome, Presses,
     Served, Unsupported)
 from .vehicle import Geotagger, Survey
 from ..utils import clock
@@ -69,11 +69,7 @@ class CameraServer(_CameraVerbs):
         video_host:str|None=None, # Host in the URLs of our streams; `None`: the address at which each viewer reaches us
         name:str|None=None, # Its name at ground stations, at most 31 bytes; `None`: the model
     ):
-        if hasattr(source_component, 'information'):
-            raise TypeError('the first argument is a component id: write CameraServer(camera=…)')
-        if check_id('source_component', source_component)<=6:
-            raise ValueError(f'a camera cannot be component {source_component}, an autopilot\'s')
-        super().__init__(source_component, mav_type, loglevel)
+        super().__init__(_device_id(source_component, 'camera', range(1,7)), mav_type, loglevel)    # 1: the autopilot
         if camera is None: self.log.warning('no camera given: serving one that only describes itself')
         if isinstance(guard, str) and guard!='signed': raise ValueError(f'guard is {guard!r}, not \'signed\'')
         self.camera,self.guard = FakeCamera() if camera is None else _checked_camera(camera),guard
@@ -87,8 +83,10 @@ class CameraServer(_CameraVerbs):
         self._announced,self._runs_on = {},False        # settings as last announced; is the end of a motion to come?
         self.ftp = self.add_part(FtpServer(self, guard=self.check_guard))
         self.video = self.add_part(VideoPart(self, video_host))
-        self.tracking,self.settings = self.add_part(TrackingPart(self)),self.add_part(SettingsPart(self))
-        self.vehicle,self.survey = self.add_part(Geotagger(self)),self.add_part(Survey(self))
+        self.tracking = self.add_part(TrackingPart(self))
+        self.settings = self.add_part(SettingsPart(self))
+        self.vehicle = self.add_part(Geotagger(self))
+        self.survey = self.add_part(Survey(self))
         self.mount_media()
         if self.can('subscribe'): self.camera.subscribe(self._on_camera)
 
@@ -418,8 +416,7 @@ def _announce_settings(self:CameraServer, event:CameraSettings):
 
 @patch
 @announced(StorageInformation)
-def _announce_storage(self:CameraServer, event:StorageInformation)->list:
-    return self._storage_information(event.storage_id)
+def _announce_storage(self:CameraServer, event:StorageInformation): return self._encode_storage(event)
 
 @patch
 @announced(DeviceStatus)
@@ -462,7 +459,8 @@ def _resend_notice(self:_CameraVerbs, number:int, msg, before:Outcome):
 @patch
 def _note_number(self:_CameraVerbs, number:int, msg, outcome:Outcome):
     "Remember a shot's number; an autopilot's only as long as a frame can be delayed on another link"
-    self.served.note_number(msg, number, outcome, *[Served.overtaken]*self._flies(msg))
+    if self._flies(msg): self.served.note_number(msg, number, outcome, Served.overtaken)
+    else: self.served.note_number(msg, number, outcome)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #9ca8b44d
 @patch
@@ -483,7 +481,8 @@ def _shoot(self:_CameraVerbs, interval:float, count:int, number:int, msg)->int:
             raise
         outcome = Outcome(mavlink.MAV_RESULT_ACCEPTED, index+1 if type(index) is int else 0)
         if not single: return outcome.value
-        if number or msg.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE: self._note_number(number, msg, outcome)
+        if number: self._note_number(number, msg, outcome)
+        elif msg.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE: self.served.forget_numbers(msg)     # it counts anew
         self.presses.note(msg, number, outcome)
     return outcome.value
 

@@ -209,18 +209,13 @@ def find(self:Served, msg)->Outcome|None:
 def note(self:Served, msg, outcome:Outcome):
     "Store the answer to the executed command `msg`; only the latest few of its kind are kept"
     kind,values = identity(msg)
-    self._store(kind, values, msg, outcome, self._execute(kind, msg))
+    self._store(kind, values, msg, outcome, self.executed(msg))
 
 @patch
-def executed(self:Served, msg):
-    "Store that the command `msg` was executed, which outdates the answers to its contraries"
-    self._execute(identity(msg)[0], msg)
-
-@patch
-def _execute(self:Served, kind:tuple, msg)->int:
-    "Store an execution; returns its turn"
+def executed(self:Served, msg)->int:
+    "Store that the command `msg` was executed, which outdates the answers to its contraries; return its turn"
     turn = next(self._turns)
-    self._latest.note(kind, (turn,msg.get_seq(),self.clock()))
+    self._latest.note(identity(msg)[0], (turn,msg.get_seq(),self.clock()))
     return turn
 
 @patch
@@ -279,20 +274,24 @@ def is_late(self:Served, msg)->bool:
 @patch
 def find_number(self:Served, msg, number:int)->Outcome|None:
     "Return the stored answer to this shot `number`; `None` if it is new or 0, or `msg` is a broadcast"
-    numbers = self._numbers.find(identity(msg)[0][0])
+    numbers = self._numbers.find(address(msg))
     if not number or numbers is None or 0 in (msg.target_system,msg.target_component): return
     return numbers.find(number)
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #cb3fee86
 @patch
 def note_number(self:Served, msg, number:int, outcome:Outcome, seconds:float=shot_tries*remembered): # Seconds
-    "Store the answer to this shot `number`; 0 forgets all numbers of the sender, which has restarted its count"
-    source = identity(msg)[0][0]
-    if not number: return self._numbers.forget(source)
+    "Store the answer to this shot `number`"
+    source = address(msg)
     numbers = self._numbers.find(source)
     if numbers is None: numbers = Seen(seconds, self.most, self.clock)
     numbers.note(number, outcome)
     self._numbers.note(source, numbers)
+
+@patch
+def forget_numbers(self:Served, msg):
+    "Forget the shot numbers of the sender of `msg`, which has restarted its count"
+    self._numbers.forget(address(msg))
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #295cffb2
 class _Arrival:

@@ -567,7 +567,7 @@ def ways(self:RemoteGimbal)->ManagerWays:
 def device(self:RemoteGimbal)->tuple:
     "Address of its device, as in the device's messages"
     system,component,number = self.gimbal
-    if self.ways.numbers_devices and 1<=number<=len(_gimbal_components):
+    if 1<=number<=len(_gimbal_components) and self.ways.numbers_devices:
         there = system,_gimbal_components[number-1]
         remote = self.client.remotes.get(there)
         is_device = remote is not None and remote.type==mavlink.MAV_TYPE_GIMBAL

@@ -19,7 +19,7 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_ATTITUDE as ATT
 from ..cameras.trigger import TriggerStatus
 from ..cameras.values import Pose
 from ..gimbals.values import VehicleState
-from .basecomponent import Part
+from .basecomponent import BaseComponent, Part
 from .gimbal_flags import attitude_of
 from .protocol import announced, command, Denied, receives
 from ..utils import clock
@@ -204,7 +204,7 @@ def beat(self:Vehicle):
 def _ask(self:Vehicle, autopilot:tuple, msg_ids:list):
     "Send MAV_CMD_SET_MESSAGE_INTERVAL for messages not recently requested on our `MAVCom`"
     us = self.component
-    parts = [p for c in list(us.mav_com.component.values()) for p in c.parts]
+    parts = [p for c in list(us.mav_com.component.values()) if isinstance(c, BaseComponent) for p in c.parts]
     listeners = [p for p in parts if isinstance(p, Vehicle)] or [self]
     for msg_id in msg_ids:
         if listeners[0]._asked.setdefault((autopilot, msg_id), now := object()) is not now: continue
