@@ -175,30 +175,44 @@ def check_room(self:Storage, size:int|None=None): # Bytes; `None`: as large as t
     "Raise `StorageError` (closed, gone, read-only, another's), `StorageFull` unless `size` fits, `CameraBusy` (format)"
     self.check_closed()
     if self.formatting: raise CameraBusy(f'storage {self.name!r} is being formatted')
-    now = self.information()
-    why = dict(ready='', empty=' is gone: its folder is not there').get(now.status, f' is {now.status}')
-    if why: raise StorageError(f'storage {self.name!r}{why}')
-    if not (now.available or self.is_writable()): raise StorageError(f'storage {self.name!r} is read-only')
+    _,_,available = self.space()
+    needed = max(self._sizes.largest if size is None else size, 1)
+    if available*MiB < needed or self._format_log.exists(): raise self._why_not()
+    if self._folder_lock.here: return
     try: self._folder_lock.renew()
     except OSError as e: raise self._error(e) from e
-    needed = max(self._sizes.largest if size is None else size, 1)
-    if now.available*MiB < needed: raise StorageFull(f'storage {self.name!r} is full')
+
+@patch
+def _why_not(self:Storage)->StorageError:
+    "The reason that it takes no picture"
+    status = self.information().status
+    if status == 'ready' and self.is_writable(): return StorageFull(f'storage {self.name!r} is full')
+    why = dict(empty='gone: its folder is not there', ready='read-only').get(status, status)
+    return StorageError(f'storage {self.name!r} is {why}')
+
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #af2ca83f
 @patch
-def information(self:Storage)->StorageInformation:
-    "How full the storage is, MiB; 'empty' when its folder is gone, 'unformatted' when a format could not be finished"
-    what = dict(storage_id=self.storage_id, name=self.name, kind=self.kind)
+def space(self:Storage)->tuple:
+    "MiB in all, used, and that may still be written; 0 when the folder is gone"
     try:
         total,used,free = shutil.disk_usage(self.folder)
         free -= self.reserve*MiB
         if self.quota is not None:
             total,used = self.quota*MiB,self._sizes.there()+sum(map(_file_size, self.recordings))
             free = min(free, total-used)
-    except OSError: return StorageInformation(status='empty', **what)
-    if not self.is_writable(): free = 0
+    except OSError: return 0.,0.,0.
+    return total/MiB,used/MiB,max(free, 0)/MiB if self.is_writable() else 0.
+
+@patch
+def information(self:Storage)->StorageInformation:
+    "How full the storage is, MiB; 'empty' when its folder is gone, 'unformatted' when a format could not be finished"
     status = 'unformatted' if self._format_log.exists() and not self.formatting else 'ready'
-    return StorageInformation(status=status, total=total/MiB, used=used/MiB, available=max(free, 0)/MiB, **what)
+    if not os.path.isdir(self.folder): status = 'empty'
+    total,used,available = self.space()
+    return StorageInformation(self.storage_id, status=status, total=total, used=used, available=available,
+                              name=self.name, kind=self.kind)
+
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #d48aa293
 @patch
@@ -459,8 +473,8 @@ class _FolderLock:
 # %% ../../nbs/api/cameras/02_storage.ipynb #b63863ba
 @patch(as_prop=True)
 def here(self:_FolderLock)->bool:
-    "Return whether the folder's lock file is still ours"
-    try: return os.path.samestat(os.fstat(self.file.fileno()), os.stat(self.path))
+    "Return whether the folder's lock file is still ours, or it could never be locked"
+    try: return self.file is None or os.path.samestat(os.fstat(self.file.fileno()), os.stat(self.path))
     except OSError: return False
 
 @patch
@@ -477,8 +491,7 @@ _storages = Opened()
 # %% ../../nbs/api/cameras/02_storage.ipynb #6aab1d13
 @patch
 def renew(self:_FolderLock):
-    "Lock the folder again when our file is not in it any more; raises `StorageInUse` and `OSError`"
-    if self.file is None or self.here: return
+    "Lock the folder again, in which our file is not any more; raises `StorageInUse` and `OSError`"
     new = _FolderLock(self.path.parent)
     self.file.close()
     self.file = new.file

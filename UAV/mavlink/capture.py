@@ -97,7 +97,8 @@ async def _ask(self:Capture, count:float):
         interval = self.interval or (.001 if endless else 0)        # 0 and 0 would be one picture
         params = [0, interval, 0 if endless else count, 0]
     turn = self.pictures.turns.setdefault(asyncio.get_running_loop(), asyncio.Lock())
-    async with nullcontext() if single and self.pictures.acks_have_index else turn:
+    needs_no_turn = single and self.pictures.acks_have_index        # the index says whose picture it is
+    async with nullcontext() if needs_no_turn else turn:
         before = await self._count_before(single)
         if ready := self.ready:
             self.ready = None

@@ -16,8 +16,8 @@ from pymavlink.dialects.v20.ardupilotmega import MAVLink
 from ..logging import LogLevels
 from .retransmission import first_rto
 from .basecomponent import BaseComponent, Part
-from .protocol import (accepts, Busy, check_seconds, _check_target, comes_from, command, Denied, Lost,
-    message, Unsupported)
+from .protocol import (accepts, Busy, check_id, check_seconds, _check_target, comes_from, command, Denied,
+    Lost, message, Unsupported)
 from ..utils import clock, clock as _clock
 from ..utils.threads import HangWatch, Timers
 from ..wire.dialect import Ack, address, enum_name, MAVError, message_name
@@ -457,8 +457,8 @@ def say(self:Component, severity:int, # MAV_SEVERITY
     pieces = _pieces_of(text)
     self._text_id = self._text_id%0xffff+1
     for n,piece in enumerate(pieces):
-        send = self.sender.send_now if now else self.send_message
-        send(self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n))
+        msg = self.mav.statustext_encode(severity, piece, self._text_id if len(pieces)>1 else 0, n)
+        self.sender.send(msg, now=now)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #d67f00b8
 def _pieces_of(text:str)->list:
@@ -612,6 +612,14 @@ def need(self:DeviceServer, verb:str): # Name of a method
     found = getattr(self.health.device, verb, None)
     if not callable(found): raise Unsupported(f'{self.health.device.information.model} has no {verb}')
     return found
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #c01eadfd
+def _device_id(number, device:str, reserved:range)->int:
+    "Return a server's component id; raises `TypeError` for a device in its place, `ValueError` for a `reserved` id"
+    if hasattr(number, 'information'):
+        raise TypeError(f'the first argument is a component id: write {device.title()}Server({device}=…)')
+    if check_id('source_component', number) in reserved: raise ValueError(f'a {device} cannot be component {number}')
+    return number
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #3a00448c
 def verb(cmd:int): # The MAV_CMD to send

@@ -15,11 +15,11 @@ from ..gimbals.gimbal import Location, RegionOfInterest
 from ..gimbals.values import GimbalAttitude, GimbalInformation, PositionUnknown
 from ..logging import LogLevels
 from .basecomponent import Part
-from .component import Component, DeviceServer, Health
+from .component import Component, _device_id, DeviceServer, Health
 from .gimbal_flags import *
 from .gimbal_flags import (_axis, _checked_attitude, _checked_device_id, _limits, _no_owner, _packed,
     _results, _attitude_fields, _capabilities, _Target)
-from .protocol import check_id, command, Denied, message, receives, Unsupported
+from .protocol import command, Denied, message, receives, Unsupported
 from .vehicle import Vehicle
 from ..utils import clock
 from ..utils.clock import Seen, time_since_boot_ms
@@ -50,7 +50,7 @@ class GimbalServer(DeviceServer):
                  gimbal_device_id:int|None=None, # Number of the device; `None`: 1, or a component that fits the role
                  role:str='both', # 'both', 'manager' or 'device'
                  **kwargs): # Options of `GimbalOptions`
-        super().__init__(_checked_component(source_component), mav_type, loglevel)
+        super().__init__(_device_id(source_component, 'gimbal', range(2,7)), mav_type, loglevel)
         if gimbal is None: self.log.warning('no gimbal given: serving one that only describes itself')
         self.gimbal,self.options = _checked_gimbal(gimbal),GimbalOptions(**kwargs)
         self.role = one_of('role', role, ('both','manager','device'))
@@ -125,14 +125,6 @@ class _FakeGimbal:
     def attitude(self): return GimbalAttitude()         # nothing is known
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #86deb0e6
-def _checked_component(source_component:int)->int:
-    "Return it; raises `TypeError` for a gimbal in its place, and `ValueError` for an id that means a gimbal's number"
-    if hasattr(source_component, 'information'):
-        raise TypeError('the first argument is a component id: write GimbalServer(gimbal=…)')
-    if 2<=check_id('source_component', source_component)<=6:
-        raise ValueError(f'a gimbal cannot be component {source_component}')
-    return source_component
-
 def _checked_gimbal(gimbal):
     "Return `gimbal`, or one that only describes itself; raises `TypeError`"
     if gimbal is None: return _FakeGimbal()

@@ -98,8 +98,11 @@ def link(self:MAVCom)->Link:
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #3e3be001
 class Member:
     "What a `MAVCom` calls on its components; a subclass has a `source_component` number and the methods that it needs"
-    parts,mav_com,_closed = (),None,False   # its microservices; the `MAVCom` that it is on
-    def set_mav_connection(self, mav_com): "Called when it is added, before it gets messages"
+    _closed = False
+    def set_mav_connection(self, mav_com):
+        "Called when it is added, before it gets messages"
+        self.mav_com = mav_com
+
     def deliver(self, msg): "Called with each message for it, on the link's reader thread"
     def beat(self): "Send its heartbeat"
 
@@ -119,7 +122,7 @@ def _check_component(component, com, twins=()):
     if not hasattr(component, '_beat_soon'):           # no `Member`
         raise TypeError(f'{component!r} is no component: write CameraServer(camera=…), or GimbalServer(gimbal=…); '
                         f'a class of your own continues Component, or Member')
-    number,other = component.source_component,component.mav_com
+    number,other = component.source_component,vars(component).get('mav_com')
     if other not in (None,com) and not component._closed:
         raise ValueError(f'{name} {number} is on {other!r} already; make a second one for this MAVCom')
     for c in (com, *twins):
@@ -174,51 +177,6 @@ def _twins(self:MAVCom)->list:
     alike = [com for com in _open if com is not self and com.source_system==self.source_system]
     return [com for com in alike if leads(com)&leads(self)]
 
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0bead309
-@patch
-def _ground(self:MAVCom, name:str):
-    "Return our component of the class `UAV.mavlink.name`, made if there is none"
-    from UAV import mavlink as door         # it loads modules above this one on demand
-    kind = getattr(door, name)
-    found = next((c for c in self.component.values() if isinstance(c, kind)), None)
-    if found is not None: return found
-    free = (i for i in range(mavlink.MAV_COMP_ID_MISSIONPLANNER, 256) if i not in self.component)
-    return self.add_component(kind(next(free)))
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0a2ed3be
-@patch
-async def find_camera(self:MAVCom, name:str|None=None, # Part of its vendor and model
-                      system:int|None=None, # Only of this system
-                      component:int|None=None, # Only with this id
-                      timeout:float=5., # Seconds to listen
-                     )->RemoteCamera:
-    "Return the first camera that answers; raises `NoAnswer`, which lists the components seen"
-    return await self._ground('CameraClient').find_camera(name, system, component, timeout)
-
-@patch
-async def find_cameras(self:MAVCom, count:int|None=None, # Return as soon as this many are found
-                       timeout:float=1.5, # Seconds to listen
-                      )->list[RemoteCamera]:
-    "Return a `RemoteCamera` for each camera that sends heartbeats, ordered by address"
-    return await self._ground('CameraClient').find_cameras(count, timeout)
-
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #224fa461
-@patch
-async def find_gimbal(self:MAVCom, name:str|None=None, # Part of its vendor and model
-                      system:int|None=None, # Only of this system
-                      component:int|None=None, # Only the manager or device with this id
-                      timeout:float=5., # Seconds to listen
-                     )->RemoteGimbal:
-    "Return the first gimbal that answers; raises `NoAnswer`, which lists the components seen"
-    return await self._ground('GimbalClient').find_gimbal(name, system, component, timeout)
-
-@patch
-async def find_gimbals(self:MAVCom, count:int|None=None, # Return as soon as this many are found
-                       timeout:float=1.5, # Seconds to listen
-                      )->list[RemoteGimbal]:
-    "Return a `RemoteGimbal` for each gimbal, ordered by address"
-    return await self._ground('GimbalClient').find_gimbals(count, timeout)
-
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #c2f728ea
 @patch
 def route(self:MAVCom, msg, # A received message, or one of ours
@@ -257,8 +215,7 @@ def close_all(cls:MAVCom):
     "Close every open `MAVCom` of this process"
     for com in _open: com.close()
 
-@atexit.register
-def _close_all(): MAVCom.close_all()
+atexit.register(MAVCom.close_all)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #7b653934
 class Channel:
@@ -284,15 +241,10 @@ class Channel:
         "Read the link until `close`, on the thread"
         while not self._stop.is_set():
             got = None
-            try: got = self.link.recv()
+            try:
+                if got := self.link.recv(): self.take(*got)
             except Exception: self.com.log.exception('%s cannot be read', self)
-            if got is not None: self._take_safely(got)
-            elif not self._stop.is_set(): self._come_back()
-
-    def _take_safely(self, got:tuple):
-        try: self.take(*got)
-        except (Exception, SystemExit): self.com.log.exception('%s gave what cannot be taken', self)
-        finally: self.busy_since = None
+            if not (got or self._stop.is_set()): self._come_back()
 
     def _new_reader(self, peer)->FrameReader:
         "Return a reader for a new peer; of too many, drop those silent longest"
@@ -309,20 +261,24 @@ class Channel:
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #7a890940
 @patch
 def take(self:Channel, data:bytes, peer=None):
-    "Take bytes from `peer` and route their messages"
-    now = self.busy_since = clock.monotonic()
-    reader,com = self.readers.get(peer) or self._new_reader(peer),self.com
+    "Take bytes from `peer` and route their messages; log what raises"
+    now,com = clock.monotonic(),self.com
+    self.busy_since = now
     judged = com.forward or com.signing is not None or com.message_log is not None
-    reader.heard,reader.check = now,self._check if judged else None
     try:
-        messages = reader.feed(data)
-        if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
-    finally:            # what was accepted goes on, whatever came after it
-        passing,self._passing = self._passing,[]
-        for frame in passing: com._forward(self, *frame)
-    for msg in messages:
-        msg.came_by = self,peer
-        com.route(msg)
+        reader = self.readers.get(peer) or self._new_reader(peer)
+        reader.heard,reader.check = now,self._check if judged else None
+        try:
+            messages = reader.feed(data)
+            if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
+        finally:            # what was accepted goes on, whatever came after it
+            passing,self._passing = self._passing,[]
+            for frame in passing: com._forward(self, *frame)
+        for msg in messages:
+            msg.came_by = self,peer
+            com.route(msg)
+    except (Exception, SystemExit): com.log.exception('%s gave what cannot be taken', self)
+    finally: self.busy_since = None
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #50b3d456
 @patch
@@ -436,13 +392,6 @@ def frames(self:Heart, address:tuple)->int:
     "Return the number of frames received from `address` on all links"
     return sum(c.sources[address].received for c in self.com.channels if address in c.sources)
 
-# %% ../../nbs/api/mavlink/02_mavcom.ipynb #1c0b5405
-@patch
-def lost(self:Heart, address:tuple)->str:
-    "Return why `address` is lost, or '' if it is not or has sent a frame since"
-    remote = self.remotes.get(address)
-    return self.remotes.why_lost(address) if remote and self.frames(address)==remote.frames else ''
-
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #99876a36
 @patch
 def watch(self:Heart):
@@ -500,8 +449,9 @@ def name_of(self:MAVCom, source:tuple)->str:
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #1c41e0c8
 @patch
 def lost(self:MAVCom, source:tuple)->str:
-    "Return why a component is lost, or '' if it is not"
-    return self.heart.lost(source)
+    "Return why a component is lost, or '' if it is not or has sent a frame since"
+    remote = self.remotes.get(source)
+    return self.remotes.why_lost(source) if remote and self.heart.frames(source)==remote.frames else ''
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #f914a4d9
 @patch
@@ -738,6 +688,51 @@ def summary(self:MAVCom)->str:
     if dropped: lines.append('  dropped: '+', '.join(f'{n} {why}' for why,n in sorted(dropped.items())))
     return '\n'.join(lines+[f'  {c!r}' for c in list(self.component.values())])
 
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0bead309
+@patch
+def _ground(self:MAVCom, name:str):
+    "Return our component of the class `UAV.mavlink.name`, made if there is none"
+    from UAV import mavlink as door         # it loads modules above this one on demand
+    kind = getattr(door, name)
+    found = next((c for c in self.component.values() if isinstance(c, kind)), None)
+    if found is not None: return found
+    free = (i for i in range(mavlink.MAV_COMP_ID_MISSIONPLANNER, 256) if i not in self.component)
+    return self.add_component(kind(next(free)))
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #0a2ed3be
+@patch
+async def find_camera(self:MAVCom, name:str|None=None, # Part of its vendor and model
+                      system:int|None=None, # Only of this system
+                      component:int|None=None, # Only with this id
+                      timeout:float=5., # Seconds to listen
+                     )->RemoteCamera:
+    "Return the first camera that answers; raises `NoAnswer`, which lists the components seen"
+    return await self._ground('CameraClient').find_camera(name, system, component, timeout)
+
+@patch
+async def find_cameras(self:MAVCom, count:int|None=None, # Return as soon as this many are found
+                       timeout:float=1.5, # Seconds to listen
+                      )->list[RemoteCamera]:
+    "Return a `RemoteCamera` for each camera that sends heartbeats, ordered by address"
+    return await self._ground('CameraClient').find_cameras(count, timeout)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #224fa461
+@patch
+async def find_gimbal(self:MAVCom, name:str|None=None, # Part of its vendor and model
+                      system:int|None=None, # Only of this system
+                      component:int|None=None, # Only the manager or device with this id
+                      timeout:float=5., # Seconds to listen
+                     )->RemoteGimbal:
+    "Return the first gimbal that answers; raises `NoAnswer`, which lists the components seen"
+    return await self._ground('GimbalClient').find_gimbal(name, system, component, timeout)
+
+@patch
+async def find_gimbals(self:MAVCom, count:int|None=None, # Return as soon as this many are found
+                       timeout:float=1.5, # Seconds to listen
+                      )->list[RemoteGimbal]:
+    "Return a `RemoteGimbal` for each gimbal, ordered by address"
+    return await self._ground('GimbalClient').find_gimbals(count, timeout)
+
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #efb3cddf
 @patch
 def read_in_loop(self:Channel, loop):
@@ -761,7 +756,7 @@ def take_all(self:Channel):
         except BlockingIOError: return
         except ConnectionError: continue    # no program listens there (ICMP port unreachable)
         except OSError: return
-        if data and self.link._expects(peer): self._take_safely((data, peer))
+        if data and self.link.far_port in (None, peer[1]): self.take(data, peer)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #0b3b44dc
 @patch

@@ -106,6 +106,7 @@ def _family(address:tuple)->int: return socket.AF_INET6 if len(address)==4 else 
 class UDPLink(Link):
     "A UDP socket with its peers; the base of `udpin` and `udpout`"
     datagrams = True
+    far_port = None     # the only port that is listened to
     def __init__(self, bind:tuple):
         self._closed = self._paused = False
         self._bind(bind)
@@ -129,13 +130,12 @@ class UDPLink(Link):
             try: data,peer = self.sock.recvfrom(65535)
             except ConnectionError: continue    # no program listens there yet (ICMP port unreachable)
             except OSError: return
-            if data and self._expects(peer): return data,peer
+            if data and self.far_port in (None, peer[1]): return data,peer
 
     def _send(self, data:bytes, peer:tuple):
         try: self.sock.sendto(data, peer)
         except OSError as e: log.debug('to %s: %s', peer, e)
 
-    def _expects(self, peer)->bool: return True
     def release(self): self.sock.close()
 
     def reopen(self):
@@ -171,9 +171,9 @@ class _UDPOut(UDPLink):
     prefixes = ('udpout:',)
     def __init__(self, name:str, baudrate:int=0):
         self.peer = _net_address(name)
+        self.far_port = self.peer[1]
         super().__init__(('0.0.0.0',0) if _family(self.peer)==socket.AF_INET else ('::',0,0,0))
 
-    def _expects(self, peer): return peer[1]==self.peer[1]
     def write(self, data, peer=None): self._send(data, self.peer)
 
 # %% ../../nbs/api/wire/03_links.ipynb #572b03e1
