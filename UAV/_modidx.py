@@ -7371,6 +7371,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                 'UAV.wire.lossy.LossyLink.reopen': ('api/wire/lossy.html#lossylink.reopen', 'UAV/wire/lossy.py'),
                                 'UAV.wire.lossy.LossyLink.welcome': ('api/wire/lossy.html#lossylink.welcome', 'UAV/wire/lossy.py'),
                                 'UAV.wire.lossy.LossyLink.write': ('api/wire/lossy.html#lossylink.write', 'UAV/wire/lossy.py'),
+                                'UAV.wire.lossy._checked': ('api/wire/lossy.html#_checked', 'UAV/wire/lossy.py'),
                                 'UAV.wire.lossy._cut': ('api/wire/lossy.html#_cut', 'UAV/wire/lossy.py'),
                                 'UAV.wire.lossy._flip': ('api/wire/lossy.html#_flip', 'UAV/wire/lossy.py'),
                                 'UAV.wire.lossy._kind': ('api/wire/lossy.html#_kind', 'UAV/wire/lossy.py'),
