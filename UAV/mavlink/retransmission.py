@@ -72,6 +72,37 @@ def wait(self:RoundTrip, copies:int=1, # Number of copies sent
 in_progress_timeout = 3. # s after an IN_PROGRESS until we ask for the final ack
 longest_work = 600. # s after which a command ends, in spite of more IN_PROGRESS acks
 
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #407dd8fb
+class Commands:
+    "All pending commands of one component"
+    def __init__(self, remotes:Remotes, # Table of the other components
+                 send, # Called with a `Command`: put a copy of it on the wire
+                 ask, # Called with `(target, number)`: send a TIMESYNC and a PING with this number
+                 alarm=lambda due: None, # Called with the time at which `tick` must be called
+                 clock=clock.now): # Returns seconds
+        self.remotes,self.clock = remotes,_clock.direct(clock)
+        self._send,self._ask,self._alarm = send,ask,alarm
+        self._lines,self._fences = {},{}        # lines by key, and by the numbers that their fences have asked with
+        self._outbox,self._number = _AfterLock(),0
+        self.pings = Seen(60., most=16, clock=clock)     # send times of our PINGs, by their `time_usec`
+
+    def _sample(self, line:_Line, source:tuple, seconds:float):
+        "Add a round trip; a component that answers gets a `Remote`"
+        if line.is_broadcast: return
+        line.round_trip = self.remotes.known(source).round_trip
+        line.round_trip.sample(seconds)
+
+    def _spoil(self, line:_Line, command:Command):
+        "Expect late acks of `command` until `hard`"
+        longest = max(line.round_trip.largest or 0., self.clock()-command.first)
+        line.dirty = True
+        line.hard = line.last+(first_rto if line.is_broadcast else max(longest_stray, 2*longest))
+        self._alarm(line.hard)
+
+    def _drop_fence(self, line:_Line):
+        for number in line.fence.asked: self._fences.pop(number, None)
+        line.fence = None
+
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #8c41c72d
 class _Line:
     "Queue of commands with one key; the first is on the wire"
@@ -105,36 +136,6 @@ class _AfterLock:
                     f,args = self._calls.popleft()
                     f(*args)
             finally: self._busy.release()
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #407dd8fb
-class Commands:
-    "All pending commands of one component"
-    def __init__(self, remotes:Remotes, # Table of the other components
-                 send, # Called with a `Command`: put a copy of it on the wire
-                 ask, # Called with `(target, number)`: send a TIMESYNC and a PING with this number
-                 alarm=lambda due: None, # Called with the time at which `tick` must be called
-                 clock=clock.now): # Returns seconds
-        self.remotes,self.clock = remotes,_clock.direct(clock)
-        self._send,self._ask,self._alarm = send,ask,alarm
-        self._lines,self._fences = {},{}        # lines by key, and by the numbers that their fences have asked with
-        self._outbox,self._number = _AfterLock(),0
-        self.pings = Seen(60., most=16, clock=clock)     # send times of our PINGs, by their `time_usec`
-
-    def _sample(self, line:_Line, source:tuple, seconds:float):
-        "Add a round trip; a component that answers gets a `Remote`"
-        if line.is_broadcast: return
-        line.round_trip = self.remotes.known(source).round_trip
-        line.round_trip.sample(seconds)
-
-    def _spoil(self, line:_Line, command:Command):
-        "Expect late acks of `command` until `hard`"
-        longest = max(line.round_trip.largest or 0., self.clock()-command.first)
-        line.dirty,line.hard = True,line.last+(first_rto if line.is_broadcast else max(longest_stray, 2*longest))
-        self._alarm(line.hard)
-
-    def _drop_fence(self, line:_Line):
-        for number in line.fence.asked: self._fences.pop(number, None)
-        line.fence = None
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #196bb17d
 @patch
@@ -199,7 +200,8 @@ def offer(self:Commands, ack, # A COMMAND_ACK for us
         command = line.on_wire
         if ack.result==mavlink.MAV_RESULT_IN_PROGRESS:      # the work has begun: wait longer, but not forever
             end = command.first+longest_work
-            command.in_progress,command.due = True,min(now+in_progress_timeout, end)
+            command.in_progress = True
+            command.due = min(now+in_progress_timeout, end)
             command.deadline = min(now+command.patience, end)
         elif self._is_early(line, command, now):
             command.held = ack,now
