@@ -57,6 +57,19 @@ class Component(BaseComponent):
         "Messages sent on request, `{message id: Handler}`"
         return self.tables['message']
 
+    def set_target(self, target_system:int, target_component:int):
+        "Set the default target"
+        for number in (target_system,target_component): _check_target(number)
+        self.target_system,self.target_component = target_system,target_component
+
+    def target(self, target_system:int|None=None, target_component:int|None=None)->tuple:
+        "Return `(system, component)` to address; raises `MAVError` if there is none"
+        system = self.target_system if target_system is None else target_system
+        comp = self.target_component if target_component is None else target_component
+        for number in (system,comp): _check_target(number)
+        if None not in (system,comp): return system,comp
+        raise MAVError('no target: name target_system and target_component, or call set_target first')
+
 # %% ../../nbs/api/mavlink/04_component.ipynb #a38a301f
 @patch
 def _encode_requested(self:Component, msg_id:int, values=(), msg=None):
@@ -83,23 +96,6 @@ def _request_message(self:Component, msg_id:int, p2:float=None, p3:float=None, p
                      p6:float=None, response_target:float=0, *, msg):
     "Answer MAV_CMD_REQUEST_MESSAGE"
     self._send_requested(msg_id, (p2, p3, p4, p5, p6), msg, response_target==everyone)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #b6fe4129
-@patch
-def set_target(self:Component, target_system:int, target_component:int):
-    "Set the default target"
-    for number in (target_system,target_component): _check_target(number)
-    self.target_system,self.target_component = target_system,target_component
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #f4bf95b4
-@patch
-def target(self:Component, target_system:int|None=None, target_component:int|None=None)->tuple:
-    "Return `(system, component)` to address; raises `MAVError` if there is none"
-    system = self.target_system if target_system is None else target_system
-    comp = self.target_component if target_component is None else target_component
-    for number in (system,comp): _check_target(number)
-    if None not in (system,comp): return system,comp
-    raise MAVError('no target: name target_system and target_component, or call set_target first')
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #f6682d39
 @patch

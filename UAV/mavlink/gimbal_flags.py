@@ -294,6 +294,18 @@ class Control:
         "The client in control, as text"
         return 'no client is in control' if self.primary==_no_owner else '{}/{} is in control'.format(*self.primary)
 
+    def allows(self, sender:tuple)->bool:
+        "True if `sender` may move the gimbal now"
+        primary = self.primary
+        return sender==primary or primary==_no_owner and not self.strict
+
+    def lose(self, address:tuple)->bool:
+        "Remove the silent `address` from control; true after a change"
+        with self._lock:
+            before = self.primary,self.secondary
+            self.primary,self.secondary = (_no_owner if pair==address else pair for pair in before)
+            return before!=(self.primary,self.secondary)
+
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #fa63fb4f
 def _changed_pair(pair:tuple, sender:tuple, *asked)->tuple:
     "Return the owner after a request by `sender`; raises `Denied` for an invalid id or half a pair"
@@ -320,19 +332,3 @@ def configure(self:Control, sender:tuple, # `(system, component)` of the request
         pairs = _changed_pair(self.primary, sender, p1, p2),_changed_pair(self.secondary, sender, p3, p4)
         self.primary,self.secondary = pairs
         return pairs!=before
-
-# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #aa412c95
-@patch
-def allows(self:Control, sender:tuple)->bool:
-    "True if `sender` may move the gimbal now"
-    primary = self.primary
-    return sender==primary or primary==_no_owner and not self.strict
-
-# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #ff3ffe15
-@patch
-def lose(self:Control, address:tuple)->bool:
-    "Remove the silent `address` from control; true after a change"
-    with self._lock:
-        before = self.primary,self.secondary
-        self.primary,self.secondary = (_no_owner if pair==address else pair for pair in before)
-        return before!=(self.primary,self.secondary)

@@ -47,26 +47,22 @@ class RoundTrip:
         if self.srtt is None: return 'RoundTrip: not measured'
         return f'RoundTrip: {self.srtt*1000:.3g} ms, asked again after {self.rto:.2g} s'
 
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #08d6aef4
-@patch
-def sample(self:RoundTrip, seconds:float): # Seconds from request to answer
-    "Add one measured round trip"
-    if self.srtt is None:
-        self.srtt = self.least = self.largest = seconds
-        self.rttvar = seconds/2
-    else:
-        self.rttvar += (abs(self.srtt-seconds)-self.rttvar)/4
-        self.srtt += (seconds-self.srtt)/8
-        self.least = min(seconds, self.least+(seconds-self.least)/16)
-        self.largest = max(seconds, self.largest-(self.largest-self.srtt)/64)
-    self.rto = min(max(self.srtt+4*self.rttvar, least_rto), longest_rto)
+    def sample(self, seconds:float): # Seconds from request to answer
+        "Add one measured round trip"
+        if self.srtt is None:
+            self.srtt = self.least = self.largest = seconds
+            self.rttvar = seconds/2
+        else:
+            self.rttvar += (abs(self.srtt-seconds)-self.rttvar)/4
+            self.srtt += (seconds-self.srtt)/8
+            self.least = min(seconds, self.least+(seconds-self.least)/16)
+            self.largest = max(seconds, self.largest-(self.largest-self.srtt)/64)
+        self.rto = min(max(self.srtt+4*self.rttvar, least_rto), longest_rto)
 
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #b769882a
-@patch
-def wait(self:RoundTrip, copies:int=1, # Number of copies sent
-        )->float:
-    "Return the seconds until the next copy: the timeout, doubled each time"
-    return min(self.rto*2**(copies-1), max(self.rto, longest_back_off))
+    def wait(self, copies:int=1, # Number of copies sent
+            )->float:
+        "Return the seconds until the next copy: the timeout, doubled each time"
+        return min(self.rto*2**(copies-1), max(self.rto, longest_back_off))
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #34973412
 in_progress_timeout = 3. # s after an IN_PROGRESS until we ask for the final ack

@@ -55,15 +55,13 @@ class SimAutopilot(Component):
 
     def on_mav_connection(self): self.start_streams()
 
-# %% ../../nbs/api/mavlink/24_sim_autopilot.ipynb #e3bc52fa
-@patch
-def arm(self:SimAutopilot, armed:bool=True): # False: disarm
-    "Set flight mode and arming state of the heartbeat"
-    mode = mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
-    if self.autopilot==autopilots['generic']: mode = mavlink.MAV_MODE_FLAG_GUIDED_ENABLED
-    self.base_mode = mode|mavlink.MAV_MODE_FLAG_SAFETY_ARMED if armed else mode
-    self.custom_mode = _px4_hold if self.autopilot==autopilots['px4'] else 0
-    self.system_status = mavlink.MAV_STATE_ACTIVE if armed else mavlink.MAV_STATE_STANDBY
+    def arm(self, armed:bool=True): # False: disarm
+        "Set flight mode and arming state of the heartbeat"
+        mode = mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
+        if self.autopilot==autopilots['generic']: mode = mavlink.MAV_MODE_FLAG_GUIDED_ENABLED
+        self.base_mode = mode|mavlink.MAV_MODE_FLAG_SAFETY_ARMED if armed else mode
+        self.custom_mode = _px4_hold if self.autopilot==autopilots['px4'] else 0
+        self.system_status = mavlink.MAV_STATE_ACTIVE if armed else mavlink.MAV_STATE_STANDBY
 
 # %% ../../nbs/api/mavlink/24_sim_autopilot.ipynb #9b142735
 @patch

@@ -85,6 +85,24 @@ class Progress:
 
     def __repr__(self): return self.line
 
+    @property
+    def line(self)->str:
+        "The text shown"
+        share,seconds = self.done/self.total if self.total else 1.,self.clock()-self.began
+        bar = ('█'*int(share*self.width)).ljust(self.width, '░')
+        speed = f', {amount(self.done/seconds, self.unit)}/s' if seconds>0 else ''
+        return f'{self.name} {bar} {share:4.0%} of {amount(self.total, self.unit)}{speed}'.strip()
+
+    def __call__(self, done:int, total:int):
+        "So much is done"
+        self.done,self.total,now = done,total,self.clock()
+        if done<total and now-self._shown<self.every: return
+        self._shown = now
+        if self.handle: self.handle.update({'text/plain':self.line}, raw=True)
+        elif self.stream:
+            self.stream.write(f'\r{self.line}\x1b[K'+('\n' if done>=total else ''))
+            self.stream.flush()
+
 # %% ../../nbs/api/utils/06_output.ipynb #3d4c8a84
 def amount(number:float, # Of what
            unit:str='B')->str:
@@ -93,27 +111,6 @@ def amount(number:float, # Of what
         if number<1000: return f'{number:.3g} {prefix}{unit}' if prefix else f'{number:.0f} {unit}'
         number /= 1000
     return f'{number:.3g} G{unit}'
-
-# %% ../../nbs/api/utils/06_output.ipynb #4d84b035
-@patch(as_prop=True)
-def line(self:Progress)->str:
-    "The text shown"
-    share,seconds = self.done/self.total if self.total else 1.,self.clock()-self.began
-    bar = ('█'*int(share*self.width)).ljust(self.width, '░')
-    speed = f', {amount(self.done/seconds, self.unit)}/s' if seconds>0 else ''
-    return f'{self.name} {bar} {share:4.0%} of {amount(self.total, self.unit)}{speed}'.strip()
-
-# %% ../../nbs/api/utils/06_output.ipynb #6b8d347a
-@patch
-def __call__(self:Progress, done:int, total:int):
-    "So much is done"
-    self.done,self.total,now = done,total,self.clock()
-    if done<total and now-self._shown<self.every: return
-    self._shown = now
-    if self.handle: self.handle.update({'text/plain':self.line}, raw=True)
-    elif self.stream:
-        self.stream.write(f'\r{self.line}\x1b[K'+('\n' if done>=total else ''))
-        self.stream.flush()
 
 # %% ../../nbs/api/utils/06_output.ipynb #818bac9f
 class ScrollingLog:

@@ -147,16 +147,15 @@ class LogEntry:
         of = self.command_name if self.is_ack else ''
         return f'{_address_text(self.source):>7} → {to:7} {self.says} {of}'.rstrip()
 
-# %% ../../nbs/api/wire/07_message_log.ipynb #fe5e34f8
-@patch(as_prop=True)
-def is_retransmission(self:LogEntry)->bool:
-    "A COMMAND_LONG with a `confirmation`"
-    return self.msg_id==mavlink.MAVLINK_MSG_ID_COMMAND_LONG and self.message.confirmation>0
+    @property
+    def is_retransmission(self)->bool:
+        "A COMMAND_LONG with a `confirmation`"
+        return self.msg_id==mavlink.MAVLINK_MSG_ID_COMMAND_LONG and self.message.confirmation>0
 
-@patch(as_prop=True)
-def command_name(self:LogEntry)->str:
-    "Of the MAV_CMD that this asks for, or answers"
-    return enum_name('MAV_CMD', self.message.command, 'MAV_CMD_')
+    @property
+    def command_name(self)->str:
+        "Of the MAV_CMD that this asks for, or answers"
+        return enum_name('MAV_CMD', self.message.command, 'MAV_CMD_')
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #7fae64fd
 # commands whose first parameter is a message id
