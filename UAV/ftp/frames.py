@@ -83,8 +83,8 @@ class FtpFrame:
 
     def ack(self, data:bytes=b'', **fields)->FtpFrame:
         "Return the answer to this request"
-        return FtpFrame((self.seq+1)&0xffff, ACK, **{**dict(session=self.session, size=len(data), req_opcode=self.opcode,
-                                                            offset=self.offset, data=data), **fields})
+        usual = dict(session=self.session, size=len(data), req_opcode=self.opcode, offset=self.offset, data=data)
+        return FtpFrame((self.seq+1)&0xffff, ACK, **{**usual, **fields})
 
     def nak(self, error:Exception)->FtpFrame:
         "Return the refusal of this request"

@@ -88,7 +88,8 @@ class Progress:
     @property
     def line(self)->str:
         "The text shown"
-        share,seconds = self.done/self.total if self.total else 1.,self.clock()-self.began
+        share = self.done/self.total if self.total else 1.
+        seconds = self.clock()-self.began
         bar = ('█'*int(share*self.width)).ljust(self.width, '░')
         speed = f', {amount(self.done/seconds, self.unit)}/s' if seconds>0 else ''
         return f'{self.name} {bar} {share:4.0%} of {amount(self.total, self.unit)}{speed}'.strip()
