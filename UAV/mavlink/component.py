@@ -293,14 +293,12 @@ class Streams(Part):
             answer = self._answers.get(asker)
             if answer and pending in (None, answer.pending): del self._answers[asker]
 
-# %% ../../nbs/api/mavlink/04_component.ipynb #853607ec
-@patch
-def end(self:Streams, asker:tuple|None, # `(system, component)` of the requester
-        timeout:float=5.): # Seconds to wait for a message in preparation
-    "End all streams and answers for `asker`"
-    for key in self.of(asker): self._end(asker, key, timeout)
-    self._end_answer(asker)
-    self._askers.pop(asker, None)
+    def end(self, asker:tuple|None, # `(system, component)` of the requester
+            timeout:float=5.): # Seconds to wait for a message in preparation
+        "End all streams and answers for `asker`"
+        for key in self.of(asker): self._end(asker, key, timeout)
+        self._end_answer(asker)
+        self._askers.pop(asker, None)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #77343248
 @patch

@@ -99,6 +99,15 @@ class Commands:
         for number in line.fence.asked: self._fences.pop(number, None)
         line.fence = None
 
+    def start(self, command:Command):
+        "Send `command`, or queue it behind an identical one"
+        with self._outbox:
+            if (line := self._lines.get(command.key)) is None:
+                remote = self.remotes.get(command.key[1:])
+                line = self._lines[command.key] = _Line(command.key, remote.round_trip if remote else RoundTrip())
+            line.queue.append(command)
+            self._advance(line)
+
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #8c41c72d
 class _Line:
     "Queue of commands with one key; the first is on the wire"
@@ -132,17 +141,6 @@ class _AfterLock:
                     f,args = self._calls.popleft()
                     f(*args)
             finally: self._busy.release()
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #196bb17d
-@patch
-def start(self:Commands, command:Command):
-    "Send `command`, or queue it behind an identical one"
-    with self._outbox:
-        if (line := self._lines.get(command.key)) is None:
-            remote = self.remotes.get(command.key[1:])
-            line = self._lines[command.key] = _Line(command.key, remote.round_trip if remote else RoundTrip())
-        line.queue.append(command)
-        self._advance(line)
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #a95f825e
 @patch
@@ -405,18 +403,21 @@ class Remotes(dict):
             for remote in sorted(self.values(), key=worth)[:self.most//16]: self.pop(remote.address, None)
         return self.get(address) or self.setdefault(address, Remote(address))
 
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #8bd1e1bd
-@patch
-def beat(self:Remotes, address:tuple, # `(system, component)` that sent it
-         msg, # Its HEARTBEAT
-         now:float, # Monotonic time, s
-        )->bool:
-    "Store a heartbeat; true if the component is new or back"
-    remote = self.known(address)
-    is_new = remote.lost or remote.type is None
-    remote.type,remote.autopilot,remote.system_status = msg.type,msg.autopilot,msg.system_status
-    remote.heard,remote.lost = now,False
-    return is_new
+    def beat(self, address:tuple, # `(system, component)` that sent it
+             msg, # Its HEARTBEAT
+             now:float, # Monotonic time, s
+            )->bool:
+        "Store a heartbeat; true if the component is new or back"
+        remote = self.known(address)
+        is_new = remote.lost or remote.type is None
+        remote.type,remote.autopilot,remote.system_status = msg.type,msg.autopilot,msg.system_status
+        remote.heard,remote.lost = now,False
+        return is_new
+
+    def why_lost(self, address:tuple)->str:
+        "Return why `address` is lost, or '' if it is not"
+        remote = self.get(address)
+        return f'{remote.name} is lost: silent for {self.lost_after:g} s or more' if remote and remote.lost else ''
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #b9882c43
 @patch
@@ -434,13 +435,6 @@ def silent(self:Remotes, now:float, # Monotonic time, s
         remote.lost = now-max(remote.alive, remote.heard)-(late-remote.late)>=self.lost_after
         if remote.lost: found.append(remote)
     return found
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #db1f53cd
-@patch
-def why_lost(self:Remotes, address:tuple)->str:
-    "Return why `address` is lost, or '' if it is not"
-    remote = self.get(address)
-    return f'{remote.name} is lost: silent for {self.lost_after:g} s or more' if remote and remote.lost else ''
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #e988e5fc
 @patch

@@ -138,6 +138,16 @@ class ScrollingLog:
             else: raise IndexError(f'line {index} of a log with {len(self.log)}')
             if self._view: self._view(message)
 
+    def draw(self, image, # BGR picture, changed in place
+             font:int=0): # One of OpenCV's `FONT_HERSHEY_…`
+        "Draw the lines on `image`"
+        with self._lock: lines = list(self.log)
+        scale = self.font_scale*image.shape[0]/1000
+        boxes = list(self._boxes(lines, font, scale, self.position))
+        if self.bg_color is not None:
+            for _,_,corners in boxes: cv2.rectangle(image, *corners, self.bg_color, -1)
+        for s,at,_ in boxes: cv2.putText(image, s, at, font, scale, self.color, self.thickness, cv2.LINE_AA)
+
 # %% ../../nbs/api/utils/06_output.ipynb #7655e68c
 @patch
 def _boxes(self:ScrollingLog, lines, font, scale, start):
@@ -148,18 +158,6 @@ def _boxes(self:ScrollingLog, lines, font, scale, start):
     for i,(s,((w,h),below)) in enumerate(zip(lines, sizes)):
         y = top+i*step
         yield s,(x,y),((x,y-h),(x+w,y+below))
-
-# %% ../../nbs/api/utils/06_output.ipynb #fe7959f7
-@patch
-def draw(self:ScrollingLog, image, # BGR picture, changed in place
-         font:int=0): # One of OpenCV's `FONT_HERSHEY_…`
-    "Draw the lines on `image`"
-    with self._lock: lines = list(self.log)
-    scale = self.font_scale*image.shape[0]/1000
-    boxes = list(self._boxes(lines, font, scale, self.position))
-    if self.bg_color is not None:
-        for _,_,corners in boxes: cv2.rectangle(image, *corners, self.bg_color, -1)
-    for s,at,_ in boxes: cv2.putText(image, s, at, font, scale, self.color, self.thickness, cv2.LINE_AA)
 
 # %% ../../nbs/api/utils/06_output.ipynb #84e6fbcf
 class ScrollingLogHandler(Closes, logging.Handler):
