@@ -81,6 +81,17 @@ class FtpFrame:
         "True if this is the answer to `request`; in a burst the numbers go on"
         return self.opcode in (ACK,NAK) and (self.req_opcode,self.seq)==(request.opcode,(request.seq+1)&0xffff)
 
+    def ack(self, data:bytes=b'', **fields)->FtpFrame:
+        "Return the answer to this request"
+        usual = dict(session=self.session, size=len(data), req_opcode=self.opcode, offset=self.offset, data=data)
+        return FtpFrame((self.seq+1)&0xffff, ACK, **{**usual, **fields})
+
+    def nak(self, error:Exception)->FtpFrame:
+        "Return the refusal of this request"
+        e = _ftp_error(error)
+        data = bytes([e.code,e.errno]) if e.code==FtpCode.FAIL_ERRNO else bytes([e.code])
+        return replace(self.ack(data), opcode=NAK)
+
 # %% ../../nbs/api/ftp/00_frames.ipynb #5a36aab8
 def read_ftp(payload, # Of a message; missing bytes at its end are zero
             )->FtpFrame:
@@ -88,21 +99,6 @@ def read_ftp(payload, # Of a message; missing bytes at its end are zero
     raw = bytes(payload)[:12+most_data].ljust(12+most_data, b'\0')
     seq,session,opcode,size,req_opcode,complete,_,offset = _head.unpack_from(raw)
     return FtpFrame(seq, opcode, session, size, req_opcode, complete, offset, raw[12:12+size])
-
-# %% ../../nbs/api/ftp/00_frames.ipynb #18f38b93
-@patch
-def ack(self:FtpFrame, data:bytes=b'', **fields)->FtpFrame:
-    "Return the answer to this request"
-    return FtpFrame((self.seq+1)&0xffff, ACK, **{**dict(session=self.session, size=len(data), req_opcode=self.opcode,
-                                                        offset=self.offset, data=data), **fields})
-
-# %% ../../nbs/api/ftp/00_frames.ipynb #a05aca9c
-@patch
-def nak(self:FtpFrame, error:Exception)->FtpFrame:
-    "Return the refusal of this request"
-    e = _ftp_error(error)
-    data = bytes([e.code,e.errno]) if e.code==FtpCode.FAIL_ERRNO else bytes([e.code])
-    return replace(self.ack(data), opcode=NAK)
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #9a51f200
 @patch(as_prop=True)

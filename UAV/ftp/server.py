@@ -206,7 +206,9 @@ def _burst(self:FtpSessions, peer, request):
 def burst(self:FtpSessions, job:FtpJob, # A burst
           most:int): # Frames, at least 1
     "Yield the frames of a burst; it ends early if its session is closed"
-    key,request,offset = (job.peer,job.request.session),job.request,job.request.offset
+    request = job.request
+    offset = request.offset
+    key = job.peer,request.session
     session = self.open.get(key)
     for left in range(most-1, -1, -1):
         if session is None or self.open.get(key) is not session: return
@@ -214,10 +216,12 @@ def burst(self:FtpSessions, job:FtpJob, # A burst
         except (OSError, MAVError) as e:
             yield request.nak(e)
             return
-        session.used,last = self.clock(),not left or offset+len(data)>=session.size
-        yield request.ack(data, offset=offset, burst_complete=int(last))
-        if last: return
-        request,offset = replace(request, seq=request.seq+1),offset+len(data)
+        session.used = self.clock()
+        is_last = not left or offset+len(data)>=session.size
+        yield request.ack(data, offset=offset, burst_complete=int(is_last))
+        if is_last: return
+        request = replace(request, seq=request.seq+1)
+        offset += len(data)
 
 # %% ../../nbs/api/ftp/01_server.ipynb #bd2ce413
 @patch
@@ -238,7 +242,7 @@ _changes = {FtpOp.REMOVE_FILE:'unlink', FtpOp.CREATE_DIRECTORY:'mkdir', FtpOp.RE
 @_operation(*_changes, writes=True)
 def _change(self:FtpSessions, peer, request):
     paths = [_read_path(path)[1] for path in request.paths]
-    if len(paths)!=1+(request.opcode==FtpOp.RENAME): raise FtpError(FtpCode.INVALID_DATA_SIZE)
+    if len(paths)!=(2 if request.opcode==FtpOp.RENAME else 1): raise FtpError(FtpCode.INVALID_DATA_SIZE)
     self.files.change(_changes[request.opcode], *paths)
     return request.ack()
 

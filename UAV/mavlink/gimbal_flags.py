@@ -27,7 +27,7 @@ _all_ = ['GIMBAL_DEVICE_ATTITUDE_STATUS', 'GIMBAL_DEVICE_INFORMATION', 'GIMBAL_M
 
 # %% auto #0
 __all__ = ['RETRACT', 'NEUTRAL', 'ROLL_LOCK', 'PITCH_LOCK', 'YAW_LOCK', 'VEHICLE_FRAME', 'EARTH_FRAME', 'ACCEPTS_EARTH', 'RC',
-           'LEVEL', 'axis_limits', 'flag_names', 'capabilities_in', 'information_of', 'attitude_of', 'ManagerWays',
+           'LEVEL', 'flag_names', 'attitude_of', 'axis_limits', 'capabilities_in', 'information_of', 'ManagerWays',
            'ways_of', 'GimbalOptions', 'Control', 'GIMBAL_DEVICE_ATTITUDE_STATUS', 'GIMBAL_DEVICE_INFORMATION',
            'GIMBAL_MANAGER_INFORMATION', 'GIMBAL_MANAGER_STATUS']
 
@@ -38,6 +38,13 @@ __all__ = ['RETRACT', 'NEUTRAL', 'ROLL_LOCK', 'PITCH_LOCK', 'YAW_LOCK', 'VEHICLE
 RC = mavlink.GIMBAL_DEVICE_FLAGS_RC_EXCLUSIVE|mavlink.GIMBAL_DEVICE_FLAGS_RC_MIXED
 LEVEL = ROLL_LOCK|PITCH_LOCK            # roll and pitch from the horizon, as on nearly all gimbals
 
+# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #29473ec4
+def flag_names(enum:str, # Such as 'GIMBAL_DEVICE_CAP_FLAGS'
+               flags:int)->tuple:
+    "Return the dialect's names of the bits in `flags`"
+    bits = {i:e.name for i,e in mavlink.enums[enum].items() if i and not i&(i-1)}
+    return tuple(name.removeprefix(f'{enum}_') for i,name in sorted(bits.items()) if flags&i)
+
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #a3c71b6a
 def _yaw_frame(flags:int)->str:
     "Return the frame of a yaw with these flags, 'vehicle' or 'earth'; raises `ValueError` for both"
@@ -45,6 +52,52 @@ def _yaw_frame(flags:int)->str:
     if frames==VEHICLE_FRAME|EARTH_FRAME: raise ValueError('yaw cannot be in two frames')
     if frames: return 'earth' if frames==EARTH_FRAME else 'vehicle'
     return 'earth' if flags&YAW_LOCK else 'vehicle'     # the rule before frame bits
+
+# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #2b3e33ce
+def attitude_of(msg, # GIMBAL_DEVICE_ATTITUDE_STATUS
+                heading:float=NAN, # Vehicle heading in degrees, if not in the message
+                time:float=NAN, # Time of arrival in s
+               )->GimbalAttitude:
+    "Decode GIMBAL_DEVICE_ATTITUDE_STATUS; raises `ValueError` for two frames"
+    flags,rate = msg.flags,NAN
+    if flags&(VEHICLE_FRAME|EARTH_FRAME):
+        if known(msg.delta_yaw): heading = math.degrees(msg.delta_yaw)
+        rate = math.degrees(msg.delta_yaw_velocity)
+    q = _vehicle_q(msg.q, _yaw_frame(flags), heading)
+    mode = next((m for m in ('retract','center') if flags&_modes[m]), 'point')
+    failures = flag_names('GIMBAL_DEVICE_ERROR_FLAGS', msg.failure_flags)
+    return GimbalAttitude(q, _rates_of(msg), heading, rate, bool(flags&YAW_LOCK), mode, failures, time)
+
+# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #a4a4627d
+def _rates_of(msg)->tuple: return tuple(math.degrees(getattr(msg, f'angular_velocity_{a}')) for a in 'xyz')
+
+def _vehicle_q(q:tuple, frame:str, heading:float)->tuple:
+    "Return a received attitude relative to the nose; NaN if that is unknown"
+    try: q = unit(q)
+    except ValueError: return (NAN,)*4
+    return q if frame=='vehicle' else product(inverse(quaternion(yaw=heading)), q)
+
+# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #dbf217c1
+_modes = dict(point=0, center=NEUTRAL, retract=RETRACT)
+
+def _attitude_fields(a:GimbalAttitude, frame:str='vehicle')->dict:
+    "Return the fields of GIMBAL_DEVICE_ATTITUDE_STATUS without time and id; yaw is in `frame` if the heading is known"
+    earth = one_of('frame', frame, ('vehicle','earth'))=='earth' and known(a.vehicle_yaw)
+    flags = LEVEL|ACCEPTS_EARTH|_modes[a.mode]|(YAW_LOCK if a.lock else 0)|(EARTH_FRAME if earth else VEHICLE_FRAME)
+    failures = (enum_value('GIMBAL_DEVICE_ERROR_FLAGS', n, 'GIMBAL_DEVICE_ERROR_FLAGS_') for n in set(a.failures))
+    x,y,z = map(math.radians, a.rates)
+    return dict(flags=flags, q=list(a.earth_q if earth else a.q), angular_velocity_x=x, angular_velocity_y=y,
+        angular_velocity_z=z, failure_flags=sum(failures), delta_yaw=math.radians(wrap(a.vehicle_yaw)),
+        delta_yaw_velocity=math.radians(a.vehicle_yaw_rate))
+
+# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #7c0e0e02
+def _checked_attitude(a:GimbalAttitude)->GimbalAttitude:
+    "Return `a`; raises Python's error if it does not fit a message"
+    w,x,y,z = a.q
+    for number in filter(known, (w, x, y, z, *a.rates, a.vehicle_yaw, a.vehicle_yaw_rate)):
+        inside('a number of the attitude', number, -1e6, 1e6)
+    _attitude_fields(a)
+    return a
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #6e699f33
 @dataclass(frozen=True, repr=False, eq=False)
@@ -83,8 +136,6 @@ def of_pitchyaw(cls:_Target, flags:int, pitch:float=NAN, yaw:float=NAN, pitch_ra
     return cls.of_flags(flags, pitch=_axis('pitch', pitch, pitch_rate), yaw=_axis('yaw', yaw, yaw_rate))
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #ad938855
-def _rates_of(msg)->tuple: return tuple(math.degrees(getattr(msg, f'angular_velocity_{a}')) for a in 'xyz')
-
 @patch(cls_method=True)
 def of_attitude(cls:_Target, msg, information:GimbalInformation)->_Target:
     "Target of a SET_ATTITUDE message; raises `ValueError`, `Unsupported`"
@@ -113,18 +164,11 @@ def of_stick(cls:_Target, msg, information:GimbalInformation, most:float=30.)->_
     pitch,yaw = (_stick_axis(information, *stick, most) for stick in sticks)
     return replace(cls.of_flags(msg.flags, pitch=pitch, yaw=yaw), frame='vehicle')
 
-# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #29473ec4
-def flag_names(enum:str, # Such as 'GIMBAL_DEVICE_CAP_FLAGS'
-               flags:int)->tuple:
-    "Return the dialect's names of the bits in `flags`"
-    bits = {i:e.name for i,e in mavlink.enums[enum].items() if i and not i&(i-1)}
-    return tuple(name.removeprefix(f'{enum}_') for i,name in sorted(bits.items()) if flags&i)
-
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #765c32ee
 def _capabilities(gimbal)->int:
     "Return GIMBAL_DEVICE_CAP_FLAGS of an object with `information` and some methods of a `Gimbal`"
-    has = lambda verb: callable(getattr(gimbal, verb, None))
-    names = {f'HAS_{bit}' for bit,verb in (('RETRACT','retract'), ('NEUTRAL','center')) if has(verb)}
+    verbs = dict(RETRACT='retract', NEUTRAL='center')
+    names = {f'HAS_{bit}' for bit,verb in verbs.items() if callable(getattr(gimbal, verb, None))}
     for axis in (a for a in axes if getattr(gimbal.information, a)):
         names.add(f'HAS_{axis}_AXIS')
         for bit,those in (('LOCK','locks'), ('FOLLOW','follows')):
@@ -172,49 +216,6 @@ def information_of(msg)->GimbalInformation:
     if 'SUPPORTS_INFINITE_YAW' in names: reach['yaw'] = -math.inf,math.inf
     versions = (tuple(v.to_bytes(4, 'little')) for v in (msg.firmware_version, msg.hardware_version))
     return GimbalInformation(vendor, model, custom, *versions, msg.uid, **reach)
-
-# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #dbf217c1
-_modes = dict(point=0, center=NEUTRAL, retract=RETRACT)
-
-def _attitude_fields(a:GimbalAttitude, frame:str='vehicle')->dict:
-    "Return the fields of GIMBAL_DEVICE_ATTITUDE_STATUS without time and id; yaw is in `frame` if the heading is known"
-    earth = one_of('frame', frame, ('vehicle','earth'))=='earth' and known(a.vehicle_yaw)
-    flags = LEVEL|ACCEPTS_EARTH|_modes[a.mode]|(YAW_LOCK if a.lock else 0)|(EARTH_FRAME if earth else VEHICLE_FRAME)
-    failures = (enum_value('GIMBAL_DEVICE_ERROR_FLAGS', n, 'GIMBAL_DEVICE_ERROR_FLAGS_') for n in set(a.failures))
-    x,y,z = map(math.radians, a.rates)
-    return dict(flags=flags, q=list(a.earth_q if earth else a.q), angular_velocity_x=x, angular_velocity_y=y,
-        angular_velocity_z=z, failure_flags=sum(failures), delta_yaw=math.radians(wrap(a.vehicle_yaw)),
-        delta_yaw_velocity=math.radians(a.vehicle_yaw_rate))
-
-# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #7c0e0e02
-def _checked_attitude(a:GimbalAttitude)->GimbalAttitude:
-    "Return `a`; raises Python's error if it does not fit a message"
-    w,x,y,z = a.q
-    for number in filter(known, (w, x, y, z, *a.rates, a.vehicle_yaw, a.vehicle_yaw_rate)):
-        inside('a number of the attitude', number, -1e6, 1e6)
-    _attitude_fields(a)
-    return a
-
-# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #a4a4627d
-def _vehicle_q(q:tuple, frame:str, heading:float)->tuple:
-    "Return a received attitude relative to the nose; NaN if that is unknown"
-    try: q = unit(q)
-    except ValueError: return (NAN,)*4
-    return q if frame=='vehicle' else product(inverse(quaternion(yaw=heading)), q)
-
-# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #2b3e33ce
-def attitude_of(msg, # GIMBAL_DEVICE_ATTITUDE_STATUS
-                heading:float=NAN, # Vehicle heading in degrees, if not in the message
-                time:float=NAN, # Time of arrival in s
-               )->GimbalAttitude:
-    "Decode GIMBAL_DEVICE_ATTITUDE_STATUS; raises `ValueError` for two frames"
-    flags,frame = msg.flags,_yaw_frame(msg.flags)
-    has_frame = flags&(VEHICLE_FRAME|EARTH_FRAME)
-    if has_frame and known(msg.delta_yaw): heading = math.degrees(msg.delta_yaw)
-    rate = math.degrees(msg.delta_yaw_velocity) if has_frame else NAN
-    mode = next((m for m in ('retract','center') if flags&_modes[m]), 'point')
-    return GimbalAttitude(_vehicle_q(msg.q, frame, heading), _rates_of(msg), heading, rate, bool(flags&YAW_LOCK), mode,
-                          flag_names('GIMBAL_DEVICE_ERROR_FLAGS', msg.failure_flags), time)
 
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #7d34c083
 @dataclass(frozen=True)
@@ -293,14 +294,28 @@ class Control:
         "The client in control, as text"
         return 'no client is in control' if self.primary==_no_owner else '{}/{} is in control'.format(*self.primary)
 
+    def allows(self, sender:tuple)->bool:
+        "True if `sender` may move the gimbal now"
+        primary = self.primary
+        return sender==primary or primary==_no_owner and not self.strict
+
+    def lose(self, address:tuple)->bool:
+        "Remove the silent `address` from control; true after a change"
+        with self._lock:
+            before = self.primary,self.secondary
+            self.primary,self.secondary = (_no_owner if pair==address else pair for pair in before)
+            return before!=(self.primary,self.secondary)
+
 # %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #fa63fb4f
 def _changed_pair(pair:tuple, sender:tuple, *asked)->tuple:
     "Return the owner after a request by `sender`; raises `Denied` for an invalid id or half a pair"
-    new,left = [],_no_owner if pair==sender else pair
-    for value,*meant in zip(asked, pair, sender, left):
-        value = dict(zip((-1, -2, -3), meant)).get(value if known(value) else -1, value)
-        if not 0<=value<=255 or value!=int(value): raise Denied(f'{value:g} is no system or component')
-        new.append(int(value))
+    left = _no_owner if pair==sender else pair
+    new = []
+    for number,own,sent_by,without in zip(asked, pair, sender, left):
+        if not known(number): number = -1
+        number = {-1:own, -2:sent_by, -3:without}.get(number, number)
+        if not 0<=number<=255 or number!=int(number): raise Denied(f'{number:g} is no system or component')
+        new.append(int(number))
     if 0 in new and any(new): raise Denied(f'{new[0]}/{new[1]} is half a pair')
     return tuple(new)
 
@@ -317,19 +332,3 @@ def configure(self:Control, sender:tuple, # `(system, component)` of the request
         pairs = _changed_pair(self.primary, sender, p1, p2),_changed_pair(self.secondary, sender, p3, p4)
         self.primary,self.secondary = pairs
         return pairs!=before
-
-# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #aa412c95
-@patch
-def allows(self:Control, sender:tuple)->bool:
-    "True if `sender` may move the gimbal now"
-    primary = self.primary
-    return sender==primary or primary==_no_owner and not self.strict
-
-# %% ../../nbs/api/mavlink/04_gimbal_flags.ipynb #ff3ffe15
-@patch
-def lose(self:Control, address:tuple)->bool:
-    "Remove the silent `address` from control; true after a change"
-    with self._lock:
-        before = self.primary,self.secondary
-        self.primary,self.secondary = (_no_owner if pair==address else pair for pair in before)
-        return before!=(self.primary,self.secondary)

@@ -31,6 +31,27 @@ class RemoteSettings(RemoteParameters):
         self.camera,self.client = camera,camera.client
         self._late = {}         # by name: when its last SET ended, and how many of its acks may still come
 
+    async def load(self, definition:bool=True, # Also fetch the definition, with names and units
+                   any_host:bool|None=None, # Of `declare`
+                  )->RemoteSettings:
+        "Request all settings, which the table follows from then on; raises `NoAnswer`"
+        await self._find()
+        await self._check_any()
+        try:
+            if definition: await self.declare(any_host)
+        except (MAVError, ValueError, OSError) as e: self.client.log.warning('values without a definition: %s', e)
+        await self._list()
+        return self
+
+    async def set(self, *item, # Name and value: a number, the name of an option, or bytes
+                  **values, # Or `CAM_EV=2`
+                 )->ParameterAck|list:
+        "Set one, or several in order; a true ack was accepted. Raises `ValueError` (type), `NoAnswer`"
+        await self._find()
+        values = {**dict([item] if item else []), **values}
+        acks = [await self._set(*item) for item in values.items()]
+        return acks[0] if len(acks)==1 else acks
+
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #4573b689
 def _definition_uri(info)->str: return info.cam_definition_uri.split('\0')[0].strip() if info else ''
 
@@ -80,7 +101,8 @@ async def _ask(self:RemoteSettings, name:str, most:int=7):
 @patch
 async def _list(self:RemoteSettings, most:int=7):
     "Request all values, at most `most` times without a new one; raises `NoAnswer`"
-    listing,came = Listing(),0
+    listing = Listing()
+    came = 0                # values that had come when the retries began
     send,mav = self.client.send_message,self.client.mav
     def complete(msg):
         if not comes_from(msg, *self.target): return False
@@ -97,8 +119,9 @@ async def _list(self:RemoteSettings, most:int=7):
                 before = len(listing.names)
                 await all_there.wait(wait)
             if await all_there.wait(0) is not None: return self.keep(listing.names)
-            if len(listing.names)>came:                 # each new one restarts the retries
-                came,tries = len(listing.names),self._tries(most)
+            if len(listing.names)>came:
+                came = len(listing.names)
+                tries = self._tries(most)
     who = self.camera._label
     raise NoAnswer(f'{came} of {listing.count} settings of {who} came' if came else f'{who} sends no settings')
 
@@ -194,45 +217,32 @@ async def declare(self:RemoteSettings,
         self.declared,self.definition = {p.name:p for p in found},source
     return list(self.declared.values()) if uri else []
 
-# %% ../../nbs/api/mavlink/15_parameter_client.ipynb #e8711924
-@patch
-async def load(self:RemoteSettings, definition:bool=True, # Also fetch the definition, with names and units
-               any_host:bool|None=None, # Of `declare`
-              )->RemoteSettings:
-    "Request all settings, which the table follows from then on; raises `NoAnswer`"
-    await self._find()
-    await self._check_any()
-    try:
-        if definition: await self.declare(any_host)
-    except (MAVError, ValueError, OSError) as e: self.client.log.warning('values without a definition: %s', e)
-    await self._list()
-    return self
-
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #99162226
 @patch
 async def _final_ack(self:RemoteSettings, request:SetRequest, wait:float):
     "Wait for the PARAM_EXT_ACK that ends a SET, or `None`; IN_PROGRESS extends the wait"
-    now,found = clock.monotonic(),None
-    end,longest = now+wait,now+longest_work
+    began,found = clock.monotonic(),None
+    end,longest = began+wait,began+longest_work
     while (left := min(end, longest)-clock.monotonic())>0:
         ack = await request.next(left)
         if ack is None: continue
-        if ack.param_result!=mavlink.PARAM_ACK_IN_PROGRESS: request.late -= 1
-        if request.is_ours(ack): return ack
-        if request.strays and ack.param_result==mavlink.PARAM_ACK_ACCEPTED:
-            request.strays -= 1
-            continue
         now = clock.monotonic()
-        if ack.param_result==mavlink.PARAM_ACK_IN_PROGRESS: end,found = now+in_progress_timeout,None
-        else: found,end = ack,min(end, now+self.camera._follow_wait())
+        if ack.param_result==mavlink.PARAM_ACK_IN_PROGRESS:
+            end,found = now+in_progress_timeout,None
+            continue
+        request.late -= 1
+        if request.is_ours(ack): return ack
+        if request.strays and ack.param_result==mavlink.PARAM_ACK_ACCEPTED: request.strays -= 1
+        else: found,end = ack,min(end, now+self.camera._follow_wait())      # unless ours follows soon
     return found
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #e227826a
 @patch
 async def _send_set(self:RemoteSettings, request:SetRequest):
     "Send a SET until its PARAM_EXT_ACK, or `None`; raises `Lost`"
-    msg,rounded = request.encode(self.client.mav, self.target),None
     def note(msg): return comes_from(msg, *self.target) and request.note(msg)
+    msg = request.encode(self.client.mav, self.target)
+    rounded = None              # an accepted ack with another value: the camera may round
     ended,late = self._late.get(request.name, (-longest_stray,0))
     if clock.monotonic()-ended<longest_stray: request.strays = request.late = max(0, late)
     with self.client.expecting(PARAM_EXT_ACK, note, self.target) as lost:
@@ -241,49 +251,41 @@ async def _send_set(self:RemoteSettings, request:SetRequest):
             request.late += 1               # each copy is answered
             ack = await self._final_ack(request, wait)
             self._late[request.name] = clock.monotonic(),request.late
-            if ack:
-                is_other_value = ack.param_result==mavlink.PARAM_ACK_ACCEPTED and not request.is_ours(ack)
-                if not is_other_value or rounded: return ack
-            rounded = ack           # an accepted one with another value, if any: the camera may round
+            is_certain = ack and (ack.param_result!=mavlink.PARAM_ACK_ACCEPTED or request.is_ours(ack))
+            if is_certain or ack and rounded: return ack
+            rounded = ack
             if lost.there: await lost.wait(0)       # raises
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #bd7a2bdc
 @patch
 async def _set(self:RemoteSettings, name:str, value)->ParameterAck:
+    "Set one value, and request those that change with it"
     if self.kind(name) is None: await self.ask(name)
     kind = self.kind(name)
     if isinstance(value, str) and kind!='custom':
         if name not in self.declared: await self.declare()          # which has the words
         if name in self.declared: value = self.declared[name].check(value)
     request = SetRequest(name, kind, pack_value(kind, typed(kind, value, name)))
-    try: ack = await self._send_set(request)
-    except Lost as e: return ParameterAck(None, name, lost=str(e), target=self.target)
-    if ack is None: return ParameterAck(None, name, lost=self.client.mav_com.lost(self.target), target=self.target)
+    try: ack,lost = await self._send_set(request),''
+    except Lost as e: ack,lost = None,str(e)
+    if ack is None:
+        return ParameterAck(None, name, lost=lost or self.client.mav_com.lost(self.target), target=self.target)
     self.note(ack)
-    if ack.param_result==mavlink.PARAM_ACK_ACCEPTED: await self._ask_moved(name)
+    is_accepted = ack.param_result==mavlink.PARAM_ACK_ACCEPTED
+    if is_accepted: await self._ask_moved(name)
     elif ack.param_result==mavlink.PARAM_ACK_VALUE_UNSUPPORTED and name not in self.declared:
         with suppress(MAVError, ValueError, OSError): await self.declare()          # which has all that there are
-    p,now = self.declared.get(name),param_value(ack)
-    why = '' if ack.param_result==mavlink.PARAM_ACK_ACCEPTED else self._refusal(name, value)
-    return ParameterAck(ack.param_result, name, p.text(now) if p else str(now), self.target, why=why)
-
-# %% ../../nbs/api/mavlink/15_parameter_client.ipynb #3556f6ad
-@patch
-async def set(self:RemoteSettings,
-    *item, # Name and value: a number, the name of an option, or bytes
-    **values, # Or `CAM_EV=2`
-)->ParameterAck|list:
-    "Set one, or several in order; a true ack was accepted. Raises `ValueError` (type), `NoAnswer`"
-    await self._find()
-    values = {**dict([item] if item else []), **values}
-    acks = [await self._set(*item) for item in values.items()]
-    return acks[0] if len(acks)==1 else acks
+    now = param_value(ack)
+    text = self.declared[name].text(now) if name in self.declared else str(now)
+    why = '' if is_accepted else self._refusal(name, value)
+    return ParameterAck(ack.param_result, name, text, self.target, why=why)
 
 # %% ../../nbs/api/mavlink/15_parameter_client.ipynb #8b367cda
 @patch
 async def _ask_moved(self:RemoteSettings, name:str):
     "Request the settings that may have changed with `name`"
     if (p := self.declared.get(name)) is None: return
-    may_move = ({*p.updates, *(other for o in p.options for other in o.ranges)} & {*self})-{name}
+    narrowed = {other for option in p.options for other in option.ranges}
+    may_move = ({*p.updates, *narrowed} & {*self})-{name}
     found = await asyncio.gather(*(self._ask(m) for m in may_move), return_exceptions=True)
     for error in filter(None, found): self.client.log.warning('after %s was set: %s', name, error)

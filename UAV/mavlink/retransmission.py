@@ -47,30 +47,66 @@ class RoundTrip:
         if self.srtt is None: return 'RoundTrip: not measured'
         return f'RoundTrip: {self.srtt*1000:.3g} ms, asked again after {self.rto:.2g} s'
 
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #08d6aef4
-@patch
-def sample(self:RoundTrip, seconds:float): # Seconds from request to answer
-    "Add one measured round trip"
-    if self.srtt is None:
-        self.srtt = self.least = self.largest = seconds
-        self.rttvar = seconds/2
-    else:
-        self.rttvar += (abs(self.srtt-seconds)-self.rttvar)/4
-        self.srtt += (seconds-self.srtt)/8
-        self.least = min(seconds, self.least+(seconds-self.least)/16)
-        self.largest = max(seconds, self.largest-(self.largest-self.srtt)/64)
-    self.rto = min(max(self.srtt+4*self.rttvar, least_rto), longest_rto)
+    def sample(self, seconds:float): # Seconds from request to answer
+        "Add one measured round trip"
+        if self.srtt is None:
+            self.srtt = self.least = self.largest = seconds
+            self.rttvar = seconds/2
+        else:
+            self.rttvar += (abs(self.srtt-seconds)-self.rttvar)/4
+            self.srtt += (seconds-self.srtt)/8
+            self.least = min(seconds, self.least+(seconds-self.least)/16)
+            self.largest = max(seconds, self.largest-(self.largest-self.srtt)/64)
+        self.rto = min(max(self.srtt+4*self.rttvar, least_rto), longest_rto)
 
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #b769882a
-@patch
-def wait(self:RoundTrip, copies:int=1, # Number of copies sent
-        )->float:
-    "Return the seconds until the next copy: the timeout, doubled each time"
-    return min(self.rto*2**(copies-1), max(self.rto, longest_back_off))
+    def wait(self, copies:int=1, # Number of copies sent
+            )->float:
+        "Return the seconds until the next copy: the timeout, doubled each time"
+        return min(self.rto*2**(copies-1), max(self.rto, longest_back_off))
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #34973412
 in_progress_timeout = 3. # s after an IN_PROGRESS until we ask for the final ack
 longest_work = 600. # s after which a command ends, in spite of more IN_PROGRESS acks
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #407dd8fb
+class Commands:
+    "All pending commands of one component"
+    def __init__(self, remotes:Remotes, # Table of the other components
+                 send, # Called with a `Command`: put a copy of it on the wire
+                 ask, # Called with `(target, number)`: send a TIMESYNC and a PING with this number
+                 alarm=lambda due: None, # Called with the time at which `tick` must be called
+                 clock=clock.now): # Returns seconds
+        self.remotes,self.clock = remotes,_clock.direct(clock)
+        self._send,self._ask,self._alarm = send,ask,alarm
+        self._lines,self._fences = {},{}        # lines by key, and by the numbers that their fences have asked with
+        self._outbox,self._number = _AfterLock(),0
+        self.pings = Seen(60., most=16, clock=clock)     # send times of our PINGs, by their `time_usec`
+
+    def _sample(self, line:_Line, source:tuple, seconds:float):
+        "Add a round trip; a component that answers gets a `Remote`"
+        if line.is_broadcast: return
+        line.round_trip = self.remotes.known(source).round_trip
+        line.round_trip.sample(seconds)
+
+    def _spoil(self, line:_Line, command:Command):
+        "Expect late acks of `command` until `hard`"
+        longest = max(line.round_trip.largest or 0., self.clock()-command.first)
+        line.dirty = True
+        line.hard = line.last+(first_rto if line.is_broadcast else max(longest_stray, 2*longest))
+        self._alarm(line.hard)
+
+    def _drop_fence(self, line:_Line):
+        for number in line.fence.asked: self._fences.pop(number, None)
+        line.fence = None
+
+    def start(self, command:Command):
+        "Send `command`, or queue it behind an identical one"
+        with self._outbox:
+            if (line := self._lines.get(command.key)) is None:
+                remote = self.remotes.get(command.key[1:])
+                line = self._lines[command.key] = _Line(command.key, remote.round_trip if remote else RoundTrip())
+            line.queue.append(command)
+            self._advance(line)
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #8c41c72d
 class _Line:
@@ -105,47 +141,6 @@ class _AfterLock:
                     f,args = self._calls.popleft()
                     f(*args)
             finally: self._busy.release()
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #407dd8fb
-class Commands:
-    "All pending commands of one component"
-    def __init__(self, remotes:Remotes, # Table of the other components
-                 send, # Called with a `Command`: put a copy of it on the wire
-                 ask, # Called with `(target, number)`: send a TIMESYNC and a PING with this number
-                 alarm=lambda due: None, # Called with the time at which `tick` must be called
-                 clock=clock.now): # Returns seconds
-        self.remotes,self.clock = remotes,_clock.direct(clock)
-        self._send,self._ask,self._alarm = send,ask,alarm
-        self._lines,self._fences = {},{}        # lines by key, and by the numbers that their fences have asked with
-        self._outbox,self._number = _AfterLock(),0
-        self.pings = Seen(60., most=16, clock=clock)     # send times of our PINGs, by their `time_usec`
-
-    def _sample(self, line:_Line, source:tuple, seconds:float):
-        "Add a round trip; a component that answers gets a `Remote`"
-        if line.is_broadcast: return
-        line.round_trip = self.remotes.known(source).round_trip
-        line.round_trip.sample(seconds)
-
-    def _spoil(self, line:_Line, command:Command):
-        "Expect late acks of `command` until `hard`"
-        longest = max(line.round_trip.largest or 0., self.clock()-command.first)
-        line.dirty,line.hard = True,line.last+(first_rto if line.is_broadcast else max(longest_stray, 2*longest))
-        self._alarm(line.hard)
-
-    def _drop_fence(self, line:_Line):
-        for number in line.fence.asked: self._fences.pop(number, None)
-        line.fence = None
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #196bb17d
-@patch
-def start(self:Commands, command:Command):
-    "Send `command`, or queue it behind an identical one"
-    with self._outbox:
-        if (line := self._lines.get(command.key)) is None:
-            remote = self.remotes.get(command.key[1:])
-            line = self._lines[command.key] = _Line(command.key, remote.round_trip if remote else RoundTrip())
-        line.queue.append(command)
-        self._advance(line)
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #a95f825e
 @patch
@@ -199,7 +194,8 @@ def offer(self:Commands, ack, # A COMMAND_ACK for us
         command = line.on_wire
         if ack.result==mavlink.MAV_RESULT_IN_PROGRESS:      # the work has begun: wait longer, but not forever
             end = command.first+longest_work
-            command.in_progress,command.due = True,min(now+in_progress_timeout, end)
+            command.in_progress = True
+            command.due = min(now+in_progress_timeout, end)
             command.deadline = min(now+command.patience, end)
         elif self._is_early(line, command, now):
             command.held = ack,now
@@ -407,18 +403,21 @@ class Remotes(dict):
             for remote in sorted(self.values(), key=worth)[:self.most//16]: self.pop(remote.address, None)
         return self.get(address) or self.setdefault(address, Remote(address))
 
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #8bd1e1bd
-@patch
-def beat(self:Remotes, address:tuple, # `(system, component)` that sent it
-         msg, # Its HEARTBEAT
-         now:float, # Monotonic time, s
-        )->bool:
-    "Store a heartbeat; true if the component is new or back"
-    remote = self.known(address)
-    is_new = remote.lost or remote.type is None
-    remote.type,remote.autopilot,remote.system_status = msg.type,msg.autopilot,msg.system_status
-    remote.heard,remote.lost = now,False
-    return is_new
+    def beat(self, address:tuple, # `(system, component)` that sent it
+             msg, # Its HEARTBEAT
+             now:float, # Monotonic time, s
+            )->bool:
+        "Store a heartbeat; true if the component is new or back"
+        remote = self.known(address)
+        is_new = remote.lost or remote.type is None
+        remote.type,remote.autopilot,remote.system_status = msg.type,msg.autopilot,msg.system_status
+        remote.heard,remote.lost = now,False
+        return is_new
+
+    def why_lost(self, address:tuple)->str:
+        "Return why `address` is lost, or '' if it is not"
+        remote = self.get(address)
+        return f'{remote.name} is lost: silent for {self.lost_after:g} s or more' if remote and remote.lost else ''
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #b9882c43
 @patch
@@ -436,13 +435,6 @@ def silent(self:Remotes, now:float, # Monotonic time, s
         remote.lost = now-max(remote.alive, remote.heard)-(late-remote.late)>=self.lost_after
         if remote.lost: found.append(remote)
     return found
-
-# %% ../../nbs/api/mavlink/01_retransmission.ipynb #db1f53cd
-@patch
-def why_lost(self:Remotes, address:tuple)->str:
-    "Return why `address` is lost, or '' if it is not"
-    remote = self.get(address)
-    return f'{remote.name} is lost: silent for {self.lost_after:g} s or more' if remote and remote.lost else ''
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #e988e5fc
 @patch

@@ -49,19 +49,19 @@ class SimAutopilot(Component):
         super().__init__(source_component, mav_type, loglevel)
         store_attr('vehicle,gimbals')
         self.battery = None if battery is None else inside('battery', battery, 0, 100)
-        self.autopilot,self.rate = autopilots[one_of('autopilot', autopilot, autopilots)],inside('rate', rate, 0, 50)
+        self.autopilot = autopilots[one_of('autopilot', autopilot, autopilots)]
+        self.rate = inside('rate', rate, 0, 50)
         self.arm(armed)
 
     def on_mav_connection(self): self.start_streams()
 
-# %% ../../nbs/api/mavlink/24_sim_autopilot.ipynb #e3bc52fa
-@patch
-def arm(self:SimAutopilot, armed:bool=True): # False: disarm
-    "Set flight mode and arming state of the heartbeat"
-    generic,px4 = (self.autopilot==autopilots[name] for name in ('generic','px4'))
-    mode = mavlink.MAV_MODE_FLAG_GUIDED_ENABLED if generic else mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
-    self.base_mode,self.custom_mode = mode|mavlink.MAV_MODE_FLAG_SAFETY_ARMED*bool(armed),_px4_hold*px4
-    self.system_status = mavlink.MAV_STATE_ACTIVE if armed else mavlink.MAV_STATE_STANDBY
+    def arm(self, armed:bool=True): # False: disarm
+        "Set flight mode and arming state of the heartbeat"
+        mode = mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
+        if self.autopilot==autopilots['generic']: mode = mavlink.MAV_MODE_FLAG_GUIDED_ENABLED
+        self.base_mode = mode|mavlink.MAV_MODE_FLAG_SAFETY_ARMED if armed else mode
+        self.custom_mode = _px4_hold if self.autopilot==autopilots['px4'] else 0
+        self.system_status = mavlink.MAV_STATE_ACTIVE if armed else mavlink.MAV_STATE_STANDBY
 
 # %% ../../nbs/api/mavlink/24_sim_autopilot.ipynb #9b142735
 @patch
@@ -131,7 +131,8 @@ def _sys_status(self:SimAutopilot):
 def _battery_status(self:SimAutopilot):
     "Encode BATTERY_STATUS: charge and voltages; temperature and current aren't measured"
     if self.battery is None: raise Unsupported('it has no battery')
-    cells,kind = [_cell(self.battery)]*4+[0xffff]*6,(mavlink.MAV_BATTERY_FUNCTION_ALL,mavlink.MAV_BATTERY_TYPE_LIPO)
+    cells = [_cell(self.battery)]*4+[0xffff]*6          # there is room for ten
+    kind = mavlink.MAV_BATTERY_FUNCTION_ALL,mavlink.MAV_BATTERY_TYPE_LIPO
     return self.mav.battery_status_encode(0, *kind, 0x7fff, cells, -1, -1, -1, round(self.battery))
 
 # %% ../../nbs/api/mavlink/24_sim_autopilot.ipynb #9b7af65f
@@ -163,8 +164,8 @@ def start_streams(self:SimAutopilot):
     "Start the streams of an autopilot: attitude, position and speed at `rate`, home and battery each second"
     if self.rate:
         for msg_id in (ATTITUDE, GLOBAL_POSITION_INT, VFR_HUD): self._start_stream(msg_id, 1e6/self.rate)
-        for msg_id in (HOME_POSITION, *[SYS_STATUS,BATTERY_STATUS]*(self.battery is not None)):
-            self._start_stream(msg_id, 1e6)
+        slow = [HOME_POSITION] if self.battery is None else [HOME_POSITION,SYS_STATUS,BATTERY_STATUS]
+        for msg_id in slow: self._start_stream(msg_id, 1e6)
     if self.gimbals: self._start_stream(AUTOPILOT_STATE_FOR_GIMBAL_DEVICE, 20_000)
 
 # %% ../../nbs/api/mavlink/24_sim_autopilot.ipynb #89e2edcc

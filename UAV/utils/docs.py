@@ -15,30 +15,6 @@ from fastcore.meta import delegates
 # %% auto #0
 __all__ = ['doc_class', 'takes_options', 'for_async', 'show_unawaited']
 
-# %% ../../nbs/api/utils/00_docs.ipynb #45fd9d89
-def _public(cls):
-    "`(name, class it comes from)` of each public method and property, first those of `cls`"
-    found = {}
-    for c in cls.__mro__[:-1]:
-        for name,f in vars(c).items():
-            method = inspect.isroutine(f) or isinstance(f, (property,classmethod,staticmethod))
-            if method and not name.startswith('_'): found.setdefault(name, c)
-    return found.items()
-
-# %% ../../nbs/api/utils/00_docs.ipynb #f77b603c
-def _first_line(doc): return inspect.cleandoc(str(doc or '')).partition('\n')[0]
-
-def _signature(cls, name):
-    "`name` with its arguments as a caller sees them, without memory addresses"
-    raw,f = inspect.getattr_static(cls, name),getattr(cls, name)
-    if not callable(f): return name
-    try: sig = inspect.signature(f)
-    except (TypeError,ValueError): return f'{name}(…)'
-    if inspect.isfunction(f) and not isinstance(raw, staticmethod):
-        sig = sig.replace(parameters=[*sig.parameters.values()][1:])
-    text = re.sub(r' at 0x[0-9a-fA-F]+', '', str(sig))
-    return ('async ' if inspect.iscoroutinefunction(f) else '') + name + text
-
 # %% ../../nbs/api/utils/00_docs.ipynb #f11d9a42
 class _ClassDoc:
     "The public methods of a class, as Markdown in a notebook and as text elsewhere"
@@ -62,6 +38,30 @@ def doc_class(cls, # A class, not an object
              )->_ClassDoc:
     "The documentation of all public methods of `cls`, in one cell; `TypeError` when it is no class"
     return _ClassDoc(cls)
+
+# %% ../../nbs/api/utils/00_docs.ipynb #45fd9d89
+def _public(cls):
+    "`(name, class it comes from)` of each public method and property, first those of `cls`"
+    found = {}
+    for c in cls.__mro__[:-1]:
+        for name,f in vars(c).items():
+            method = inspect.isroutine(f) or isinstance(f, (property,classmethod,staticmethod))
+            if method and not name.startswith('_'): found.setdefault(name, c)
+    return found.items()
+
+# %% ../../nbs/api/utils/00_docs.ipynb #f77b603c
+def _first_line(doc): return inspect.cleandoc(str(doc or '')).partition('\n')[0]
+
+def _signature(cls, name):
+    "`name` with its arguments as a caller sees them, without memory addresses"
+    raw,f = inspect.getattr_static(cls, name),getattr(cls, name)
+    if not callable(f): return name
+    try: sig = inspect.signature(f)
+    except (TypeError,ValueError): return f'{name}(…)'
+    if inspect.isfunction(f) and not isinstance(raw, staticmethod):
+        sig = sig.replace(parameters=[*sig.parameters.values()][1:])
+    text = re.sub(r' at 0x[0-9a-fA-F]+', '', str(sig))
+    return ('async ' if inspect.iscoroutinefunction(f) else '') + name + text
 
 # %% ../../nbs/api/utils/00_docs.ipynb #1c20070b
 def takes_options(options): # A dataclass

@@ -85,6 +85,25 @@ class Progress:
 
     def __repr__(self): return self.line
 
+    @property
+    def line(self)->str:
+        "The text shown"
+        share = self.done/self.total if self.total else 1.
+        seconds = self.clock()-self.began
+        bar = ('█'*int(share*self.width)).ljust(self.width, '░')
+        speed = f', {amount(self.done/seconds, self.unit)}/s' if seconds>0 else ''
+        return f'{self.name} {bar} {share:4.0%} of {amount(self.total, self.unit)}{speed}'.strip()
+
+    def __call__(self, done:int, total:int):
+        "So much is done"
+        self.done,self.total,now = done,total,self.clock()
+        if done<total and now-self._shown<self.every: return
+        self._shown = now
+        if self.handle: self.handle.update({'text/plain':self.line}, raw=True)
+        elif self.stream:
+            self.stream.write(f'\r{self.line}\x1b[K'+('\n' if done>=total else ''))
+            self.stream.flush()
+
 # %% ../../nbs/api/utils/06_output.ipynb #3d4c8a84
 def amount(number:float, # Of what
            unit:str='B')->str:
@@ -93,27 +112,6 @@ def amount(number:float, # Of what
         if number<1000: return f'{number:.3g} {prefix}{unit}' if prefix else f'{number:.0f} {unit}'
         number /= 1000
     return f'{number:.3g} G{unit}'
-
-# %% ../../nbs/api/utils/06_output.ipynb #4d84b035
-@patch(as_prop=True)
-def line(self:Progress)->str:
-    "The text shown"
-    share,seconds = self.done/self.total if self.total else 1.,self.clock()-self.began
-    bar = ('█'*int(share*self.width)).ljust(self.width, '░')
-    speed = f', {amount(self.done/seconds, self.unit)}/s' if seconds>0 else ''
-    return f'{self.name} {bar} {share:4.0%} of {amount(self.total, self.unit)}{speed}'.strip()
-
-# %% ../../nbs/api/utils/06_output.ipynb #6b8d347a
-@patch
-def __call__(self:Progress, done:int, total:int):
-    "So much is done"
-    self.done,self.total,now = done,total,self.clock()
-    if done<total and now-self._shown<self.every: return
-    self._shown = now
-    if self.handle: self.handle.update({'text/plain':self.line}, raw=True)
-    elif self.stream:
-        self.stream.write(f'\r{self.line}\x1b[K'+('\n' if done>=total else ''))
-        self.stream.flush()
 
 # %% ../../nbs/api/utils/06_output.ipynb #818bac9f
 class ScrollingLog:
@@ -140,6 +138,16 @@ class ScrollingLog:
             else: raise IndexError(f'line {index} of a log with {len(self.log)}')
             if self._view: self._view(message)
 
+    def draw(self, image, # BGR picture, changed in place
+             font:int=0): # One of OpenCV's `FONT_HERSHEY_…`
+        "Draw the lines on `image`"
+        with self._lock: lines = list(self.log)
+        scale = self.font_scale*image.shape[0]/1000
+        boxes = list(self._boxes(lines, font, scale, self.position))
+        if self.bg_color is not None:
+            for _,_,corners in boxes: cv2.rectangle(image, *corners, self.bg_color, -1)
+        for s,at,_ in boxes: cv2.putText(image, s, at, font, scale, self.color, self.thickness, cv2.LINE_AA)
+
 # %% ../../nbs/api/utils/06_output.ipynb #7655e68c
 @patch
 def _boxes(self:ScrollingLog, lines, font, scale, start):
@@ -150,18 +158,6 @@ def _boxes(self:ScrollingLog, lines, font, scale, start):
     for i,(s,((w,h),below)) in enumerate(zip(lines, sizes)):
         y = top+i*step
         yield s,(x,y),((x,y-h),(x+w,y+below))
-
-# %% ../../nbs/api/utils/06_output.ipynb #fe7959f7
-@patch
-def draw(self:ScrollingLog, image, # BGR picture, changed in place
-         font:int=0): # One of OpenCV's `FONT_HERSHEY_…`
-    "Draw the lines on `image`"
-    with self._lock: lines = list(self.log)
-    scale = self.font_scale*image.shape[0]/1000
-    boxes = list(self._boxes(lines, font, scale, self.position))
-    if self.bg_color is not None:
-        for _,_,corners in boxes: cv2.rectangle(image, *corners, self.bg_color, -1)
-    for s,at,_ in boxes: cv2.putText(image, s, at, font, scale, self.color, self.thickness, cv2.LINE_AA)
 
 # %% ../../nbs/api/utils/06_output.ipynb #84e6fbcf
 class ScrollingLogHandler(Closes, logging.Handler):

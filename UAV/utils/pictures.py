@@ -359,17 +359,15 @@ class VideoWriter(Closes):
         if self._writer: self._writer.release()
         self._writer = None
 
-# %% ../../nbs/api/utils/03_pictures.ipynb #9b13105f
-@patch
-def add(self:VideoWriter, img): # Picture, see `as_bgr`; all of one size
-    "Append a frame; raises `OSError` when the file cannot be written and `ValueError` when the size changes"
-    im = as_bgr(img)
-    size = im.shape[1],im.shape[0]
-    if self.size is None: self._open(size)
-    if size!=self.size: raise ValueError('a frame of {}×{} in a video of {}×{}'.format(*size, *self.size))
-    if self._writer is None: raise ValueError(f'{self.filename.name} is closed')
-    self._writer.write(cv2.cvtColor(im, cv2.COLOR_RGB2BGR) if self.rgb2bgr else im)
-    self.frames += 1
+    def add(self, img): # Picture, see `as_bgr`; all of one size
+        "Append a frame; raises `OSError` when the file cannot be written and `ValueError` when the size changes"
+        im = as_bgr(img)
+        size = im.shape[1],im.shape[0]
+        if self.size is None: self._open(size)
+        if size!=self.size: raise ValueError('a frame of {}×{} in a video of {}×{}'.format(*size, *self.size))
+        if self._writer is None: raise ValueError(f'{self.filename.name} is closed')
+        self._writer.write(cv2.cvtColor(im, cv2.COLOR_RGB2BGR) if self.rgb2bgr else im)
+        self.frames += 1
 
 # %% ../../nbs/api/utils/03_pictures.ipynb #52a0e8cf
 def _turns(matrix)->tuple|None:

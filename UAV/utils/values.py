@@ -81,39 +81,6 @@ class CompleteLater(ABCMeta):
         made._complete()
         return made
 
-# %% ../../nbs/api/utils/00_values.ipynb #2f337d14
-_unset = object()
-
-def _takes(value, ours, of_class:bool, leaves_out:bool)->bool:
-    "True if `value` can be called with all that `ours` takes; or, if it may leave out optional arguments, with fewer"
-    gets_self = of_class and hasattr(value, '__get__') and not isinstance(value, staticmethod)
-    given = [p for p in signature(ours).parameters.values() if p.kind==p.POSITIONAL_OR_KEYWORD][not gets_self:]
-    needed = sum(p.default is p.empty for p in given) if leaves_out else len(given)
-    try: theirs = signature(value)
-    except ValueError: return True          # a function of C may have none
-    for n in range(len(given), needed-1, -1):
-        try: theirs.bind(*given[:n])
-        except TypeError: continue
-        return True
-    return False
-
-def _serves(base:type, name:str, value, of_class:bool)->bool:
-    "True if `value`, as an attribute of a class or of an object, does what `base` has under this name"
-    if name in (parts := vars(base)['_parts']):
-        return isinstance(value, parts[name]) if isinstance(parts[name], type) else parts[name](value)
-    ours = vars(base).get(name)
-    calls = callable(value) and not isinstance(value, type)
-    if calls and isfunction(ours) and name[:2]!='__': calls = _takes(value, ours, of_class, name[0]!='_')
-    if not isinstance(ours, property) and (not isfunction(ours) or value is None or calls): return True
-    if not of_class or callable(value) or not hasattr(value, '__get__') or ismemberdescriptor(value): return False
-    return isinstance(ours, property) or not (isdatadescriptor(value) or isinstance(value, cached_property))
-
-def _clash(kind:type, base:type, name:str)->str:
-    parts,ours = vars(base)['_parts'],vars(base).get(name)
-    what = 'part' if name in parts else 'property' if isinstance(ours, property) else 'method'
-    return (f"{kind.__name__}.{name} can't replace the {what} `{name}` of {base.__name__}: "
-            f"give yours another name, such as `my_{name.strip('_')}`")
-
 # %% ../../nbs/api/utils/00_values.ipynb #81da0d75
 class KeepsNames:
     "Base of a class that others continue: names of theirs that replace its parts, methods or properties raise"
@@ -141,6 +108,41 @@ class KeepsNames:
             has_own = name not in vars(base)['_parts'] and isdatadescriptor(theirs) and theirs is not ours
             if not has_own: raise AttributeError(_clash(type(self), base, name))
         super().__setattr__(name, value)
+
+# %% ../../nbs/api/utils/00_values.ipynb #2f337d14
+_unset = object()
+
+def _takes(value, ours, of_class:bool, leaves_out:bool)->bool:
+    "True if `value` can be called with all that `ours` takes; or, if it may leave out optional arguments, with fewer"
+    given = [p for p in signature(ours).parameters.values() if p.kind==p.POSITIONAL_OR_KEYWORD]
+    gets_self = of_class and hasattr(value, '__get__') and not isinstance(value, staticmethod)
+    if not gets_self: given = given[1:]
+    needed = sum(p.default is p.empty for p in given) if leaves_out else len(given)
+    try: theirs = signature(value)
+    except ValueError: return True          # a function of C may have none
+    for n in range(len(given), needed-1, -1):
+        try: theirs.bind(*given[:n])
+        except TypeError: continue
+        return True
+    return False
+
+def _serves(base:type, name:str, value, of_class:bool)->bool:
+    "True if `value`, as an attribute of a class or of an object, does what `base` has under this name"
+    kind = vars(base)['_parts'].get(name)
+    if kind: return isinstance(value, kind) if isinstance(kind, type) else kind(value)
+    ours = vars(base).get(name)
+    if not isinstance(ours, property):
+        if not isfunction(ours) or value is None: return True
+        is_function = callable(value) and not isinstance(value, type)
+        if is_function and (name[:2]=='__' or _takes(value, ours, of_class, leaves_out=name[0]!='_')): return True
+    if not of_class or callable(value) or not hasattr(value, '__get__') or ismemberdescriptor(value): return False
+    return isinstance(ours, property) or not (isdatadescriptor(value) or isinstance(value, cached_property))
+
+def _clash(kind:type, base:type, name:str)->str:
+    parts,ours = vars(base)['_parts'],vars(base).get(name)
+    what = 'part' if name in parts else 'property' if isinstance(ours, property) else 'method'
+    return (f"{kind.__name__}.{name} can't replace the {what} `{name}` of {base.__name__}: "
+            f"give yours another name, such as `my_{name.strip('_')}`")
 
 # %% ../../nbs/api/utils/00_values.ipynb #d55b6d50
 class Report(str):

@@ -15,6 +15,55 @@ __all__ = ['row_height', 'first_row', 'least_gap', 'margin', 'head_top', 'head_h
            'number_column', 'time_column', 'legend_line', 'colours', 'letter_height', 'letter_width', 'dark_pages',
            'Chart', 'element', 'path', 'text', 'one_line', 'Drawing']
 
+# %% ../../nbs/api/wire/06_chart.ipynb #c860973a
+class Chart:
+    "Messages between components, as SVG; shows itself in a notebook"
+    def __init__(self, rows:list, # The story, line by line, as a message log gives it
+                 lanes:dict, # `{(system, component): lane}`, from left to right
+                 times:bool=False, # Draw a ruler of seconds as well
+                 earlier:int=0, # How many messages before them are left out
+                 not_drawn=None): # `{name: count}` of other messages
+        self.times,self.lanes = times,lanes
+        self.lines = _lines_of(rows, lanes)
+        self.bars = _bars_of(self.lines)
+        self.width = self._place_lanes()
+        self.bottom = first_row+len(rows)*row_height
+        self.notes = self._make_notes(earlier, not_drawn or {})
+
+    def __repr__(self): return f'Chart: {len(self.lines)} rows, {len(self.lanes)} lanes'
+    def _repr_svg_(self)->str: return self.svg
+    def _repr_html_(self)->str: return self.drawing._repr_html_()
+    def save(self, file): "Write the picture as an `.svg`"; self.drawing.save(file)
+
+    @property
+    def svg(self)->str: "The picture as text"; return self.drawing.svg
+
+    @property
+    def drawing(self)->Drawing:
+        "The picture"
+        legend,height = self._draw_legend()
+        inside = [*map(self._draw_lane, self.lanes.values()), *self._draw_ruler(), *map(self._draw_bar, self.bars),
+                  *map(self._draw_line, self.lines), *legend]
+        return Drawing('wire', colours, self.width, height, *inside, rules=_rules)
+
+    def _make_notes(self, many:int, not_drawn:dict)->list:
+        "Notes on omitted messages and on signs"
+        notes = [f'{many} earlier messages are left out.'] if many else []
+        if any('↻' in line.words for line in self.lines): notes.append('↻ retransmission')
+        if not_drawn: notes.append('Not drawn: '+', '.join(f'{name} ×{n}' for name,n in sorted(not_drawn.items())))
+        elif not self.lines: notes.append('No messages.')
+        letters = int((self.width-2*margin)/_text_width('x'))
+        return [part for note in notes for part in textwrap.wrap(note, letters)]
+
+# %% ../../nbs/api/wire/06_chart.ipynb #e5e962fe
+row_height,first_row = 26,86        # from one arrow to the next, and from the top to the first
+least_gap,margin = 120,16           # between two lanes at least, and beside words
+head_top,head_height,head_padding = 10,42,24     # the box with a lane's name; the padding is for both sides
+bar_width,bar_step = 8,7            # of the bars on a lane, and from one to the next beside it
+number_column,time_column = 44,110  # left of the lanes: numbers, or the ruler
+legend_line = 18
+_rules = {' g:hover>.band':'opacity:.08', ' .band':'fill:currentColor;opacity:0'}      # the row under the mouse
+
 # %% ../../nbs/api/wire/06_chart.ipynb #e3122ba1
 class _Line:
     "A row of the story in its place; 1 is the first. A missing answer has no `number` of its own"
@@ -30,9 +79,12 @@ class _Line:
     @property
     def gap(self)->int:
         "The words stand right of the lane with this index"
-        here,reach = self.start.index,self.reach
-        if self.row.missing: return self.ends[-1].index-(self.ends[-1].index>here)
-        goes_right = reach[-1]>here and (reach[0]==here or not self.row.is_for_all)
+        here = self.start.index
+        if self.row.missing:
+            end = self.ends[-1].index
+            return end-1 if end>here else end
+        is_both_ways = self.row.is_for_all and self.reach[0]<here
+        goes_right = self.reach[-1]>here and not is_both_ways
         return here if goes_right or here==0 else here-1
 
 # %% ../../nbs/api/wire/06_chart.ipynb #b1ab968f
@@ -40,9 +92,9 @@ def _lines_of(rows:list, lanes:dict)->list:
     "Each of `rows` in its place"
     lines,number = [],0
     for place,(before,row) in enumerate(zip([None,*rows], rows), 1):
-        number += not row.missing
-        lane,after = lanes[row.source],row.first.time-rows[0].first.time
-        lines.append(_Line(row, place, number, row.words(before), lane, row.reached(lanes), after))
+        if not row.missing: number += 1
+        after = row.first.time-rows[0].first.time
+        lines.append(_Line(row, place, number, row.words(before), lanes[row.source], row.reached(lanes), after))
     return lines
 
 # %% ../../nbs/api/wire/06_chart.ipynb #172bed00
@@ -73,49 +125,6 @@ def _bars_of(lines:list)->list:
         bar.depth = min(set(range(len(taken)+1))-taken)
     return bars
 
-# %% ../../nbs/api/wire/06_chart.ipynb #e5e962fe
-row_height,first_row = 26,86        # from one arrow to the next, and from the top to the first
-least_gap,margin = 120,16           # between two lanes at least, and beside words
-head_top,head_height,head_padding = 10,42,24     # the box with a lane's name; the padding is for both sides
-bar_width,bar_step = 8,7            # of the bars on a lane, and from one to the next beside it
-number_column,time_column = 44,110  # left of the lanes: numbers, or the ruler
-legend_line = 18
-_rules = {' g:hover>.band':'opacity:.08', ' .band':'fill:currentColor;opacity:0'}      # the row under the mouse
-
-# %% ../../nbs/api/wire/06_chart.ipynb #c860973a
-class Chart:
-    "Messages between components, as SVG; shows itself in a notebook"
-    def __init__(self, rows:list, # The story, line by line, as a message log gives it
-                 lanes:dict, # `{(system, component): lane}`, from left to right
-                 times:bool=False, # Draw a ruler of seconds as well
-                 earlier:int=0, # How many messages before them are left out
-                 not_drawn=None): # `{name: count}` of other messages
-        self.times,self.lanes = times,lanes
-        self.lines = _lines_of(rows, lanes)
-        self.bars = _bars_of(self.lines)
-        self.width,self.bottom = self._place_lanes(),first_row+len(rows)*row_height
-        self.notes = self._make_notes(earlier, not_drawn or {})
-
-    def __repr__(self): return f'Chart: {len(self.lines)} rows, {len(self.lanes)} lanes'
-    def _repr_svg_(self)->str: return self.svg
-    def _repr_html_(self)->str: return self.drawing._repr_html_()
-    def save(self, file): "Write the picture as an `.svg`"; self.drawing.save(file)
-
-    def _make_notes(self, many:int, not_drawn:dict)->list:
-        "Notes on omitted messages and on signs"
-        notes = [f'{many} earlier messages are left out.'] if many else []
-        if any('↻' in line.words for line in self.lines): notes.append('↻ retransmission')
-        if not_drawn: notes.append('Not drawn: '+', '.join(f'{name} ×{n}' for name,n in sorted(not_drawn.items())))
-        elif not self.lines: notes.append('No messages.')
-        letters = int((self.width-2*margin)/_text_width('x'))
-        return [part for note in notes for part in textwrap.wrap(note, letters)]
-
-    def _beside_bars(self, lane, place:int, way:int)->int:
-        "How far from the middle of `lane` an arrow on its left (-1) or right (1) ends"
-        depths = [bar.depth for bar in self.bars if bar.is_beside(lane, place, place)]
-        if not depths: return 0
-        return 5+bar_step*max(depths) if way>0 else 5-bar_step*min(depths)
-
 # %% ../../nbs/api/wire/06_chart.ipynb #acc36c98
 def _head_width(lane)->float: return max(_text_width(lane.name), _text_width(lane.below))+head_padding
 
@@ -125,12 +134,14 @@ def _place_lanes(self:Chart)->int:
     "Find the lanes' places, and those of the words between them; returns the width of the picture"
     lanes = list(self.lanes.values())
     heads = [_head_width(lane) for lane in lanes]
-    gaps = [max((a+b)/2+20, least_gap) for a,b in zip(heads, heads[1:])]+[w/2+margin for w in heads[-1:]]
+    gaps = [max((left+right)/2+20, least_gap) for left,right in zip(heads, heads[1:])]
+    gaps += [width/2+margin for width in heads[-1:]]            # right of the last lane
     bars = [max((bar_step*bar.depth+5 for bar in self.bars if bar.lane is lane), default=0) for lane in lanes]
     for line in self.lines:
         cross = 44 if line.row.missing else 0           # the cross and the dashes before it
         gaps[line.gap] = max(gaps[line.gap], _text_width(line.words)+2*margin+bars[line.gap]+cross)
-    x = (time_column if self.times else number_column)+(heads[0]/2 if lanes else 0)
+    x = time_column if self.times else number_column
+    if lanes: x += heads[0]/2
     for lane,gap in zip(lanes, gaps):
         lane.x = round(x)
         x += gap
@@ -166,6 +177,14 @@ def _crossed_out(x, y, way, words)->str:
     dashes = path(f'M{x} {y}h{-way*24}', stroke_dasharray='2 3')
     mark = path(f'M{x-way*32-4} {y-4}l8 8m0 -8l-8 8', cls='failed', stroke_width=2)
     return dashes+text(x-way*42, y+4, words, 'bold', *(['end'] if way>0 else []))+mark
+
+# %% ../../nbs/api/wire/06_chart.ipynb #c3a01151
+@patch
+def _beside_bars(self:Chart, lane, place:int, way:int)->int:
+    "How far from the middle of `lane` an arrow on its left (-1) or right (1) ends"
+    depths = [bar.depth for bar in self.bars if bar.is_beside(lane, place, place)]
+    if not depths: return 0
+    return 5+bar_step*max(depths) if way>0 else 5-bar_step*min(depths)
 
 # %% ../../nbs/api/wire/06_chart.ipynb #6a1c15bd
 @patch
@@ -212,9 +231,9 @@ def _draw_lane(self:Chart, lane)->str:
 def _draw_bar(self:Chart, bar:_Bar)->str:
     top = first_row+(bar.first-1)*row_height-3 if bar.first else head_top+head_height+4
     x,row = bar.lane.x-bar_width//2+bar_step*bar.depth,bar.end.row
-    look = dict(fill='currentColor')
-    if row.missing: look = dict(fill='none', stroke='currentColor', stroke_dasharray='2 3')
-    return element('rect', cls=_css_class(row.kind), x=x, y=top, width=bar_width, height=bar.end.y+3-top, rx=3, **look)
+    paint = dict(fill='currentColor')
+    if row.missing: paint = dict(fill='none', stroke='currentColor', stroke_dasharray='2 3')
+    return element('rect', cls=_css_class(row.kind), x=x, y=top, width=bar_width, height=bar.end.y+3-top, rx=3, **paint)
 
 # %% ../../nbs/api/wire/06_chart.ipynb #198fe87f
 @patch
@@ -264,33 +283,21 @@ def _draw_ruler(self:Chart)->list:
     threads = [path(f'M60 {at(line)}L88 {line.y}h8', stroke_width=.7) for line in self.lines if not line.row.missing]
     return [_time_ruler(span, top, bottom), element('g', *threads, cls='soft')]
 
-# %% ../../nbs/api/wire/06_chart.ipynb #d2304f4b
-@patch(as_prop=True)
-def drawing(self:Chart)->Drawing:
-    "The picture"
-    legend,height = self._draw_legend()
-    inside = [*map(self._draw_lane, self.lanes.values()), *self._draw_ruler(), *map(self._draw_bar, self.bars),
-              *map(self._draw_line, self.lines), *legend]
-    return Drawing('wire', colours, self.width, height, *inside, rules=_rules)
-
-# %% ../../nbs/api/wire/06_chart.ipynb #95664914
-@patch(as_prop=True)
-def svg(self:Chart)->str: "The picture as text"; return self.drawing.svg
-
 # %% ../../nbs/api/wire/06_chart.ipynb #2a4f310e
 @patch
 def __str__(self:Chart):
     "A line of text for each row: seconds since the first one, from whom, to whom, and the words"
     def who(address):
         number = '/'.join(str(n) if n else 'all' for n in address)
-        return f'{self.lanes[address].name} {number}' if address in self.lanes else number if any(address) else 'all'
+        if address in self.lanes: return f'{self.lanes[address].name} {number}'
+        return number if any(address) else 'all'
     ends = [(who(line.row.source), who(line.row.target)) for line in self.lines]
     wide = max((len(name) for both in ends for name in both), default=0)
     rows = []
     for line,(source,target) in zip(self.lines, ends):
-        when,arrow = f'{line.after:.3f}','→'
-        if line.row.missing: when,arrow,source,target = '','✗',target,source
-        rows.append(f'{when:>8}  {source:{wide}} {arrow} {target:{wide}}  {one_line(line.words, 200)}')
+        passed = f'{line.after:8.3f}  {source:{wide}} → {target:{wide}}'
+        missing = f'{"":8}  {target:{wide}} ✗ {source:{wide}}'
+        rows.append(f'{missing if line.row.missing else passed}  {one_line(line.words, 200)}')
     return '\n'.join([*rows, *self.notes])
 
 # %% ../../nbs/api/wire/06_chart.ipynb #d8e67597

@@ -24,7 +24,7 @@ log = get_logger('lossy')
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #b095b3e5
 class LossyLink(Link):
-    "Wraps a link, and treats what passes like a bad radio does; the same seed brings the same fate"
+    "Wraps a link, and treats frames like a bad radio does; the same seed brings the same fate"
     buffer = 4096 # bytes that may wait for the line
     hold = .1 # seconds that a late frame waits to be overtaken
     most = 1<<16 # frames on their way at a time
@@ -44,17 +44,15 @@ class LossyLink(Link):
         if not isinstance(link, (Link,str)): raise TypeError(f'{link!r} is no Link and no connection string')
         self.outgoing,self.incoming = Direction(self,'outgoing'),Direction(self,'incoming')
         store_attr('loss,duplicate,reorder,bit_errors,latency,jitter,baudrate,outages,seed')
-        self.link,self._name = (open_link(link),repr(link)) if isinstance(link, str) else (link,type(link).__name__)
-        self._writer,self._reader,self._gone,self._rests = None,None,False,{}
+        self._name = repr(link) if isinstance(link, str) else type(link).__name__
+        self.link = open_link(link) if isinstance(link, str) else link
+        self._writer = self._reader = None      # threads, while something waits
+        self._gone,self._rests = False,{}       # nothing can be read any more; `{peer: the beginning of a frame}`
         self.datagrams = self.link.datagrams
         self.up,self.opened,self._closed = True,clock.monotonic(),False
 
     def __setattr__(self, name, value):
-        if name=='outages': value = _periods(value)
-        elif name in _ranges and not (name=='baudrate' and value is None): value = _number(name, value)
-        elif name=='seed' and not isinstance(value, (int,str)):
-            raise ValueError(f'seed is {value!r}, not a number or a text')
-        super().__setattr__(name, value)
+        super().__setattr__(name, _checked(name, value))
         if name=='seed':
             for way in (self.outgoing,self.incoming):
                 with way.changed: way.dice.clear()      # the new seed's, from the first frame on
@@ -77,7 +75,7 @@ _ranges = {**dict.fromkeys(('loss','duplicate','reorder','bit_errors'), (0,1,'')
            'baudrate': (1,10_000_000,' bits per second'), 'buffer': (0,1<<30,' bytes')}
 
 def _number(name:str, value)->float:
-    "`value` as a number in the range of `name`; raises `ValueError`"
+    "Return `value` as a number in the range of `name`; raises `ValueError`"
     least,most,unit = _ranges[name]
     try: good = least<=float(value)<=most
     except (TypeError, ValueError): good = False
@@ -86,11 +84,19 @@ def _number(name:str, value)->float:
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #0c34c7fb
 def _periods(value)->list:
-    "`value` as a list of `(start, end)`; raises `ValueError`"
+    "Return `value` as a list of `(start, end)`; raises `ValueError`"
     try: periods = [(float(start),float(end)) for start,end in value]
     except (TypeError, ValueError): periods = [(0,0)]
     if all(0<=start<end for start,end in periods): return periods
     raise ValueError(f'outages is {value!r}, not a list of (start, end) in seconds, such as [(2, 5)]')
+
+# %% ../../nbs/api/wire/04_lossy.ipynb #71052a8c
+def _checked(name:str, value):
+    "Return `value` as option `name` has it; raises `ValueError`"
+    if name=='outages': return _periods(value)
+    if name=='seed' and not isinstance(value, (int,str)): raise ValueError(f'seed is {value!r}, not a number or a text')
+    is_off = name=='baudrate' and value is None
+    return _number(name, value) if name in _ranges and not is_off else value
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #5c1e7a40
 _command_at = dict.fromkeys((mavlink.MAVLINK_MSG_ID_COMMAND_LONG,mavlink.MAVLINK_MSG_ID_COMMAND_INT), 28)
@@ -99,11 +105,11 @@ _command_at[mavlink.MAVLINK_MSG_ID_COMMAND_ACK] = 0      # bytes of the payload 
 def _kind(frame:bytes)->tuple:
     "`(system, component, message id, target system, target component, command)` of a frame; `()` of other bytes"
     if not frame or not 0<promised(frame, 0)<=len(frame): return ()
-    two = frame[0]==0xfd
-    head,sender,msg_id = (10,5,int.from_bytes(frame[7:10],'little')) if two else (6,3,frame[5])
+    if frame[0]==0xfd: head,sender,msg_id = 10,5,int.from_bytes(frame[7:10],'little')
+    else: head,sender,msg_id = 6,3,frame[5]
     to = target(frame) if msg_id in mavlink.mavlink_map else (0,0)
-    at = head+_command_at.get(msg_id, 255)
-    command = int.from_bytes(frame[at:min(at+2, head+frame[1])], 'little')      # zeros at the end aren't sent
+    at,end = head+_command_at.get(msg_id, 255),head+frame[1]
+    command = int.from_bytes(frame[at:min(at+2, end)],'little')      # zeros at the end aren't sent
     return (frame[sender],frame[sender+1],msg_id,*to,command)
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #6394d155
@@ -131,14 +137,16 @@ class Direction:
         self.changed.wait(self.waiting[0][0]-clock.monotonic() if self.waiting else None)
 
     def pop(self, now:float)->tuple|None:
-        "`(data, peer)` of the next frame that is due; `None` when there is none yet"
+        "Return `(data, peer)` of the next frame that is due, or `None`"
         if not self.waiting or self.waiting[0][0]>now: return
         entry = self.waiting.pop(0)
         if entry in self.late: self.late.remove(entry)      # no frame overtook it
         self.delivered += 1
-        return entry[2:]
+        _,_,data,peer = entry
+        return data,peer
 
     def _line_up(self, due:float, data:bytes, peer)->tuple:
+        "Queue a frame by its time, and behind those of the same; returns its entry"
         self._count += 1
         entry = due,self._count,data,peer
         insort(self.waiting, entry)
@@ -147,7 +155,7 @@ class Direction:
 # %% ../../nbs/api/wire/04_lossy.ipynb #e2c40a17
 @patch
 def _dice_of(self:Direction, kind:tuple):
-    "The generator for frames of this kind; those of too many kinds share that for other bytes"
+    "Return the generator of this kind of frame; too many kinds share that of other bytes"
     if kind not in self.dice and len(self.dice)>=self.most_kinds: kind = ()
     if kind not in self.dice: self.dice[kind] = Random(' '.join(map(str, (self.link.seed,self.name,*kind)))).random
     return self.dice[kind]
@@ -161,8 +169,9 @@ def __repr__(self:LossyLink):
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #cb844939
 def _flip(data:bytes, probability:float, seed:float)->bytes:
-    "`data` with each bit flipped with this probability"
-    dice,bits,at = Random(seed).random,bytearray(data),-1
+    "Return `data` with each bit flipped with this probability"
+    dice,bits = Random(seed).random,bytearray(data)
+    at = -1                         # the bit that was flipped last
     scale = math.log1p(-probability) if probability<1 else -math.inf
     while True:
         at += 1+int(min(8*len(data), math.log(1-dice())/scale))
@@ -187,10 +196,12 @@ def put(self:Direction, data:bytes, peer, now:float):
 # %% ../../nbs/api/wire/04_lossy.ipynb #7bda7a16
 @patch
 def _occupy(self:Direction, size:int, now:float)->float|None:
-    "When the line has sent `size` more bytes; `None` when too many wait for it already"
+    "Return when the line has sent `size` more bytes, or `None` if too many wait for it already"
     if not self.link.baudrate: return now
-    rate,free = self.link.baudrate/10,max(now, self._free)
-    if free>now and (free-now)*rate+size>self.link.buffer: return
+    rate = self.link.baudrate/10            # bytes/s
+    free = max(now, self._free)
+    waiting = (free-now)*rate               # bytes
+    if waiting and waiting+size>self.link.buffer: return
     self._free = free+size/rate
     return self._free
 
@@ -201,14 +212,17 @@ def _put(self:Direction, good:bytes, peer, free:float, twice:float, late:float, 
     link = self.link
     data = _flip(good, link.bit_errors, flips) if link.bit_errors else good
     is_late,is_doubled = late<link.reorder,twice<link.duplicate
-    self.damaged,self.duplicated = self.damaged+(data!=good),self.duplicated+is_doubled
+    if data!=good: self.damaged += 1
+    if is_doubled: self.duplicated += 1
     self._last = due = max(self._last, free+link.latency+link.jitter*wait)
-    for _ in range(1+is_doubled-is_late): self._line_up(due, data, peer)
+    if not is_late: self._line_up(due, data, peer)
+    if is_doubled: self._line_up(due, data, peer)
     if is_doubled or not is_late:           # it passes all that are late
         for entry in self.late:
             self.waiting.remove(entry)
             self._line_up(due, *entry[2:])
-        self.reordered,self.late = self.reordered+len(self.late),[]
+        self.reordered += len(self.late)
+        self.late = []
     if is_late: self.late.append(self._line_up(due+link.hold, data, peer))
 
 # %% ../../nbs/api/wire/04_lossy.ipynb #34e6705e
@@ -270,7 +284,7 @@ def _read_ahead(self:LossyLink):
 _garbage = re.compile(rb'[^\xfd\xfe]+')
 
 def _cut(buf:bytes)->tuple:
-    "`(frames, rest)`: the frames in `buf`, damaged ones as well, and the beginning of one that is not complete"
+    "Return the frames in `buf`, damaged ones as well, and the beginning of one that is not complete"
     frames,pos = [],0
     while pos<len(buf) and (n := promised(buf, pos)):
         end = pos+n if n>0 else _garbage.match(buf, pos).end()
@@ -282,7 +296,7 @@ def _cut(buf:bytes)->tuple:
 # %% ../../nbs/api/wire/04_lossy.ipynb #d5343c2a
 @patch
 def _frames(self:LossyLink, data:bytes, peer)->list:
-    "The frames that are complete with `data`"
+    "Return the frames that are complete with `data`"
     if self.datagrams: return [data]
     frames,rest = _cut(self._rests.pop(peer, b'')+data)
     if rest: self._rests[peer] = rest

@@ -77,7 +77,7 @@ def add(self:MessageLog, frame:bytes, # A whole frame, its CRC checked
 # %% ../../nbs/api/wire/07_message_log.ipynb #dab2ddbf
 @lru_cache
 def _message_ids(names:tuple)->frozenset:
-    "Ids of the messages, as in `('COMMAND_ACK','CAMERA_*')`; raises `ValueError` for a name that fits none"
+    "Return the ids of the messages, as in `('COMMAND_ACK','CAMERA_*')`; raises `ValueError` for a name that fits none"
     found = [{i for i,c in mavlink.mavlink_map.items() if fnmatchcase(c.msgname, name)} for name in names]
     if not all(found): raise ValueError(f'the dialect has no message {names[found.index(set())]}')
     return frozenset().union(*found)
@@ -87,17 +87,20 @@ def _message_ids(names:tuple)->frozenset:
 def entries(self:MessageLog,
     *names:str, # Of messages, as in 'COMMAND_ACK' or 'CAMERA_*'; none: all
 )->list:
-    "The messages, each a `LogEntry`, oldest first"
+    "Return a `LogEntry` for each message, oldest first"
     with self._lock: kept = list(self._kept)
-    found,ids = (LogEntry(*one) for one in kept),_message_ids(names)
-    return [e for e in found if e.msg_id in ids] if names else list(found)
+    found = [LogEntry(*one) for one in kept]
+    if not names: return found
+    ids = _message_ids(names)
+    return [e for e in found if e.msg_id in ids]
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #46c492ee
 @patch
 def __repr__(self:MessageLog):
     entries = self.entries()
     of = f' of {self.total}' if self.total>len(entries) else ''
-    sent,speakers = sum(e.sent is True for e in entries),{e.source for e in entries}
+    sent = sum(e.sent is True for e in entries)
+    speakers = {e.source for e in entries}
     return f'MessageLog: {len(entries)}{of} frames, {sent} sent, of {len(speakers)} components'
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #ac3e2639
@@ -106,10 +109,12 @@ def text(self:MessageLog,
     *names:str, # What to list; none: the `usual` ones
     rows:int=60, # The newest
 )->str:
-    "The messages, one a line"
+    "Return the messages, one a line"
     entries = self.entries(*(names or self.usual))
     left_out = max(0, len(entries)-rows)
-    return '\n'.join([f'… {left_out} before']*bool(left_out)+[repr(e) for e in entries[left_out:]])
+    lines = [repr(e) for e in entries[left_out:]]
+    if left_out: lines.insert(0, f'… {left_out} before')
+    return '\n'.join(lines)
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #8b2e9339
 _commands = mavlink.MAVLINK_MSG_ID_COMMAND_LONG,mavlink.MAVLINK_MSG_ID_COMMAND_INT
@@ -142,16 +147,15 @@ class LogEntry:
         of = self.command_name if self.is_ack else ''
         return f'{_address_text(self.source):>7} → {to:7} {self.says} {of}'.rstrip()
 
-# %% ../../nbs/api/wire/07_message_log.ipynb #fe5e34f8
-@patch(as_prop=True)
-def is_retransmission(self:LogEntry)->bool:
-    "A COMMAND_LONG with a `confirmation`"
-    return self.msg_id==mavlink.MAVLINK_MSG_ID_COMMAND_LONG and self.message.confirmation>0
+    @property
+    def is_retransmission(self)->bool:
+        "A COMMAND_LONG with a `confirmation`"
+        return self.msg_id==mavlink.MAVLINK_MSG_ID_COMMAND_LONG and self.message.confirmation>0
 
-@patch(as_prop=True)
-def command_name(self:LogEntry)->str:
-    "Of the MAV_CMD that this asks for, or answers"
-    return enum_name('MAV_CMD', self.message.command, 'MAV_CMD_')
+    @property
+    def command_name(self)->str:
+        "Of the MAV_CMD that this asks for, or answers"
+        return enum_name('MAV_CMD', self.message.command, 'MAV_CMD_')
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #7fae64fd
 # commands whose first parameter is a message id
@@ -231,7 +235,7 @@ def save(self:MessageLog, file): # A `.tlog`; what was in it is lost
 @patch(cls_method=True)
 def load(cls:MessageLog, file, # A `.tlog`
          most:int|None=None): # Frames to keep, the newest; `None`: all
-    "The log of another time; which frames were `sent` is not in the file; raises `ValueError` when it is no `.tlog`"
+    "Read a log of another time, without which frames were `sent`; raises `ValueError` if it is no `.tlog`"
     loaded = cls(most=most)
     for when,frame in read_tlog(file): loaded.add(frame, None, when)
     return loaded
@@ -267,13 +271,15 @@ class _Exchange:
 _patience = 30. # seconds without a sign, and a question counts as given up
 
 def _is_given_up(x:_Exchange, later:list, now:float)->bool:
-    "Whether `x` was sent again as a new request, or long ago"
+    "True if `x` was sent again as a new request, or long ago"
     asked_anew = any((y.source,y.target)==(x.source,x.target) for y in later)
-    return len(x.sends)>1 and asked_anew or now-(x.acks or x.sends)[-1].time>_patience
+    if asked_anew and len(x.sends)>1: return True
+    newest = (x.acks or x.sends)[-1]
+    return now-newest.time>_patience
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #fe44968f
 def _answered_by(e:LogEntry, exchanges)->_Exchange|None:
-    "The one of `exchanges` that the ack `e` belongs to"
+    "Return the one of `exchanges` that the ack `e` belongs to, or `None`"
     possible = [x for x in exchanges if x.may_have_answer(e)]
     for n,x in enumerate(possible):
         if not x.finals(e.source) and not _is_given_up(x, possible[n+1:], e.time): return x
@@ -281,15 +287,18 @@ def _answered_by(e:LogEntry, exchanges)->_Exchange|None:
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #54d1a401
 def _pair(entries)->list:
-    "The commands among `entries`, each an `_Exchange`; those of a command and its acks get their `exchange`"
+    "Return an `_Exchange` for each command among `entries`; a command and its acks get it as their `exchange`"
     found,recent = [],{}        # recent: the last exchanges of each MAV_CMD
     for e in entries:
         if not (e.is_command or e.is_ack): continue
         candidates = recent.setdefault(e.message.command, deque(maxlen=64))
-        if e.is_ack: e.exchange = _answered_by(e, candidates)
-        else: e.exchange = next((x for x in reversed(candidates) if x.is_repeated_by(e)), None)
-        if e.exchange: (e.exchange.acks if e.is_ack else e.exchange.sends).append(e)
-        elif e.is_command:
+        if e.is_ack:
+            e.exchange = _answered_by(e, candidates)
+            if e.exchange: e.exchange.acks.append(e)
+            continue
+        e.exchange = next((x for x in reversed(candidates) if x.is_repeated_by(e)), None)
+        if e.exchange: e.exchange.sends.append(e)
+        else:
             e.exchange = _Exchange(e)
             candidates.append(e.exchange)
             found.append(e.exchange)
@@ -297,7 +306,7 @@ def _pair(entries)->list:
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #0d4af8b0
 def _once(entries:list, window:float=.3)->list:
-    "`entries` without those that came twice within `window` seconds; some senders never count their frames"
+    "Return `entries` without those that came twice within `window` seconds"
     now,found = 0.,[]
     seen = Seen(window, clock=lambda: now)
     for e in entries:
@@ -308,7 +317,7 @@ def _once(entries:list, window:float=.3)->list:
 # %% ../../nbs/api/wire/07_message_log.ipynb #a75c32b1
 @patch
 def exchanges(self:MessageLog)->list:
-    "The commands that passed, each an `_Exchange` with its answers"
+    "Return an `_Exchange` with its answers for each command that passed"
     return _pair(_once(self.entries()))
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #bf977034
@@ -323,12 +332,12 @@ class _Row:
     def is_for_all(self)->bool: return not any(self.target)
 
     def takes(self, e:LogEntry)->bool:
-        "Whether `e` repeats the previous broadcast, so that they can share a row"
+        "True if `e` repeats the previous broadcast, so that they can share a row"
         alike = (self.first.msg_id,self.source)==(e.msg_id,e.source)
         return alike and self.is_for_all and not any(e.target) and self.kind=='message'
 
     def reached(self, lanes:dict)->list:
-        "The lanes that its message is for"
+        "Return the lanes that its message is for"
         def is_for(address): return address!=self.source and all(t in (0,n) for t,n in zip(self.target, address))
         found = [lane for address,lane in lanes.items() if is_for(address) and not (self.is_for_all and lane.silent)]
         return found or [lane for address,lane in lanes.items() if address==self.target]
@@ -345,14 +354,14 @@ _kinds = {      # all others: 'denied or unsupported'
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #0229b948
 def _kind(e:LogEntry)->str:
-    "The outcome of `e`'s command; 'message' when it's none"
+    "Return the outcome of `e`'s command; 'message' if it's none"
     if not (e.is_command or e.is_ack): return 'message'
     result = e.message.result if e.is_ack else e.exchange.ack.result
     return _kinds.get(result, 'denied or unsupported')
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #b05cfe6c
 def _rows_of(entries:list)->list:
-    "The story that `entries` tell (in order, after `_pair`), each line a `_Row`"
+    "Return the `_Row`s of `entries`, which are in order and paired"
     rows = []
     for e in entries:
         x = e.exchange
@@ -366,7 +375,7 @@ def _rows_of(entries:list)->list:
 # %% ../../nbs/api/wire/07_message_log.ipynb #3c1f4746
 @patch
 def words(self:_Row, before:_Row|None=None)->str:
-    "The line's text, below the row `before`"
+    "Return the row's text, below the row `before`"
     e,number = self.first,len(self.entries)
     if self.missing: return 'no final answer' if self.exchange.acks else 'no answer'
     if e.is_retransmission: return f'{e.says} ↻{e.message.confirmation}'
@@ -378,7 +387,7 @@ def words(self:_Row, before:_Row|None=None)->str:
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #544b9a31
 def _drawn(entries:list, names:tuple=(), usual:tuple=MessageLog.usual)->list:
-    "Those of `entries` that have one of the names, or else are usual or were asked for"
+    "Return those of `entries` that have one of the names, or else are usual or were requested"
     asked = {e.message.param1 for e in entries if e.is_command and e.message.command==mavlink.MAV_CMD_REQUEST_MESSAGE}
     wanted = _message_ids(names) if names else _message_ids(usual)|asked
     return [e for e in entries if e.msg_id in wanted]
@@ -401,9 +410,10 @@ def _lanes_of(rows:list, entries:list, heartbeats:dict, counts:bool=True)->dict:
         below = _address_text(a)+(f' ♥{beats[a]}' if a in beats else '')
         lanes.setdefault(a, _Lane(len(lanes), name, below, a in ours, a not in present))
 
-    for row in rows:            # those who speak, and whom they speak to; then those who only hear what is for several
-        for address in (row.source,row.target)[:1+all(row.target)]: add(address)
     for row in rows:
+        add(row.source)
+        if all(row.target): add(row.target)
+    for row in rows:            # those that only receive messages for several
         if (not row.is_for_all or row.exchange) and not row.reached(lanes): add(row.target)
     return lanes
 
@@ -415,7 +425,7 @@ def chart(self:MessageLog,
     times:bool=False, # Draw a ruler of seconds as well
     counts:bool=True, # Say how many heartbeats and other messages were left out
 )->Chart:
-    "A picture of the messages between components; raises `ValueError` for a name that the dialect does not have"
+    "Draw the messages between components; raises `ValueError` for a name that the dialect does not have"
     entries = _once(self.entries())
     _pair(entries)
     shown = _drawn(entries, names, self.usual)

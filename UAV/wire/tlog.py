@@ -19,10 +19,67 @@ from .frames import crc
 from .links import Link, link_types
 
 # %% auto #0
-__all__ = ['log', 'unsigned', 'without_secrets', 'record', 'read_tlog', 'TlogWriter', 'ReplayLink']
+__all__ = ['log', 'TlogWriter', 'unsigned', 'without_secrets', 'record', 'read_tlog', 'ReplayLink']
 
 # %% ../../nbs/api/wire/05_tlog.ipynb #d154579f
 log = get_logger('tlog')
+
+# %% ../../nbs/api/wire/05_tlog.ipynb #aa29fc4a
+class TlogWriter:
+    "Appends records to a `.tlog` from a thread of its own; raises `ValueError` for a file that is none"
+    period = 1.                 # seconds between two writes
+    most = 100_000              # records that may wait for a slow disk
+
+    def __init__(self, file):
+        self.path,self.lost,self._failed = Path(file),0,False
+        self._waiting,self._stop = deque(),clock.Event()
+        keep = self.path.is_file() and next(read_tlog(self.path), None) is not None    # half a record is worth nothing
+        self._file = open(file, 'ab', buffering=0)
+        if not keep: self._file.truncate(0)
+        self._thread = _begin_thread(self._run, f'writer of {self.path.name}')
+        _open.add(self)
+
+    def _run(self):
+        while not self._stop.wait(self.period): self._write()
+        self._write()
+
+    def add(self, when:float, # Seconds since 1970
+            frame:bytes): # Whole
+        "Queue `frame`; quick, and from any thread"
+        if len(self._waiting)<self.most and not self._stop.is_set(): self._waiting.append((when,frame))
+        else: self.lost += 1
+
+    def close(self):
+        "Write what waits, and close the file; safe to call twice"
+        self._stop.set()
+        self._thread.join()
+        if not self._file.closed: clock.stamp(self.path)
+        self._file.close()
+        _open.discard(self)
+
+# %% ../../nbs/api/wire/05_tlog.ipynb #d91e37f8
+_open = Opened()
+
+atexit.register(lambda: [writer.close() for writer in _open])       # those that a process has forgotten
+
+# %% ../../nbs/api/wire/05_tlog.ipynb #5739a709
+@patch
+def _write(self:TlogWriter):
+    "Write and sync what waits; after an error, cut the file off before it"
+    waiting = [self._waiting.popleft() for _ in range(len(self._waiting))]
+    data = memoryview(b''.join(record(when, frame) for when,frame in waiting if not _is_secret(frame)))
+    if not data: return
+    size = os.fstat(self._file.fileno()).st_size
+    try:
+        while data: data = data[self._file.write(data):]
+        os.fsync(self._file.fileno())
+        if self._failed: log.warning('%s: writing again', self.path.name)
+        self._failed = False
+    except OSError as e:
+        self.lost += len(waiting)
+        if not self._failed: log.error('%s: %s; frames are missing in it from now on', self.path.name, e.strerror)
+        self._failed = True
+        with suppress(OSError): os.ftruncate(self._file.fileno(), size)         # no half record, unless it is a device
 
 # %% ../../nbs/api/wire/05_tlog.ipynb #c316ba9d
 _setup_signing = mavlink.MAVLINK_MSG_ID_SETUP_SIGNING.to_bytes(3,'little')
@@ -55,11 +112,31 @@ def record(when:float, # Seconds since 1970
     "Time and frame, as they stand in a `.tlog`"
     return struct.pack('>Q', max(0, int(when*1e6))&~3)+unsigned(frame)
 
+# %% ../../nbs/api/wire/05_tlog.ipynb #fad31177
+_chunk = 1<<16          # bytes that are read at once
+
+def read_tlog(file): # A `.tlog`
+    "Iterate over a `.tlog`, without keys and signatures; raises `ValueError` for another file"
+    with open(file,'rb') as f:
+        buf,pos = f.read(_chunk),0
+        bad = 0                 # bytes
+        if not _length(buf, 0) and not _size(buf, _find(buf, 0)): raise ValueError(f'{file} is no .tlog')
+        while pos<len(buf):
+            size = _size(buf, pos)
+            frame = buf[pos+8:pos+size]
+            if not size:
+                size = _resume(buf, pos)-pos
+                bad += size
+            elif not _is_secret(frame): yield int.from_bytes(buf[pos:pos+8],'big')/1e6,unsigned(frame)
+            pos += size
+            if len(buf)-pos<_ahead: buf,pos = buf[pos:]+f.read(_chunk),0
+    if bad: log.warning('%s: %d bytes of it are no frames', file, bad)
+
 # %% ../../nbs/api/wire/05_tlog.ipynb #664ba801
 _longest = 8+10+255+2+13        # bytes of the longest record: time, header, payload, CRC, signature
 
 def _length(buf:bytes, pos:int)->int:
-    "Bytes of the record at `pos`, says its header; 0 when none begins there; more than there are when it is cut off"
+    "Return the bytes of the record at `pos` by its header, also of one that is cut off; 0 if none begins there"
     years,magic = buf[pos:pos+2],buf[pos+8:pos+9]
     if years[:1]>b'\0' or years[1:]>b'\x0f': return 0            # after the year 2112
     if magic not in (b'',b'\xfd',b'\xfe'): return 0             # no frame
@@ -72,7 +149,7 @@ def _length(buf:bytes, pos:int)->int:
 _by_extra = {crc(bytes([extra]))^crc(b'\0') for extra in range(256)}        # what the 256 extras do to a CRC
 
 def _fits(frame:bytes)->bool|None:
-    "Is the CRC of a whole `frame` right? `None`: the dialect lacks its id, and with some extra it would be right"
+    "True if the CRC of `frame` is right; `None` if the dialect lacks its id, and with some extra it would be right"
     head,msg_id = (10,int.from_bytes(frame[7:10],'little')) if frame[0]==0xfd else (6,frame[5])
     end = head+frame[1]
     covered,value = frame[1:end],int.from_bytes(frame[end:end+2],'little')
@@ -84,7 +161,7 @@ def _fits(frame:bytes)->bool|None:
 _head_bits = [*range(16),*range(8*8,8*18)]      # the years, and the frame's header
 
 def _healed(buf:bytes, pos:int)->int:
-    "Bytes of the record at `pos` if its CRC is right with one bit of its head turned; 0 when it is not"
+    "Return the bytes of the record at `pos` if its CRC is right with one bit of its head turned, or 0"
     damaged = buf[pos:pos+_longest]
     for bit in _head_bits:
         if bit>=8*len(damaged): break
@@ -95,7 +172,7 @@ def _healed(buf:bytes, pos:int)->int:
 
 # %% ../../nbs/api/wire/05_tlog.ipynb #9aab50d9
 def _size(buf:bytes, pos:int)->int:
-    "Bytes of the good record at `pos`; 0 when it is damaged, cut off, or none"
+    "Return the bytes of the good record at `pos`; 0 if it is damaged, cut off, or none"
     size = _length(buf, pos)
     frame = buf[pos+8:pos+size]
     if not size or len(frame)<size-8: return 0
@@ -108,94 +185,22 @@ _ahead = 4*_longest     # bytes that `read_tlog` has before it, except at the en
 _beginning = re.compile(rb'(?=\0[\0-\x0f].{6}[\xfd\xfe])', re.DOTALL)
 
 def _find(buf:bytes, pos:int)->int:
-    "Where the first good record behind `pos` begins, or could begin"
+    "Return where the first good record behind `pos` begins, or could begin"
     found = (m.start() for m in _beginning.finditer(buf, pos+1) if _size(buf, m.start()))
     return next(found, len(buf) if len(buf)-pos<_ahead else len(buf)-_longest)
 
 # %% ../../nbs/api/wire/05_tlog.ipynb #4def2aa9
 def _resume(buf:bytes, pos:int)->int:
-    "Where to go on behind the damaged record at `pos`"
+    "Return where to go on behind the damaged record at `pos`"
     for size in (_length(buf, pos),_healed(buf, pos)):
         if size and pos+size<=len(buf) and _length(buf, pos+size): return pos+size
     return _find(buf, pos)
 
-# %% ../../nbs/api/wire/05_tlog.ipynb #fad31177
-_chunk = 1<<16          # bytes that are read at once
-
-def read_tlog(file): # A `.tlog`
-    "Iterate over a `.tlog`, without keys and signatures; raises `ValueError` for another file"
-    with open(file,'rb') as f:
-        buf,pos,bad = f.read(_chunk),0,0
-        if not _length(buf, 0) and not _size(buf, _find(buf, 0)): raise ValueError(f'{file} is no .tlog')
-        while pos<len(buf):
-            size,frame = _size(buf, pos),buf[pos+8:pos+_longest]
-            if not size:
-                size = _resume(buf, pos)-pos
-                bad += size
-            elif not _is_secret(frame): yield int.from_bytes(buf[pos:pos+8],'big')/1e6,unsigned(frame[:size-8])
-            pos += size
-            if len(buf)-pos<_ahead: buf,pos = buf[pos:]+f.read(_chunk),0
-    if bad: log.warning('%s: %d bytes of it are no frames', file, bad)
-
-# %% ../../nbs/api/wire/05_tlog.ipynb #aa29fc4a
-class TlogWriter:
-    "Appends records to a `.tlog` from a thread of its own; raises `ValueError` for a file that is none"
-    period,most = 1.,100_000 # seconds between two writes; records that may wait for a slow disk
-
-    def __init__(self, file):
-        self.path,self.lost,self._failed = Path(file),0,False
-        self._waiting,self._stop = deque(),clock.Event()
-        keep = self.path.is_file() and next(read_tlog(self.path), None) is not None    # half a record is worth nothing
-        self._file = open(file, 'ab', buffering=0)
-        if not keep: self._file.truncate(0)
-        self._thread = _begin_thread(self._run, f'writer of {self.path.name}')
-        _open.add(self)
-
-    def _run(self):
-        while not self._stop.wait(self.period): self._write()
-        self._write()
-
-    def add(self, when:float, # Seconds since 1970
-            frame:bytes): # Whole
-        "Have `frame` written soon; quick, and from any thread"
-        if len(self._waiting)<self.most and not self._stop.is_set(): self._waiting.append((when,frame))
-        else: self.lost += 1
-
-    def close(self):
-        "Write what waits, and close the file; safe to call twice"
-        self._stop.set()
-        self._thread.join()
-        if not self._file.closed: clock.stamp(self.path)
-        self._file.close()
-        _open.discard(self)
-
-# %% ../../nbs/api/wire/05_tlog.ipynb #d91e37f8
-_open = Opened()
-
-atexit.register(lambda: [writer.close() for writer in _open])       # those that a process has forgotten
-
-# %% ../../nbs/api/wire/05_tlog.ipynb #5739a709
-@patch
-def _write(self:TlogWriter):
-    waiting = [self._waiting.popleft() for _ in range(len(self._waiting))]
-    data = memoryview(b''.join(record(when, frame) for when,frame in waiting if not _is_secret(frame)))
-    if not data: return
-    size = os.fstat(self._file.fileno()).st_size
-    try:
-        while data: data = data[self._file.write(data):]
-        os.fsync(self._file.fileno())
-        if self._failed: log.warning('%s: writing again', self.path.name)
-        self._failed = False
-    except OSError as e:
-        self.lost += len(waiting)
-        if not self._failed: log.error('%s: %s; frames are missing in it from now on', self.path.name, e.strerror)
-        self._failed = True
-        with suppress(OSError): os.ftruncate(self._file.fileno(), size)         # no half record, unless it is a device
-
 # %% ../../nbs/api/wire/05_tlog.ipynb #a0bd562b
 class ReplayLink(Link):
     "`tlog:FILE`: what was logged comes again"
-    prefixes,longest_silence = ('tlog:',),10. # seconds; between two flights in one file there may be days
+    prefixes = ('tlog:',)
+    longest_silence = 10.       # seconds; between two flights in one file there may be days
 
     def __init__(self, name:str, # Path of a `.tlog`
                  baudrate:int=0, # As all links have it; of no use here
@@ -215,14 +220,17 @@ class ReplayLink(Link):
 # %% ../../nbs/api/wire/05_tlog.ipynb #8f18367c
 @patch
 def recv(self:ReplayLink):
-    "The next frame, when it is time; `None` when the link is closed"
+    "Wait for the time of the next frame, and return it; `None` if the link is closed"
     if self._next is None:
         self.ended.set()
         self._closed.wait()
         return
-    (logged,frame),now = self._next,clock.monotonic()
+    now = clock.monotonic()
+    logged,frame = self._next
     if self._due is None: self._due = now
-    else: self._due += min(max(logged-self._logged, 0), self.longest_silence)/(self.speed or math.inf)
+    else:
+        silence = min(max(logged-self._logged, 0), self.longest_silence)
+        self._due += silence/(self.speed or math.inf)
     self._logged = logged
     if self._due>now: self._closed.wait(self._due-now)
     if self._closed.is_set(): return
