@@ -57,6 +57,19 @@ class Component(BaseComponent):
         "Messages sent on request, `{message id: Handler}`"
         return self.tables['message']
 
+    def set_target(self, target_system:int, target_component:int):
+        "Set the default target"
+        for number in (target_system,target_component): _check_target(number)
+        self.target_system,self.target_component = target_system,target_component
+
+    def target(self, target_system:int|None=None, target_component:int|None=None)->tuple:
+        "Return `(system, component)` to address; raises `MAVError` if there is none"
+        system = self.target_system if target_system is None else target_system
+        comp = self.target_component if target_component is None else target_component
+        for number in (system,comp): _check_target(number)
+        if None not in (system,comp): return system,comp
+        raise MAVError('no target: name target_system and target_component, or call set_target first')
+
 # %% ../../nbs/api/mavlink/04_component.ipynb #a38a301f
 @patch
 def _encode_requested(self:Component, msg_id:int, values=(), msg=None):
@@ -84,23 +97,6 @@ def _request_message(self:Component, msg_id:int, p2:float=None, p3:float=None, p
     "Answer MAV_CMD_REQUEST_MESSAGE"
     self._send_requested(msg_id, (p2, p3, p4, p5, p6), msg, response_target==everyone)
 
-# %% ../../nbs/api/mavlink/04_component.ipynb #b6fe4129
-@patch
-def set_target(self:Component, target_system:int, target_component:int):
-    "Set the default target"
-    for number in (target_system,target_component): _check_target(number)
-    self.target_system,self.target_component = target_system,target_component
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #f4bf95b4
-@patch
-def target(self:Component, target_system:int|None=None, target_component:int|None=None)->tuple:
-    "Return `(system, component)` to address; raises `MAVError` if there is none"
-    system = self.target_system if target_system is None else target_system
-    comp = self.target_component if target_component is None else target_component
-    for number in (system,comp): _check_target(number)
-    if None not in (system,comp): return system,comp
-    raise MAVError('no target: name target_system and target_component, or call set_target first')
-
 # %% ../../nbs/api/mavlink/04_component.ipynb #f6682d39
 @patch
 async def request_message(self:Component,
@@ -124,12 +120,13 @@ async def _request(self:Component, command_id:int, params, msg_id:int, target:tu
                    timeout:float|None=None, tries:int|None=None, fits=None, retries:int|None=None):
     "Send a command that requests message `msg_id`, and return `(message or None, ack)`"
     us = self.source_system,self.source_component
-    def ours(m): return comes_from(m, *target) and accepts(m, *us) and (fits is None or fits(m))
-    with self.expecting(msg_id, ours, target) as wanted:
+    def is_answer(m): return comes_from(m, *target) and accepts(m, *us) and (fits is None or fits(m))
+    with self.expecting(msg_id, is_answer, target) as wanted:
         try: ack = await self._ask_until(wanted, command_id, params, target, timeout, tries, retries)
         except Lost as e: ack = Ack(None, None, command_id, str(e))
         if not wanted.there and ack.lost: self.log.warning('no %s: %s', message_name(msg_id), ack.lost)
-        return (None if isinstance(wanted.value, Exception) else wanted.value),ack
+        msg = None if isinstance(wanted.value, Exception) else wanted.value
+        return msg,ack
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #e04fe5a7
 @patch
@@ -137,9 +134,11 @@ async def _ask_until(self:Component, wanted, command_id:int, params, target:tupl
     "Repeat the request until the message `wanted` has come, or is refused"
     began,asked = clock.monotonic(),0
     while True:
-        ack,asked = await self.send_command(*target, command_id, params, retries=retries, until=wanted),asked+1
-        if ack and not wanted.there: await wanted.wait(timeout or max(.5, 2*self._rto(target)))
-        if wanted.there or not ack or asked==tries or clock.monotonic()>began+self.patience: return ack
+        ack = await self.send_command(*target, command_id, params, retries=retries, until=wanted)
+        asked += 1
+        if wanted.there or not ack: return ack
+        await wanted.wait(timeout or max(.5, 2*self._rto(target)))
+        if wanted.there or asked==tries or clock.monotonic()>began+self.patience: return ack
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #13436704
 @patch
@@ -294,24 +293,22 @@ class Streams(Part):
             answer = self._answers.get(asker)
             if answer and pending in (None, answer.pending): del self._answers[asker]
 
-# %% ../../nbs/api/mavlink/04_component.ipynb #853607ec
-@patch
-def end(self:Streams, asker:tuple|None, # `(system, component)` of the requester
-        timeout:float=5.): # Seconds to wait for a message in preparation
-    "End all streams and answers for `asker`"
-    for key in self.of(asker): self._end(asker, key, timeout)
-    self._end_answer(asker)
-    self._askers.pop(asker, None)
+    def end(self, asker:tuple|None, # `(system, component)` of the requester
+            timeout:float=5.): # Seconds to wait for a message in preparation
+        "End all streams and answers for `asker`"
+        for key in self.of(asker): self._end(asker, key, timeout)
+        self._end_answer(asker)
+        self._askers.pop(asker, None)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #77343248
 @patch
 def _newest_in_crowd(self:Streams)->tuple:
     "Return the newest asker on the way that most askers share"
     where = self.component.mav_com.where
-    way = {asker: frozenset((channel.number,peer) for channel,peer in where(*asker)) for asker in list(self._askers)}
-    askers_on = Counter(way.values())
-    newest_first = reversed(way)        # of equal ones, `max` returns the first
-    return max(newest_first, key=lambda asker: askers_on[way[asker]])
+    ways = {asker: frozenset((channel.number,peer) for channel,peer in where(*asker)) for asker in list(self._askers)}
+    askers_on = Counter(ways.values())
+    newest_first = reversed(ways)       # of equal ones, `max` returns the first
+    return max(newest_first, key=lambda asker: askers_on[ways[asker]])
 
 @patch
 def _admit(self:Streams, asker:tuple|None):
@@ -399,7 +396,8 @@ def answer(self:Streams, asker:tuple, # `(system, component)` of the requester
     pending = ((msg,to) for msg in msgs)
     first = [] if paced else list(islice(pending, 5))
     is_long = len(first)>4
-    if is_long and getattr(self._answers.get(asker), 'is_long', False): raise Busy('a long answer is being sent')
+    running = self._answers.get(asker)
+    if is_long and running and running.is_long: raise Busy('a long answer is being sent')
     if is_long or paced: self._admit(asker)
     at_once = first[:1] if is_long else first
     for msg,_ in at_once: self.component.send_message(msg, to)
@@ -410,12 +408,12 @@ def answer(self:Streams, asker:tuple, # `(system, component)` of the requester
 def _enqueue(self:Streams, asker:tuple, new):
     "Queue an answer, behind another one of `asker`, and start the timer; raises `Busy` if too many wait"
     with self._lock:
-        waiting = self._answers.setdefault(asker, new)
-        if waiting is not new:
-            if waiting.more==self.most_more: raise Busy('answers wait already')
-            waiting.pending = chain(waiting.pending, new.pending)
-            waiting.more += 1
-            if new.is_long: waiting.msg_id,waiting.is_long = new.msg_id,True
+        running = self._answers.setdefault(asker, new)
+        if running is not new:
+            if running.more==self.most_more: raise Busy('answers wait already')
+            running.pending = chain(running.pending, new.pending)
+            running.more += 1
+            if new.is_long: running.msg_id,running.is_long = new.msg_id,True
         if self._pacer is None and not self._closed:
             self._credit = self.ahead
             self._pacer = self.component.timers.every(self.tick, self._pace, delay=self.tick)
@@ -470,16 +468,26 @@ def _pieces_of(text:str)->list:
 class StatusText:
     "A text of a component, in one STATUSTEXT or in pieces; `…` stands for what is missing"
     most = 16           # pieces that are kept; ArduPilot sends up to six
+    life = 10.          # s without a piece after which its `id` may be another text's
     def __init__(self, severity:int, # MAV_SEVERITY
                  number:int): # The `id` of its pieces; 0: it has one
         store_attr()
         self.pieces,self.received = {},0.      # by `chunk_seq`; when the last one came, monotonic s
 
+    def fits(self, severity:int, seq:int, piece:bytes)->bool:
+        "True if this piece may be one of this text"
+        is_old = clock.monotonic()-self.received>self.life
+        return not is_old and severity==self.severity and self.pieces.get(seq, piece)==piece
+
+    def add(self, seq:int, piece:bytes):
+        "Store a piece; those after `most` are dropped, but the first to come is kept"
+        if seq<self.most or not self.pieces: self.pieces[min(seq, self.most-1)] = piece
+        self.received = clock.monotonic()
+
     @property
     def ended(self)->bool:
         "True if its last piece is there"
-        last = max(self.pieces)
-        return not self.number or len(self.pieces[last])<50
+        return not self.number or len(self.pieces[max(self.pieces)])<50
 
     @property
     def complete(self)->bool:
@@ -500,26 +508,28 @@ class StatusText:
 # %% ../../nbs/api/mavlink/04_component.ipynb #fcb5c314
 class Texts:
     "Joins the pieces of one component's STATUSTEXTs, in any order and with duplicates"
-    most,life = 8,10.   # texts that may get more pieces; s without one after which an `id` may be another text's
+    most = 8            # texts that may get more pieces
     def __init__(self): self.open = {}          # by `id`, the newest last
 
     def take(self, msg, # A STATUSTEXT
             )->tuple:
         "Add a piece; return its `StatusText`, and True if that is new"
-        number,now = getattr(msg, 'id', 0),clock.monotonic()
-        n = msg.chunk_seq if number else 0
+        number = getattr(msg, 'id', 0)          # 0 or none: the text is whole
+        seq = msg.chunk_seq if number else 0
         raw = getattr(msg, '_text_raw', None) or msg.text.encode()
-        piece,text = raw[:50].split(b'\0')[0],self.open.get(number)
-        is_other = text is not None and (text.severity!=msg.severity or text.pieces.get(n, piece)!=piece)
-        is_new = text is None or is_other or now-text.received>self.life
+        piece = raw[:50].split(b'\0')[0]
+        text = self.open.get(number)
+        is_new = text is None or not text.fits(msg.severity, seq, piece)
         if is_new: text = StatusText(msg.severity, number)
-        if n<text.most or is_new: text.pieces[min(n, text.most-1)] = piece
-        text.received = now
-        if number and is_new:
-            self.open.pop(number, None)
-            self.open[number] = text
-            if len(self.open)>self.most: del self.open[next(iter(self.open))]
+        text.add(seq, piece)
+        if is_new and number: self._keep(text)
         return text,is_new
+
+    def _keep(self, text):
+        "Let `text` get more pieces, in place of an older one with its `id`, and of the oldest of too many"
+        self.open.pop(text.number, None)
+        self.open[text.number] = text
+        if len(self.open)>self.most: del self.open[next(iter(self.open))]
 
     def add(self, msg, # A STATUSTEXT
            )->str:
@@ -627,12 +637,13 @@ def verb(cmd:int): # The MAV_CMD to send
     def _f(f):
         @wraps(f)
         async def send(self, target_system=None, target_component=None, *args, **kwargs):
-            target,params = self.target(target_system, target_component),f(self, *args, **kwargs)
-            return await self.send_command(*target, cmd, params)
+            target = self.target(target_system, target_component)
+            return await self.send_command(*target, cmd, f(self, *args, **kwargs))
         me,*params = inspect.signature(f).parameters.values()
         target = [inspect.Parameter(n, inspect.Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation='int | None')
                   for n in ('target_system','target_component')]
-        send.verb,send.__signature__ = cmd,inspect.Signature([me,*target,*params], return_annotation='Ack')
+        send.verb = cmd
+        send.__signature__ = inspect.Signature([me,*target,*params], return_annotation='Ack')
         return send
     return _f
 
@@ -666,8 +677,10 @@ def _seen_instead(self:Component, target:tuple, command_id:int)->str:
     "List the components seen, with a hint if the first number was perhaps not meant as a system"
     seen = super(Component, self)._seen_instead(target, command_id)
     if not seen or self.target_system in (None,0,target[0]): return seen
-    senders = [getattr(type(self), name) for name,cmd in verbs(type(self)).items() if cmd==command_id]
-    found = [list(inspect.signature(f).parameters) for f in senders]
-    behind = next((names[3:] for names in found if names[1:2]==['target_system']), [])
-    named = ', '.join(f'{name}=…' for name in behind)
-    return seen+(named and f'; target_system comes first: name what is behind it, {named}')
+    for name,cmd in verbs(type(self)).items():
+        if cmd!=command_id: continue
+        params = list(inspect.signature(getattr(type(self), name)).parameters)
+        if params[1:2]!=['target_system'] or not params[3:]: continue
+        named = ', '.join(f'{name}=…' for name in params[3:])
+        return f'{seen}; target_system comes first: name what is behind it, {named}'
+    return seen

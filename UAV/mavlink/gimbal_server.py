@@ -289,7 +289,7 @@ def _tell_status(self:GimbalServer):
 def tick(self:_Directed):
     "Log when the vehicle's attitude starts or stops coming"
     us = self.us
-    now,receiving = us.clock(),us.vehicle.is_told()
+    now,receiving = us.clock(),us.vehicle.has_attitude()
     if receiving or self.last is None: self.last = now
     if receiving==self.receiving or not receiving and now-self.last<self.patience: return
     self.receiving = receiving

@@ -50,7 +50,7 @@ def announced(event:type): # A class of device events, such as `CaptureStatus`
     return _mark('announced', event)
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #4cdc5038
-_made = ns(marks=0)
+_marks = ns(count=0)         # of all marks so far
 
 def _mark(kind, value, **options):
     "A decorator that adds a mark; raises `TypeError` for what cannot be marked"
@@ -59,7 +59,7 @@ def _mark(kind, value, **options):
         if f is None: raise TypeError('nothing to mark: @patch must be on top')
         if inspect.iscoroutinefunction(f): raise TypeError(f'{f.__name__} is async: its caller cannot await')
         f.marks = getattr(f,'marks',())+((kind,value,options),)
-        _made.marks += 1
+        _marks.count += 1
         return f
     return _f
 
@@ -104,27 +104,28 @@ class _Tables:
     "The marked methods of a component by kind and number, and the message ids that its link must build"
     def __init__(self, component):
         self.component,self.wanted = component,None
-        self._made,self._tables,self._ids = None,{},set()
+        self._count,self._tables,self._ids = None,{},set()      # of the marks when `_tables` was built
 
     def __getitem__(self, kind:str)->dict:
         "Return `{number: Handler}` of 'command', 'message' or 'receives', or `{event: [method]}` of 'announced'"
-        if self._made!=_made.marks: self._make()
+        if self._count!=_marks.count: self._make()
         return self._tables[kind]
 
     def renew(self):
         "Rebuild the tables at the next access: a part was added"
-        self._made = None
+        self._count = None
 
     def _make(self):
         "Collect the marks of the component's parts, then its own, which win"
-        made,owners = _made.marks,(*getattr(self.component,'parts',()),self.component)
+        count = _marks.count
+        owners = *getattr(self.component,'parts',()),self.component
         tables = {kind:{} for kind in ('command','message','receives','announced')}
         for owner in owners:
             for kind,table in tables.items():
                 found = marked(owner, kind)
                 if kind!='announced': table.update(found)
                 else: table.update({event:[h.f, *table.get(event, ())] for event,h in found.items()})
-        self._tables,self._made = tables,made           # last: other threads read these
+        self._tables,self._count = tables,count         # last: other threads read these
         if self.wanted is not None: self.want(*tables['receives'])
 
     def join(self, wanted, *more):
@@ -165,9 +166,11 @@ class _Copy(NamedTuple):
 
 class Served:
     "Recent answers to each sender"
-    echo,overtaken = .3,1.5     # seconds in which an equal frame is a duplicate, by the same link; by another link
+    echo = .3                   # seconds in which an equal frame is a duplicate, by the same link
+    overtaken = 1.5             # the same, by another link
     network = .05               # seconds in which it is the network that duplicates; later it's the sender
-    most,most_senders = 1024,64 # commands, and shot numbers of a sender, that are stored; senders with shot numbers
+    most = 1024                 # commands, and shot numbers of a sender, that are stored
+    most_senders = 64           # senders with shot numbers
     most_frames = 64            # far fewer than 256, after which sequence numbers wrap
     most_alike = 8              # commands of one sender with the same id and other parameters
 
@@ -193,7 +196,8 @@ def find(self:Served, msg)->Outcome|None:
     alike = self._copies.find(kind)
     copy = None if alike is None else alike.find(values)
     if copy is None: return                     # never executed
-    higher,age = getattr(msg,'confirmation',0)-copy.confirmation,self.clock()-copy.when
+    higher = getattr(msg,'confirmation',0)-copy.confirmation
+    age = self.clock()-copy.when
     is_later = 0<(msg.get_seq()-copy.seq)%256<128
     if higher==0: return                        # it starts anew
     if higher<0:                                # perhaps a first copy, which later ones have overtaken

@@ -102,14 +102,16 @@ def _receive(self:Vehicle, msg):
         if ours: self._take(msg)
         elif msg.get_msgId()==POSITION: self._others.setdefault(source[0], _Reported(self.clock)).take(msg)
     except ValueError as e: return self._complain(msg.get_type(), e)
-    try: ours and self._pass_on(msg)
+    try:
+        if ours: self._pass_on(msg)
     except Exception as e: self._complain('set_vehicle', e)
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #f85c9d19
 @patch(as_prop=True)
 def state(self:Vehicle)->VehicleState:
     "State of our vehicle now, from its messages, else from the device"
-    state,own = self._reported.state,getattr(self.device, 'vehicle', None)
+    state = self._reported.state
+    own = getattr(self.device, 'vehicle', None)
     return own if state==VehicleState() and isinstance(own, VehicleState) else state
 
 @patch
@@ -119,7 +121,7 @@ def state_of(self:Vehicle, system:int, # Its system id
     return self._others[system].state if system in self._others else VehicleState()
 
 @patch
-def is_told(self:Vehicle)->bool:
+def has_attitude(self:Vehicle)->bool:
     "True if an attitude has come within a second"
     return self._reported.fresh(ATTITUDE, GIMBAL_STATE)
 
@@ -133,16 +135,16 @@ def _from_attitude(msg)->dict:
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #85e2f363
 def _from_gimbal_state(msg)->dict:
-    rate,speeds = _likely(msg.angular_velocity_z, _most_rate) or NAN,(msg.vx, msg.vy, msg.vz)
     angles = dict(zip(('roll','pitch','yaw'), euler(unit(msg.q))))
-    return dict(angles, yaw_rate=math.degrees(rate), velocity=tuple(_likely(v, _most_speed) for v in speeds))
+    rate = _likely(msg.angular_velocity_z, _most_rate) or NAN
+    velocity = tuple(_likely(v, _most_speed) for v in (msg.vx, msg.vy, msg.vz))
+    return dict(angles, yaw_rate=math.degrees(rate), velocity=velocity)
 
 def _from_position(msg)->dict:
     if not (msg.lat or msg.lon): return {}
     return dict(lat=inside('lat', msg.lat/1e7, -90, 90), lon=inside('lon', msg.lon/1e7, -180, 180), alt=msg.alt/1e3,
                 relative_alt=msg.relative_alt/1e3, velocity=(msg.vx/100, msg.vy/100, msg.vz/100))
 
-# %% ../../nbs/api/mavlink/04_vehicle.ipynb #ceb61ae0
 _readers = {POSITION:_from_position, ATTITUDE:_from_attitude, GIMBAL_STATE:_from_gimbal_state}
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #a5cb9a83
@@ -168,19 +170,18 @@ class _Reported:
         kinds = {ATTITUDE:(ATTITUDE,GIMBAL_STATE), POSITION:(POSITION,)}
         return [msg_id for msg_id,same in kinds.items() if not self.fresh(*same)]
 
-# %% ../../nbs/api/mavlink/04_vehicle.ipynb #db2aaeee
-@patch(as_prop=True)
-def state(self:_Reported)->VehicleState:
-    "State of the vehicle now, extrapolated from recent messages"
-    values,ages,now = {},{},self.clock()
-    for msg_id in (i for i in _readers if self.fresh(i)):
-        fields,when = self._reported[msg_id]
-        values.update({name:v for name,v in fields.items() if known(v)})
-        ages.update(dict.fromkeys(fields, now-when))
-    if known(self.home_alt) and 'alt' in values: values['relative_alt'] = values['alt']-self.home_alt
-    turning = min(ages.get('yaw', 0.), self.carries)
-    state = VehicleState(**values).after(ages.get('lat', 0.), turning)
-    return state if turning<self.carries else replace(state, yaw_rate=NAN)      # no further extrapolation
+    @property
+    def state(self)->VehicleState:
+        "State of the vehicle now, extrapolated from recent messages"
+        values,ages,now = {},{},self.clock()
+        for msg_id in (i for i in _readers if self.fresh(i)):
+            fields,when = self._reported[msg_id]
+            values.update({name:v for name,v in fields.items() if known(v)})
+            ages.update(dict.fromkeys(fields, now-when))
+        if known(self.home_alt) and 'alt' in values: values['relative_alt'] = values['alt']-self.home_alt
+        turning = min(ages.get('yaw', 0.), self.carries)
+        state = VehicleState(**values).after(ages.get('lat', 0.), turning)
+        return state if turning<self.carries else replace(state, yaw_rate=NAN)      # no further extrapolation
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #25f0788a
 @patch(as_prop=True)
@@ -207,7 +208,8 @@ def _ask(self:Vehicle, autopilot:tuple, msg_ids:list):
     parts = [p for c in list(us.mav_com.component.values()) if isinstance(c, BaseComponent) for p in c.parts]
     listeners = [p for p in parts if isinstance(p, Vehicle)] or [self]
     for msg_id in msg_ids:
-        if listeners[0]._asked.setdefault((autopilot, msg_id), now := object()) is not now: continue
+        this = object()
+        if listeners[0]._asked.setdefault((autopilot, msg_id), this) is not this: continue      # asked a moment ago
         rate = max(p.wishes.get(msg_id, 0) for p in listeners)
         us.send_message(us.mav.command_long_encode(*autopilot, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, 0,
                                                    msg_id, 1e6/rate, *[0]*5))
@@ -236,10 +238,11 @@ class _Reports:
     def near(self, t:float, least:float=0.)->tuple:
         "Return the two `(moment, value)` around `t`, or the last two before it, `least` s apart; `None` if missing"
         with self._lock:
-            n = min(bisect_right(self._moments, t), len(self)-1)
-            m = bisect_right(self._moments, self._moments[n]-least)-1 if n>=0 else -1
-            if m==n: m -= 1
-            return tuple((self._moments[i], self._values[i]) if i>=0 else None for i in (m,n))
+            if not self._moments: return None,None
+            last = min(bisect_right(self._moments, t), len(self)-1)
+            first = bisect_right(self._moments, self._moments[last]-least)-1
+            if first==last: first -= 1
+            return tuple((self._moments[i], self._values[i]) if i>=0 else None for i in (first,last))
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #7dbed54a
 def _between(seconds:float, part:float, way:float, first:float, second:float)->float:
@@ -276,12 +279,14 @@ def _along(before:tuple, after:tuple, t:float)->Pose:
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #1f241c2a
 def _on(before:tuple|None, after:tuple, seconds:float, gap:float)->Pose:
-    "Extrapolate after the last report"
+    "Extrapolate after the last report, by its velocity and the change since the one before"
     t1,(there,v1) = after
-    t0,(here,v0) = before or (-math.inf,(there,(NAN,)*3))
-    v0 = *velocity_here(there.lat, there.lon, here.lat, here.lon, *v0[:2]),v0[2]
-    fast = [(b-a)/(t1-t0) if t1-t0<gap else NAN for a,b in zip(v0, v1)]
-    north,east,down = (_beyond(seconds, *axis) for axis in zip(v1, fast))
+    change = (NAN,)*3
+    if before and t1-before[0]<gap:
+        t0,(here,v0) = before
+        v0 = *velocity_here(there.lat, there.lon, here.lat, here.lon, *v0[:2]),v0[2]
+        change = [(b-a)/(t1-t0) for a,b in zip(v0, v1)]
+    north,east,down = (_beyond(seconds, *axis) for axis in zip(v1, change))
     return there.moved(north, east, -down)
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #48b3b400
@@ -333,9 +338,10 @@ class Geotagger(Vehicle):
 
     def _made(self, msg)->float:
         "Return the time of `msg` in s on our clock"
-        now,ms,us = self.clock(),getattr(msg, 'time_boot_ms', None),getattr(msg, 'time_boot_us', None)
-        if ms is None and us is None: return now
-        theirs = us/1e6 if ms is None else ms/1e3
+        now = self.clock()
+        if hasattr(msg, 'time_boot_ms'): theirs = msg.time_boot_ms/1e3
+        elif hasattr(msg, 'time_boot_us'): theirs = msg.time_boot_us/1e6
+        else: return now
         return self._clocks.setdefault(address(msg), SenderClock()).ours(theirs, now)
 
     def _take_position(self, msg):
@@ -354,8 +360,11 @@ class Geotagger(Vehicle):
 @patch
 def velocity(self:Geotagger)->tuple:
     "Return the latest velocity north, east and down in m/s; NaN if unknown"
-    _,last = self._positions.near(now := self.clock())
-    return last[1][1] if last and now-last[0]<=self._positions.reach else (NAN,)*3
+    now = self.clock()
+    _,last = self._positions.near(now)
+    if not last or now-last[0]>self._positions.reach: return (NAN,)*3
+    _,(_,velocity) = last
+    return velocity
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #2c634c16
 @patch
@@ -393,8 +402,8 @@ def _take_time(self:Geotagger, msg):
 @patch(as_prop=True)
 def missing(self:Geotagger)->list:
     "Ids of missing messages"
-    late = self.clock()-self._time_received>self.time_lasts
-    return self._reported.missing+[SYSTEM_TIME]*late
+    is_late = self.clock()-self._time_received>self.time_lasts
+    return [*self._reported.missing, SYSTEM_TIME] if is_late else self._reported.missing
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #39191a46
 @patch
@@ -442,16 +451,17 @@ def _serves(self:Geotagger)->bool:
 @patch(as_prop=True)
 def wishes(self:Geotagger)->dict:
     "Messages we need from the autopilot, `{message id: Hz}`"
-    if not self.asks: return {}
-    return self.rates if self._serves else {POSITION:self.rates[POSITION]} if self.measures else {}
+    if self.asks and self._serves: return self.rates
+    return {POSITION:self.rates[POSITION]} if self.asks and self.measures else {}
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #a107c164
 @patch
 def _counts(self:Geotagger, msg)->bool:
     "True if this message counts for our camera"
-    if msg.get_msgId()==GIMBAL_STATUS: return self._serves
-    needed = msg.get_msgId()==SYSTEM_TIME or self._serves or msg.get_msgId()==POSITION and self.measures
-    return self._trusts(address(msg)) and needed
+    msg_id = msg.get_msgId()
+    if msg_id==GIMBAL_STATUS: return self._serves
+    is_needed = self._serves or msg_id==SYSTEM_TIME or msg_id==POSITION and self.measures
+    return is_needed and self._trusts(address(msg))
 
 @patch
 def _pass_on(self:Geotagger, msg):
