@@ -39,8 +39,10 @@ class CameraRow(Row):
                  target:tuple): # `(system, component)`
         self.camera,self.received = gui.camera_client.camera(*target),CameraMessages()
         self.preview = Preview(self.camera, gui.wake)
-        self.due,self.tries,self._wake = {},{},asyncio.Event()  # by message id: time of the next request; failures
-        self.was_lost,self.thumbnails,self.streams = False,{},{}    # `{key: JPEG}`; `{id: Stream}` as received
+        self.due,self.tries = {},{}     # by message id: time of the next request; failures
+        self._wake = asyncio.Event()
+        self.was_lost = False
+        self.thumbnails,self.streams = {},{}    # `{key: JPEG}`; `{id: Stream}` as received
         parts = _CameraFiles,_CameraSettings,_CameraTracking,_RecordHere,_Aim,_CameraGround,_Follow,_Signal
         super().__init__(gui, '{}/{}'.format(*target), *parts)
         self.files,self.settings,self.tracking,self.recording,self.aim,self.ground,self.follow,_ = self.parts
@@ -63,44 +65,27 @@ class CameraRow(Row):
         for e in await asyncio.gather(*ends, return_exceptions=True):
             if isinstance(e, Exception): raise e
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #6e4f9029
+# %% ../../nbs/api/manager/07_camera_row.ipynb #d035ab0c
 @patch
-def _on_picture(self:CameraRow, msg):
-    "Store an announced picture, with its thumbnail"
-    if self.received.has_picture(msg): return
-    key = -1
-    if self.preview.live and msg.capture_result==1:
-        key = max(self.thumbnails, default=0)+1
-        self.thumbnails[key] = self.preview.newest.thumbnail()
-        self.thumbnails.pop(key-self.most, None)
-    self.received.add_picture(msg, key)
-    self.ground.add(msg)
+async def run(self:CameraRow):
+    "Listen and request, until cancelled"
+    loop = asyncio.get_running_loop()
+    def received(msg):
+        with suppress(RuntimeError):            # the loop has ended
+            if address(msg)==self.camera.address: loop.call_soon_threadsafe(self.take, msg)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #dae38c59
-@patch
-def thumbnail(self:CameraRow, key:int, # Key, as in `status`
-             )->bytes|None:
-    "Return a thumbnail as a JPEG; `None` if it is gone"
-    return self.thumbnails.get(key)
-
-# %% ../../nbs/api/manager/07_camera_row.ipynb #3a4b4eeb
-@patch
-def _on_information(self:CameraRow, msg):
-    "Check for another camera at this address, and forget the old one"
-    if not self.received.is_other(msg): return
-    self.received,self.streams,self.preview.streams,self.preview.chosen = CameraMessages(),{},None,None
-    self.preview.reopen()
-    self._ask_anew()
-
-# %% ../../nbs/api/manager/07_camera_row.ipynb #fa0bac66
-@patch
-def _on_stream(self:CameraRow, msg):
-    "Store a stream's information, and use it once all have arrived"
-    self.streams[msg.stream_id] = stream_of(msg)
-    if len(self.streams)==max(msg.count, 1): self.preview.streams = [self.streams[i] for i in sorted(self.streams)]
-    elif len(self.streams)>msg.count:
-        self.streams.clear()
-        self.soon(VIDEO_STREAM_INFORMATION)
+    with ExitStack() as stack:
+        for msg_id in self.receives: stack.enter_context(self.camera.client.expecting(msg_id, received))
+        showing = asyncio.ensure_future(self.gui._keep(self.preview.run))
+        try:
+            while True:
+                self._wake.clear()
+                await self._refresh()
+                for part in self.parts: await part.watch()
+                await set_within(self._wake, .5)
+        finally:
+            showing.cancel()
+            await asyncio.wait([showing])
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #46f530f7
 @patch
@@ -113,6 +98,16 @@ def take(self:CameraRow, msg):
     if first := self.receives[msg_id]: first(msg)
     self.received.add(msg)
     self.gui.changed()
+
+# %% ../../nbs/api/manager/07_camera_row.ipynb #c85792a4
+@patch(as_prop=True)
+def lost(self:CameraRow)->str:
+    "Reason why the camera is lost, or ''"
+    com,there = self.camera.client.mav_com,self.camera.address
+    why = 'the link is closed' if com._closed else com.lost(there)
+    if not why and there not in com.remotes: why = f'{self.id} was not heard'
+    if why: self.was_lost = True        # until everything was requested again
+    return why
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #fab38aa5
 @patch
@@ -134,6 +129,23 @@ async def _ask(self:CameraRow, question:int):
     await asyncio.sleep(0)                      # the answer may be coming from the link's thread
     if self.received.came.get(question, 0)>=began: self.tries.pop(question, None)
 
+# %% ../../nbs/api/manager/07_camera_row.ipynb #f7bd3577
+@patch
+def _open_questions(self:CameraRow)->list:
+    "Return the messages that are due for a request"
+    now = clock.monotonic()
+    found = [q for q in self.requests if self.due.get(q, 0)<=now]
+    return found[:1] if CAMERA_INFORMATION in found else found
+
+# %% ../../nbs/api/manager/07_camera_row.ipynb #5f751723
+@patch
+async def _refresh(self:CameraRow):
+    "Request what is due, unless the camera is lost"
+    if self.was_lost and not self.lost:
+        self.was_lost = False
+        self._ask_anew()
+    while not self.lost and (questions := self._open_questions()): await asyncio.gather(*map(self._ask, questions))
+
 # %% ../../nbs/api/manager/07_camera_row.ipynb #f1a67207
 @patch
 def soon(self:CameraRow,
@@ -153,54 +165,43 @@ def _ask_anew(self:CameraRow):
     self.soon()
     if not self.preview.live: self.preview.reopen()
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #c85792a4
-@patch(as_prop=True)
-def lost(self:CameraRow)->str:
-    "Reason why the camera is lost, or ''"
-    com,there = self.camera.client.mav_com,self.camera.address
-    why = 'the link is closed' if com._closed else com.lost(there)
-    if not why and there not in com.remotes: why = f'{self.id} was not heard'
-    if why: self.was_lost = True        # until everything was requested again
-    return why
-
-# %% ../../nbs/api/manager/07_camera_row.ipynb #f7bd3577
+# %% ../../nbs/api/manager/07_camera_row.ipynb #3a4b4eeb
 @patch
-def _open_questions(self:CameraRow)->list:
-    "Return the messages that are due for a request"
-    now = clock.monotonic()
-    found = [q for q in self.requests if self.due.get(q, 0)<=now]
-    return found[:1] if CAMERA_INFORMATION in found else found
+def _on_information(self:CameraRow, msg):
+    "Check for another camera at this address, and forget the old one"
+    if not self.received.is_other(msg): return
+    self.received,self.streams,self.preview.streams,self.preview.chosen = CameraMessages(),{},None,None
+    self.preview.reopen()
+    self._ask_anew()
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #5f751723
+# %% ../../nbs/api/manager/07_camera_row.ipynb #fa0bac66
 @patch
-async def _refresh(self:CameraRow):
-    "Request what is due, unless the camera is lost"
-    if self.was_lost and not self.lost:
-        self.was_lost = False
-        self._ask_anew()
-    while not self.lost and (questions := self._open_questions()): await asyncio.gather(*map(self._ask, questions))
+def _on_stream(self:CameraRow, msg):
+    "Store a stream's information, and use it once all have arrived"
+    self.streams[msg.stream_id] = stream_of(msg)
+    if len(self.streams)==max(msg.count, 1): self.preview.streams = [self.streams[i] for i in sorted(self.streams)]
+    elif len(self.streams)>msg.count:
+        self.streams.clear()
+        self.soon(VIDEO_STREAM_INFORMATION)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #d035ab0c
+# %% ../../nbs/api/manager/07_camera_row.ipynb #6e4f9029
 @patch
-async def run(self:CameraRow):
-    "Listen and request, until cancelled"
-    loop = asyncio.get_running_loop()
-    def heard(msg):
-        with suppress(RuntimeError):            # the loop has ended
-            if address(msg)==self.camera.address: loop.call_soon_threadsafe(self.take, msg)
+def _on_picture(self:CameraRow, msg):
+    "Store an announced picture, with its thumbnail"
+    if self.received.has_picture(msg): return
+    key = -1
+    if self.preview.live and msg.capture_result==1:
+        key = max(self.thumbnails, default=0)+1
+        self.thumbnails[key] = self.preview.newest.thumbnail()
+        self.thumbnails.pop(key-self.most, None)
+    self.received.add_picture(msg, key)
+    self.ground.add(msg)
 
-    with ExitStack() as stack:
-        for msg_id in self.receives: stack.enter_context(self.camera.client.expecting(msg_id, heard))
-        showing = asyncio.ensure_future(self.gui._keep(self.preview.run))
-        try:
-            while True:
-                self._wake.clear()
-                await self._refresh()
-                for part in self.parts: await part.watch()
-                await set_within(self._wake, .5)
-        finally:
-            showing.cancel()
-            await asyncio.wait([showing])
+@patch
+def thumbnail(self:CameraRow, key:int, # Key, as in `status`
+             )->bytes|None:
+    "Return a thumbnail as a JPEG; `None` if it is gone"
+    return self.thumbnails.get(key)
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #bbbbf8dd
 @patch
@@ -233,12 +234,6 @@ async def commanded(self:CameraRow,
     self.soon(*questions)
     return ack
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #ce82bd88
-def _in_or_out(what:str, value)->int:
-    "Return `value`; raise `ValueError` unless it is 1 (in) or -1 (out)"
-    if value in (1, -1): return value
-    raise ValueError(f'{what} must be 1 or -1, not {value!r:.80}')
-
 # %% ../../nbs/api/manager/07_camera_row.ipynb #7ecdeb1e
 @patch
 @action('interval')
@@ -248,14 +243,12 @@ async def interval(self:CameraRow, seconds:float, # Seconds between two pictures
     start,seconds = self.camera.client.image_start_capture,inside('seconds', seconds, .1, 3600)
     return await self.commanded(start(*self.camera.address, interval=seconds, count=0), CAMERA_CAPTURE_STATUS)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #2adebb49
 @patch
 @action('stop_capture')
 async def stop_capture(self:CameraRow)->Ack:
     "Stop taking pictures"
     return await self.commanded(self.camera.stop(), CAMERA_CAPTURE_STATUS, STORAGE_INFORMATION)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #5bc41b77
 @patch
 @action('record')
 async def record(self:CameraRow, on:bool, # Start, or stop
@@ -287,13 +280,18 @@ async def zoom(self:CameraRow, percent:float, # 0 is wide, 100 is tele
     "Zoom to a percentage of the range"
     return await self.zoomed(percent=inside('percent', percent, 0, 100))
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #4330edd2
 @patch
 @action('zoom_step')
 async def zoom_step(self:CameraRow, step:int=1, # 1 is in, -1 is out
                    )->Ack:
     "Zoom one step in or out"
     return await self.zoomed(steps=_in_or_out('step', step))
+
+# %% ../../nbs/api/manager/07_camera_row.ipynb #ce82bd88
+def _in_or_out(what:str, value)->int:
+    "Return `value`; raise `ValueError` unless it is 1 (in) or -1 (out)"
+    if value in (1, -1): return value
+    raise ValueError(f'{what} must be 1 or -1, not {value!r:.80}')
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #929975bf
 @patch
@@ -303,7 +301,6 @@ async def focus(self:CameraRow, percent:float, # 0 is nearest, 100 is farthest
     "Focus at a percentage of the range"
     return await self.commanded(self.camera.focus(percent=inside('percent', percent, 0, 100)), CAMERA_SETTINGS)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #45dd2398
 @patch
 @action('autofocus')
 async def autofocus(self:CameraRow)->Ack:
