@@ -31,9 +31,231 @@ from ..wire.dialect import enum_name, LinkError, MAVError
 from ..wire.signing import secret_key
 
 # %% auto #0
-__all__ = ['disk_errors', 'number', 'seconds', 'visit_groups', 'us', 'between', 'painted', 'run_with_options', 'Program',
-           'listed', 'links', 'address', 'target', 'key_in', 'Result', 'sentence', 'ending', 'complain', 'or_exit',
-           'place_for', 'visit_options', 'Visitor', 'on_links', 'Visit']
+__all__ = ['us', 'number', 'seconds', 'visit_groups', 'disk_errors', 'run_with_options', 'Program', 'Visit', 'Visitor',
+           'on_links', 'between', 'painted', 'listed', 'links', 'address', 'target', 'key_in', 'visit_options',
+           'Result', 'sentence', 'ending', 'complain', 'or_exit', 'place_for']
+
+# %% ../../nbs/api/cli/01_common.ipynb #14f04168
+def run_with_options(f, # Function whose parameters are the options
+                     name:str, # Name of the command
+                     words:list, # Command-line arguments
+                     groups:dict|None=None): # `{title: names of its options}`; the others form one group
+    "Call `f` with the options in `words`, and return its result; `--help` and mistakes end the process"
+    about,_,below = getdoc(f).partition('\n\n')
+    if 'exit codes:' not in below: below = f'{below}\n\n{_exit_codes}'
+    parser = _Parser(prog=name, usage=_usage(name, f), description=about, epilog=below)
+    _add_help(parser)
+    _add_words(parser, _words_of(f), groups)
+    return f(**vars(parser.parse_args(words)))
+
+# %% ../../nbs/api/cli/01_common.ipynb #75a5d121
+class Program:
+    "A command-line program with verbs that visit a device"
+    def __init__(self,
+        about:str, # Description
+        visit, # Subclass of `Visit`
+        client, # Subclass of `Visitor`
+        *options, # Functions whose parameters are options of all verbs
+        groups:dict|None=None, # `{title: names of its options}`
+    ):
+        store_attr('about,visit,client,groups')
+        self.options = _words_of(*options)
+        self.verbs = {}         # functions by name
+        self.there = None       # the current visit
+
+    def verb(self,
+        *examples, # Example arguments, for the help
+        check=None, # Check of the arguments before a link is opened; raises `ValueError`
+    ):
+        "Make a function a verb of the program"
+        def _f(f):
+            f.examples,f.check = examples,check
+            self.verbs[examples[0].split()[0]] = f
+            return f
+        return _f
+
+# %% ../../nbs/api/cli/01_common.ipynb #5fa7a017
+@patch
+def parse(self:Program, words:list, # Command-line arguments
+         )->SimpleNamespace:
+    "Return verb, arguments and options as attributes; `--help` and mistakes end the process"
+    parser = self._parser()
+    typed = parser.parse_args(words, SimpleNamespace())
+    if there := getattr(typed, 'target', None):
+        others = (typed.system or there[0], typed.component or there[1])
+        if others!=there: parser.error('--target is another device than --system and --component')
+        typed.system,typed.component = there
+    return typed
+
+# %% ../../nbs/api/cli/01_common.ipynb #a029e2bd
+@patch
+async def run(self:Program, typed, # Result of `parse`
+             )->int:
+    "Run a verb, and return the exit code"
+    def part(words): return {name:getattr(typed, name) for name in words}
+    options,f = SimpleNamespace(**part(self.options)),self.verbs[typed.verb]
+    arguments = part(_words_of(f))
+    there = self.there = self.visit(self.client(us[1], loglevel=LogLevels.ERROR), options, typed.verb)
+    try:
+        if f.check: f.check(**arguments)
+        signing = key_in(options.sign)
+        with on_links(links(options.connection), source_system=us[0], signing=signing) as com:
+            com.add_component(there.client)
+            await f(there, **arguments)
+    except BrokenPipeError: pass
+    except (MAVError, GimbalError, CameraError, ValueError, OSError) as e: return there.fail(e)
+    return 0
+
+# %% ../../nbs/api/cli/01_common.ipynb #e1eebbce
+@patch
+def main(self:Program, words:list, # Command-line arguments
+        )->int:
+    "Run the program, and return its exit code; raises `KeyboardInterrupt`"
+    doing = self.run(self.parse(words))
+    try: return asyncio.run(doing)
+    except KeyboardInterrupt:
+        if not (self.there and self.there.endless): raise
+    except OSError as e:        # no event loop could be created
+        code,text = ending(e)
+        complain(self.visit.program, text)
+        return code
+    finally: doing.close()
+    return 0
+
+# %% ../../nbs/api/cli/01_common.ipynb #9d7e8d2a
+def _examples(program:str, examples)->str:
+    return 'examples:\n'+'\n'.join(f'  {program} {example}' for example in examples)
+
+@patch
+def _parser(self:Program)->_Parser:
+    name,groups = self.visit.program,self.groups or {'options of all verbs':' '.join(self.options)}
+    below = f'{_examples(name, [f.examples[0] for f in self.verbs.values()])}\n\n{_exit_codes}'
+    how = dict(allow_abbrev=False)
+    parser = _Parser(prog=name, usage=f'{name} VERB … [options]', description=self.about, epilog=below, **how)
+    _add_help(parser)
+    verbs = parser.add_subparsers(dest='verb', metavar='VERB', required=True, title='verbs', prog=name)
+    _add_words(parser, self.options, groups)
+    shared = _Parser(add_help=False)
+    _add_words(shared, self.options, groups, default=SUPPRESS)
+    for verb,f in self.verbs.items():
+        one = verbs.add_parser(verb, usage=f'{name} {_usage(verb, f)}', help=f.__doc__, description=f.__doc__,
+                               epilog=_examples(name, f.examples), parents=[shared], **how)
+        _add_words(one, _words_of(f))
+    return parser
+
+# %% ../../nbs/api/cli/01_common.ipynb #c79f7cbb
+class Visit:
+    "Visit to a device, as chosen by the options; a base class for each kind of device"
+    program,kind,choices = 'uav-visit','device','--target'   # names in messages
+    listen = 1.5    # s in which each component sends a heartbeat
+    device = None   # the chosen one
+    seen = ()       # all devices received, even if not chosen
+    endless = False # only Ctrl-C or a closed output ends it
+    def __init__(self, client, # Our component on the links
+                 options, # Options of all verbs, as attributes
+                 verb:str='', # Name of the verb
+                 out=None): # Output stream; `None`: standard output
+        store_attr()
+
+    def show(self, result:Result):
+        "Print a result; raises `BrokenPipeError` if the output of an `endless` visit is closed"
+        result.show(self.options.json, self.out)
+        if self.endless and isinstance(error := output_error(self.out), BrokenPipeError): raise error
+
+    async def discover(self, count:int|None, seconds:float)->list:
+        "Return the devices received within `seconds`, or as soon as there are `count`"
+        raise NotImplementedError
+
+    def is_meant(self, device)->bool:
+        "True if the options match this device"
+        return self.options.system in (None,device.system) and self.options.component in (None,device.component)
+
+    def called(self, device)->str: "Return the name of a device"; return str(device)
+    def sought(self)->str: "Return the kind of device, for messages"; return self.kind
+
+# %% ../../nbs/api/cli/01_common.ipynb #78cf70aa
+@patch
+async def find(self:Visit)->list:
+    "Return the matching devices; none if none comes in time"
+    o,end = self.options,clock.monotonic()+self.options.timeout
+    count = 1 if o.system and o.component else None         # it is unique
+    while True:
+        found = await self.discover(count, max(min(self.listen, end-clock.monotonic()), .1))
+        self.seen = found
+        meant = [device for device in found if self.is_meant(device)]
+        if meant or clock.monotonic()>=end: return meant
+        count = None
+
+# %% ../../nbs/api/cli/01_common.ipynb #69076d1a
+@patch
+def only(self:Visit, meant:list): # Devices from `find`
+    "Return the only device; raises `NoAnswer` for none, and `ValueError` for several"
+    if len(meant)==1: return meant[0]
+    if meant:
+        names = '; '.join(map(self.called, meant))
+        raise ValueError(f'which {self.kind}? Choose with {self._differ(meant)}: {names}')
+    system,component = self.options.system,self.options.component
+    if component: text = f'no {self.sought()} answers at {system or "*"}/{component}'
+    else: text = f'no {self.sought()}{f" of system {system}" if system else ""} answers'
+    others = '; '.join(map(self.called, self.seen))
+    raise NoAnswer(f'{text}; there is {others}' if others else text)
+
+@patch
+def _differ(self:Visit, meant:list)->str:
+    "Return the options that tell these devices apart"
+    if len({device.system for device in meant})==1: return self.choices
+    return f'--system{"," if " or " in self.choices else " or"} {self.choices}'
+
+# %% ../../nbs/api/cli/01_common.ipynb #d46bea36
+@patch
+async def choose(self:Visit):
+    "Make the chosen device the client's target, and return it; raises as `find` and `only`"
+    device = self.device = self.only(await self.find())
+    self.client.set_target(device.system, device.component)
+    return device
+
+# %% ../../nbs/api/cli/01_common.ipynb #18a03515
+us = 254,mavlink.MAV_COMP_ID_MISSIONPLANNER
+
+class Visitor:
+    "Mixin for a client of short visits"
+    def on_mav_connection(self):
+        "Start the sequence number of our frames at the clock"
+        self.sender.mav.seq = int(clock.time()*16)%256
+
+# %% ../../nbs/api/cli/01_common.ipynb #c4a56e32
+@contextmanager
+def on_links(connections:list, # Connection strings
+             **how): # Arguments of `MAVCom`
+    "Return a `MAVCom` on these links, as a context manager"
+    first,*others = connections
+    with MAVCom(first, **how) as com:
+        for connection in others: com.add_link(connection)
+        yield com
+
+# %% ../../nbs/api/cli/01_common.ipynb #f9665402
+@patch
+def received(self:Visit)->dict:
+    "Return `{link: names of the components received there}`"
+    com = self.client.mav_com
+    return {c.name:[com.name_of(source) for source in sorted(c.sources)] for c in (com.channels if com else ())}
+
+# %% ../../nbs/api/cli/01_common.ipynb #069d83b6
+@patch
+def fail(self:Visit, error:Exception, # Exception of a verb
+         advice:str='', # Hint to add to a refusal
+         **fields # Fields to add to the JSON
+        )->int:
+    "Report an error, and return the exit code"
+    code,text = ending(error)
+    received = self.received()
+    if code==1: text += advice
+    lines = [text]
+    if code==3: lines += [f'  heard on {link}: {", ".join(names) or "nothing"}' for link,names in received.items()]
+    complain(self.program, '\n'.join(lines))
+    result = enum_name('MAV_RESULT', error.result, 'MAV_RESULT_') if isinstance(error, CommandError) else None
+    if self.options.json: self.show(Result(error=text, exit=code, result=result, **fields, heard=received))
+    return code
 
 # %% ../../nbs/api/cli/01_common.ipynb #d0e3f7e0
 def between(low:float, high:float, # Allowed range
@@ -86,21 +308,6 @@ def _add_words(parser, words:dict, # Parameters, as from `_words_of`
         if p.default is not Parameter.empty: _add_option(places.get(name, parser), name, p, **how)
         else: parser.add_argument(name, help=(p.docment or '').replace('%', '%%'), **_kind(p))
 
-# %% ../../nbs/api/cli/01_common.ipynb #95f2e1ec
-_styles = dict(title='1', option='36', good='32', warn='33', bad='1;31')    # of ECMA-48
-
-def painted(text:str, style:str, # 'title', 'option', 'good', 'warn' or 'bad'
-            stream=None, # Output stream; `None`: standard output
-           )->str:
-    "Return the text in colour if the stream is a terminal with colours"
-    refused = os.environ.get('NO_COLOR') or os.environ.get('TERM')=='dumb' or not text
-    return text if refused or not (stream or sys.stdout).isatty() else f'\x1b[{_styles[style]}m{text}\x1b[0m'
-
-# %% ../../nbs/api/cli/01_common.ipynb #b28c42bb
-def _formatter(prog):
-    width = min(shutil.get_terminal_size().columns, 110)-2
-    return RawDescriptionHelpFormatter(prog, max_help_position=28, width=width)
-
 # %% ../../nbs/api/cli/01_common.ipynb #c5877a21
 class _Parser(ArgumentParser):
     "A parser with colours in its help, and a hint in each error"
@@ -126,6 +333,35 @@ class _Parser(ArgumentParser):
         hint = f'did you mean {close[0]}?' if close else f'see {self.prog} --help'
         self.error(f'unrecognized arguments: {" ".join(rest)}; {hint}')
 
+# %% ../../nbs/api/cli/01_common.ipynb #b28c42bb
+def _formatter(prog):
+    width = min(shutil.get_terminal_size().columns, 110)-2
+    return RawDescriptionHelpFormatter(prog, max_help_position=28, width=width)
+
+# %% ../../nbs/api/cli/01_common.ipynb #95f2e1ec
+_styles = dict(title='1', option='36', good='32', warn='33', bad='1;31')    # of ECMA-48
+
+def painted(text:str, style:str, # 'title', 'option', 'good', 'warn' or 'bad'
+            stream=None, # Output stream; `None`: standard output
+           )->str:
+    "Return the text in colour if the stream is a terminal with colours"
+    refused = os.environ.get('NO_COLOR') or os.environ.get('TERM')=='dumb' or not text
+    return text if refused or not (stream or sys.stdout).isatty() else f'\x1b[{_styles[style]}m{text}\x1b[0m'
+
+# %% ../../nbs/api/cli/01_common.ipynb #120e31e1
+def _usage(name:str, function)->str:
+    "Return the usage of a program or verb"
+    needed = {word:p.anno for word,p in _words_of(function).items() if p.default is Parameter.empty}
+    shown = [f'[{word} …]' if get_origin(anno) is list else word for word,anno in needed.items()]
+    return ' '.join((name, *shown, '[options]'))
+
+# %% ../../nbs/api/cli/01_common.ipynb #c34cca88
+_exit_codes = """exit codes:
+  0  done
+  1  refused (with the MAV_RESULT), or failed
+  2  wrong command line
+  3  no answer, or a port is in use"""
+
 # %% ../../nbs/api/cli/01_common.ipynb #83155a0e
 class _Completion(Action):
     "An option that prints a shell's completion script and exits"
@@ -140,93 +376,6 @@ def _add_help(parser):
     parser.add_argument('--version', action='version', version=version, help='Show the version and exit')
     parser.add_argument('--completion', action=_Completion, choices=('bash','zsh','fish'), default=SUPPRESS,
                         help='Print the completion script of this shell')
-
-# %% ../../nbs/api/cli/01_common.ipynb #c34cca88
-_exit_codes = """exit codes:
-  0  done
-  1  refused (with the MAV_RESULT), or failed
-  2  wrong command line
-  3  no answer, or a port is in use"""
-
-# %% ../../nbs/api/cli/01_common.ipynb #120e31e1
-def _usage(name:str, function)->str:
-    "Return the usage of a program or verb"
-    needed = {word:p.anno for word,p in _words_of(function).items() if p.default is Parameter.empty}
-    shown = [f'[{word} …]' if get_origin(anno) is list else word for word,anno in needed.items()]
-    return ' '.join((name, *shown, '[options]'))
-
-# %% ../../nbs/api/cli/01_common.ipynb #14f04168
-def run_with_options(f, # Function whose parameters are the options
-                     name:str, # Name of the command
-                     words:list, # Command-line arguments
-                     groups:dict|None=None): # `{title: names of its options}`; the others form one group
-    "Call `f` with the options in `words`, and return its result; `--help` and mistakes end the process"
-    about,_,below = getdoc(f).partition('\n\n')
-    if 'exit codes:' not in below: below = f'{below}\n\n{_exit_codes}'
-    parser = _Parser(prog=name, usage=_usage(name, f), description=about, epilog=below)
-    _add_help(parser)
-    _add_words(parser, _words_of(f), groups)
-    return f(**vars(parser.parse_args(words)))
-
-# %% ../../nbs/api/cli/01_common.ipynb #75a5d121
-class Program:
-    "A command-line program with verbs that visit a device"
-    def __init__(self,
-        about:str, # Description
-        visit, # Subclass of `Visit`
-        client, # Subclass of `Visitor`
-        *options, # Functions whose parameters are options of all verbs
-        groups:dict|None=None, # `{title: names of its options}`
-    ):
-        store_attr('about,visit,client,groups')
-        self.options = _words_of(*options)
-        self.verbs = {}         # functions by name
-        self.there = None       # the current visit
-
-    def verb(self,
-        *examples, # Example arguments, for the help
-        check=None, # Check of the arguments before a link is opened; raises `ValueError`
-    ):
-        "Make a function a verb of the program"
-        def _f(f):
-            f.examples,f.check = examples,check
-            self.verbs[examples[0].split()[0]] = f
-            return f
-        return _f
-
-# %% ../../nbs/api/cli/01_common.ipynb #9d7e8d2a
-def _examples(program:str, examples)->str:
-    return 'examples:\n'+'\n'.join(f'  {program} {example}' for example in examples)
-
-@patch
-def _parser(self:Program)->_Parser:
-    name,groups = self.visit.program,self.groups or {'options of all verbs':' '.join(self.options)}
-    below = f'{_examples(name, [f.examples[0] for f in self.verbs.values()])}\n\n{_exit_codes}'
-    how = dict(allow_abbrev=False)
-    parser = _Parser(prog=name, usage=f'{name} VERB … [options]', description=self.about, epilog=below, **how)
-    _add_help(parser)
-    verbs = parser.add_subparsers(dest='verb', metavar='VERB', required=True, title='verbs', prog=name)
-    _add_words(parser, self.options, groups)
-    shared = _Parser(add_help=False)
-    _add_words(shared, self.options, groups, default=SUPPRESS)
-    for verb,f in self.verbs.items():
-        one = verbs.add_parser(verb, usage=f'{name} {_usage(verb, f)}', help=f.__doc__, description=f.__doc__,
-                               epilog=_examples(name, f.examples), parents=[shared], **how)
-        _add_words(one, _words_of(f))
-    return parser
-
-# %% ../../nbs/api/cli/01_common.ipynb #5fa7a017
-@patch
-def parse(self:Program, words:list, # Command-line arguments
-         )->SimpleNamespace:
-    "Return verb, arguments and options as attributes; `--help` and mistakes end the process"
-    parser = self._parser()
-    typed = parser.parse_args(words, SimpleNamespace())
-    if there := getattr(typed, 'target', None):
-        others = (typed.system or there[0], typed.component or there[1])
-        if others!=there: parser.error('--target is another device than --system and --component')
-        typed.system,typed.component = there
-    return typed
 
 # %% ../../nbs/api/cli/01_common.ipynb #8560e248
 def listed(option:str, # '--storage'
@@ -269,6 +418,22 @@ def key_in(file:str|None, # The value of `--sign`; `None`: it wasn't typed
     if not file.strip():            # `--sign "$KEY"` in a script
         raise ValueError('--sign names no file, so nothing would be signed')
     return secret_key(Path(file))
+
+# %% ../../nbs/api/cli/01_common.ipynb #5593208f
+number = between(1, 255, int)                   # of a system, component or gimbal
+seconds = between(.1, 3600)
+
+def visit_options(
+    connection:str='udpin:0.0.0.0:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
+    target:target=None, # SYSTEM/COMPONENT of the device, such as 1/100; needed if there are several
+    system:number=None, # System id of the device
+    component:number=None, # Component id of the device
+    timeout:seconds=5., # Seconds to look for the device; an answer may take up to 10 s
+    sign:str=None, # Sign the link with the key in this file
+    json:bool=False, # Print JSON, one object per line
+): "Options of all verbs"
+
+visit_groups = {'the link':'connection sign', 'which device':'target system component gimbal timeout', 'output':'json'}
 
 # %% ../../nbs/api/cli/01_common.ipynb #5ebda971
 class Result:
@@ -351,168 +516,3 @@ def place_for(what:str, # Purpose of the port, such as 'page'
         why = (e.strerror or str(e)).partition(' (')[0]     # without Python's addition in brackets
         hint = f'; {instead} takes a free one' if instead and _is_taken(e) else ''
         raise error(f'no {what} at {url_host(host)}:{port}: {why}{hint}') from e
-
-# %% ../../nbs/api/cli/01_common.ipynb #5593208f
-number = between(1, 255, int)                   # of a system, component or gimbal
-seconds = between(.1, 3600)
-
-def visit_options(
-    connection:str='udpin:0.0.0.0:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
-    target:target=None, # SYSTEM/COMPONENT of the device, such as 1/100; needed if there are several
-    system:number=None, # System id of the device
-    component:number=None, # Component id of the device
-    timeout:seconds=5., # Seconds to look for the device; an answer may take up to 10 s
-    sign:str=None, # Sign the link with the key in this file
-    json:bool=False, # Print JSON, one object per line
-): "Options of all verbs"
-
-visit_groups = {'the link':'connection sign', 'which device':'target system component gimbal timeout', 'output':'json'}
-
-# %% ../../nbs/api/cli/01_common.ipynb #18a03515
-us = 254,mavlink.MAV_COMP_ID_MISSIONPLANNER
-
-class Visitor:
-    "Mixin for a client of short visits"
-    def on_mav_connection(self):
-        "Start the sequence number of our frames at the clock"
-        self.sender.mav.seq = int(clock.time()*16)%256
-
-# %% ../../nbs/api/cli/01_common.ipynb #c4a56e32
-@contextmanager
-def on_links(connections:list, # Connection strings
-             **how): # Arguments of `MAVCom`
-    "Return a `MAVCom` on these links, as a context manager"
-    first,*others = connections
-    with MAVCom(first, **how) as com:
-        for connection in others: com.add_link(connection)
-        yield com
-
-# %% ../../nbs/api/cli/01_common.ipynb #c79f7cbb
-class Visit:
-    "Visit to a device, as chosen by the options; a base class for each kind of device"
-    program,kind,choices = 'uav-visit','device','--target'   # names in messages
-    listen = 1.5    # s in which each component sends a heartbeat
-    device = None   # the chosen one
-    seen = ()       # all devices received, even if not chosen
-    endless = False # only Ctrl-C or a closed output ends it
-    def __init__(self, client, # Our component on the links
-                 options, # Options of all verbs, as attributes
-                 verb:str='', # Name of the verb
-                 out=None): # Output stream; `None`: standard output
-        store_attr()
-
-    def show(self, result:Result):
-        "Print a result; raises `BrokenPipeError` if the output of an `endless` visit is closed"
-        result.show(self.options.json, self.out)
-        if self.endless and isinstance(error := output_error(self.out), BrokenPipeError): raise error
-
-    async def discover(self, count:int|None, seconds:float)->list:
-        "Return the devices received within `seconds`, or as soon as there are `count`"
-        raise NotImplementedError
-
-    def is_meant(self, device)->bool:
-        "True if the options match this device"
-        return self.options.system in (None,device.system) and self.options.component in (None,device.component)
-
-    def called(self, device)->str: "Return the name of a device"; return str(device)
-    def sought(self)->str: "Return the kind of device, for messages"; return self.kind
-
-# %% ../../nbs/api/cli/01_common.ipynb #78cf70aa
-@patch
-async def find(self:Visit)->list:
-    "Return the matching devices; none if none comes in time"
-    o,end = self.options,clock.monotonic()+self.options.timeout
-    count = 1 if o.system and o.component else None         # it is unique
-    while True:
-        found = await self.discover(count, max(min(self.listen, end-clock.monotonic()), .1))
-        self.seen = found
-        meant = [device for device in found if self.is_meant(device)]
-        if meant or clock.monotonic()>=end: return meant
-        count = None
-
-# %% ../../nbs/api/cli/01_common.ipynb #69076d1a
-@patch
-def only(self:Visit, meant:list): # Devices from `find`
-    "Return the only device; raises `NoAnswer` for none, and `ValueError` for several"
-    if len(meant)==1: return meant[0]
-    if meant:
-        names = '; '.join(map(self.called, meant))
-        raise ValueError(f'which {self.kind}? Choose with {self._differ(meant)}: {names}')
-    system,component = self.options.system,self.options.component
-    if component: text = f'no {self.sought()} answers at {system or "*"}/{component}'
-    else: text = f'no {self.sought()}{f" of system {system}" if system else ""} answers'
-    others = '; '.join(map(self.called, self.seen))
-    raise NoAnswer(f'{text}; there is {others}' if others else text)
-
-@patch
-def _differ(self:Visit, meant:list)->str:
-    "Return the options that tell these devices apart"
-    if len({device.system for device in meant})==1: return self.choices
-    return f'--system{"," if " or " in self.choices else " or"} {self.choices}'
-
-# %% ../../nbs/api/cli/01_common.ipynb #d46bea36
-@patch
-async def choose(self:Visit):
-    "Make the chosen device the client's target, and return it; raises as `find` and `only`"
-    device = self.device = self.only(await self.find())
-    self.client.set_target(device.system, device.component)
-    return device
-
-# %% ../../nbs/api/cli/01_common.ipynb #f9665402
-@patch
-def received(self:Visit)->dict:
-    "Return `{link: names of the components received there}`"
-    com = self.client.mav_com
-    return {c.name:[com.name_of(source) for source in sorted(c.sources)] for c in (com.channels if com else ())}
-
-# %% ../../nbs/api/cli/01_common.ipynb #069d83b6
-@patch
-def fail(self:Visit, error:Exception, # Exception of a verb
-         advice:str='', # Hint to add to a refusal
-         **fields # Fields to add to the JSON
-        )->int:
-    "Report an error, and return the exit code"
-    code,text = ending(error)
-    received = self.received()
-    if code==1: text += advice
-    lines = [text]
-    if code==3: lines += [f'  heard on {link}: {", ".join(names) or "nothing"}' for link,names in received.items()]
-    complain(self.program, '\n'.join(lines))
-    result = enum_name('MAV_RESULT', error.result, 'MAV_RESULT_') if isinstance(error, CommandError) else None
-    if self.options.json: self.show(Result(error=text, exit=code, result=result, **fields, heard=received))
-    return code
-
-# %% ../../nbs/api/cli/01_common.ipynb #a029e2bd
-@patch
-async def run(self:Program, typed, # Result of `parse`
-             )->int:
-    "Run a verb, and return the exit code"
-    def part(words): return {name:getattr(typed, name) for name in words}
-    options,f = SimpleNamespace(**part(self.options)),self.verbs[typed.verb]
-    arguments = part(_words_of(f))
-    there = self.there = self.visit(self.client(us[1], loglevel=LogLevels.ERROR), options, typed.verb)
-    try:
-        if f.check: f.check(**arguments)
-        signing = key_in(options.sign)
-        with on_links(links(options.connection), source_system=us[0], signing=signing) as com:
-            com.add_component(there.client)
-            await f(there, **arguments)
-    except BrokenPipeError: pass
-    except (MAVError, GimbalError, CameraError, ValueError, OSError) as e: return there.fail(e)
-    return 0
-
-# %% ../../nbs/api/cli/01_common.ipynb #e1eebbce
-@patch
-def main(self:Program, words:list, # Command-line arguments
-        )->int:
-    "Run the program, and return its exit code; raises `KeyboardInterrupt`"
-    doing = self.run(self.parse(words))
-    try: return asyncio.run(doing)
-    except KeyboardInterrupt:
-        if not (self.there and self.there.endless): raise
-    except OSError as e:        # no event loop could be created
-        code,text = ending(e)
-        complain(self.visit.program, text)
-        return code
-    finally: doing.close()
-    return 0
