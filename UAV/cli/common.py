@@ -387,15 +387,13 @@ def listed(option:str, # '--storage'
     if not all(found): raise ValueError(f'{option} {text!r} has an empty place')
     return found
 
-def links(connection:str, # Connection strings, separated by commas
-         )->list:
-    "Split connection strings; a number after a comma is a baud rate"
+def links(connection:str)->list:
+    "Split connection strings at their commas; a number after a comma is a baud rate"
     return listed('--connection', connection, r',(?!\s*\d+\s*(?:,|$))')
 
 # %% ../../nbs/api/cli/01_common.ipynb #559f4b2c
-def address(host:str, # Address or host name of this machine
-           )->str:
-    "Return `host`, without brackets; an `argparse` type"
+def address(host:str)->str:
+    "Return an address or host name, without brackets; an `argparse` type"
     label = r'(?!-)[a-zA-Z0-9-]{1,63}(?<!-)'
     if re.fullmatch(rf'({label}\.)*(?![0-9]+$){label}', host): return host
     try: return str(ip_address(host.strip('[]')))
@@ -403,17 +401,15 @@ def address(host:str, # Address or host name of this machine
     raise ArgumentTypeError(f'write an address or a name, such as 192.168.1.20, not {host!r}')
 
 # %% ../../nbs/api/cli/01_common.ipynb #5aa1fcbe
-def target(text:str, # Such as '1/100'
-          )->tuple:
-    "Convert text to the `(system, component)` of a device, as an `argparse` type"
+def target(text:str)->tuple:
+    "Convert text such as '1/100' to the `(system, component)` of a device, as an `argparse` type"
     numbers = re.fullmatch(r'(\d{1,3})/(\d{1,3})', text)
     if numbers and all(1<=int(n)<=255 for n in numbers.groups()): return int(numbers[1]),int(numbers[2])
     raise ArgumentTypeError(f'write SYSTEM/COMPONENT, such as 1/100, not {text!r}')
 
 # %% ../../nbs/api/cli/01_common.ipynb #2d8c4580
-def key_in(file:str|None, # The value of `--sign`; `None`: it wasn't typed
-          )->bytes|None:
-    "Return the key in a file, or `None` without one; raises `ValueError`, or `OSError` for the file"
+def key_in(file:str|None)->bytes|None:
+    "Return the key in the file of `--sign`, `None` if it wasn't typed; raises `ValueError`, `OSError` for the file"
     if file is None: return
     if not file.strip():            # `--sign "$KEY"` in a script
         raise ValueError('--sign names no file, so nothing would be signed')
@@ -457,8 +453,7 @@ def _is_taken(error:Exception)->bool:
     "True if a port in use is the cause"
     return errno.EADDRINUSE in [getattr(e, 'errno', None) for e in (error, error.__cause__, error.__context__)]
 
-def sentence(error:Exception, # Exception
-            )->str:
+def sentence(error:Exception)->str:
     "Return an error as one line"
     named,why = getattr(error, 'filename', None),getattr(error, 'strerror', None)
     return f'{named}: {why}' if named else ' '.join(str(why or error).split())
@@ -476,8 +471,7 @@ def _two_ports(text:str)->str:
 # %% ../../nbs/api/cli/01_common.ipynb #06272e80
 _results = [e.name.removeprefix('MAV_RESULT_') for e in mavlink.enums['MAV_RESULT'].values()]
 
-def ending(error:Exception, # Exception raised
-          )->tuple:
+def ending(error:Exception)->tuple:
     "Return `(exit code, sentence)` of an error"
     text = sentence(error)
     if isinstance(error, CommandError):

@@ -148,10 +148,8 @@ async def _refresh(self:CameraRow):
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #f1a67207
 @patch
-def soon(self:CameraRow,
-    *questions, # Message ids; all if there are none
-    now:bool=True, # False: within half a second
-):
+def soon(self:CameraRow, *questions, # Message ids; all if there are none
+         now:bool=True): # False: within half a second
     "Request these messages next; on the panel's loop"
     for question in questions or self.requests: self.due.pop(question, None)
     if now: self._wake.set()
@@ -198,9 +196,8 @@ def _on_picture(self:CameraRow, msg):
     self.ground.add(msg)
 
 @patch
-def thumbnail(self:CameraRow, key:int, # Key, as in `status`
-             )->bytes|None:
-    "Return a thumbnail as a JPEG; `None` if it is gone"
+def thumbnail(self:CameraRow, key:int)->bytes|None:
+    "Return the thumbnail with a key of `status` as a JPEG; `None` if it is gone"
     return self.thumbnails.get(key)
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #bbbbf8dd
@@ -225,11 +222,8 @@ async def snapshot(self:CameraRow)->str:
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #2cc5221f
 @patch
-async def commanded(self:CameraRow,
-    verb, # Coroutine of a `RemoteCamera` method
-    *questions:int, # Ids of messages to request afterwards
-)->Ack:
-    "Await the ack of a command, and request the camera's state"
+async def commanded(self:CameraRow, verb, *questions:int)->Ack:
+    "Await `verb`, a coroutine of the `RemoteCamera`, and request messages with these ids"
     ack = await verb
     self.soon(*questions)
     return ack
@@ -237,9 +231,8 @@ async def commanded(self:CameraRow,
 # %% ../../nbs/api/manager/07_camera_row.ipynb #7ecdeb1e
 @patch
 @action('interval')
-async def interval(self:CameraRow, seconds:float, # Seconds between two pictures, 0.1 to 3600
-                  )->Ack:
-    "Take pictures until stopped"
+async def interval(self:CameraRow, seconds:float)->Ack:
+    "Take pictures every 0.1 to 3600 `seconds` until stopped"
     start,seconds = self.camera.client.image_start_capture,inside('seconds', seconds, .1, 3600)
     return await self.commanded(start(*self.camera.address, interval=seconds, count=0), CAMERA_CAPTURE_STATUS)
 
@@ -251,8 +244,7 @@ async def stop_capture(self:CameraRow)->Ack:
 
 @patch
 @action('record')
-async def record(self:CameraRow, on:bool, # Start, or stop
-                )->Ack:
+async def record(self:CameraRow, on:bool)->Ack:
     "Start or stop recording on the camera's card"
     verb = self.camera.record if _on_or_off(on) else self.camera.stop_recording
     return await self.commanded(verb(), CAMERA_CAPTURE_STATUS, *([] if on else [STORAGE_INFORMATION]))
@@ -260,9 +252,8 @@ async def record(self:CameraRow, on:bool, # Start, or stop
 # %% ../../nbs/api/manager/07_camera_row.ipynb #34c4f2e4
 @patch
 @action('mode')
-async def mode(self:CameraRow, mode:str, # One of the camera's modes
-              )->Ack:
-    "Set the mode: image, video or survey"
+async def mode(self:CameraRow, mode:str)->Ack:
+    "Set one of the camera's modes: image, video or survey"
     there = self.received.status()['modes'] or ['image','video','image_survey']
     return await self.commanded(self.camera.mode(one_of('mode', mode, there)), CAMERA_SETTINGS)
 
@@ -275,16 +266,14 @@ async def zoomed(self:CameraRow, **how)->Ack:
 # %% ../../nbs/api/manager/07_camera_row.ipynb #13abb93b
 @patch
 @action('zoom')
-async def zoom(self:CameraRow, percent:float, # 0 is wide, 100 is tele
-              )->Ack:
-    "Zoom to a percentage of the range"
+async def zoom(self:CameraRow, percent:float)->Ack:
+    "Zoom to a percentage of the range: 0 is wide, 100 is tele"
     return await self.zoomed(percent=inside('percent', percent, 0, 100))
 
 @patch
 @action('zoom_step')
-async def zoom_step(self:CameraRow, step:int=1, # 1 is in, -1 is out
-                   )->Ack:
-    "Zoom one step in or out"
+async def zoom_step(self:CameraRow, step:int=1)->Ack:
+    "Zoom one step in (1) or out (-1)"
     return await self.zoomed(steps=_in_or_out('step', step))
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #ce82bd88
@@ -296,9 +285,8 @@ def _in_or_out(what:str, value)->int:
 # %% ../../nbs/api/manager/07_camera_row.ipynb #929975bf
 @patch
 @action('focus')
-async def focus(self:CameraRow, percent:float, # 0 is nearest, 100 is farthest
-               )->Ack:
-    "Focus at a percentage of the range"
+async def focus(self:CameraRow, percent:float)->Ack:
+    "Focus at a percentage of the range: 0 is nearest, 100 is farthest"
     return await self.commanded(self.camera.focus(percent=inside('percent', percent, 0, 100)), CAMERA_SETTINGS)
 
 @patch

@@ -93,9 +93,8 @@ def _modes_of(can:list)->list:
     return ['image','video',*survey] if 'HAS_MODES' in can else []
 
 # %% ../../nbs/api/manager/03_camera_status.ipynb #fc2a0c5f
-def about_camera(info, # A CAMERA_INFORMATION, or `None`
-                )->dict:
-    "Return the properties of a camera as `{name: text}`"
+def about_camera(info)->dict:
+    "Return the properties in a CAMERA_INFORMATION as `{name: text}`; none for `None`"
     if info is None: return {}
     version,lens = info.firmware_version,info.focal_length
     sensor = info.sensor_size_h,info.sensor_size_v
@@ -106,9 +105,8 @@ def about_camera(info, # A CAMERA_INFORMATION, or `None`
     return {what:text for what,text in there.items() if text}
 
 # %% ../../nbs/api/manager/03_camera_status.ipynb #6caa4126
-def settings_of(msg, # A CAMERA_SETTINGS, or `None`
-               )->dict:
-    "Return mode, zoom and focus; `None` where unknown"
+def settings_of(msg)->dict:
+    "Return mode, zoom and focus of a CAMERA_SETTINGS; `None` where unknown"
     if msg is None: return dict(mode=None, zoom=None, focus=None)
     now = status_of(msg)
     return dict(mode=now.mode, zoom=now.zoom, focus=now.focus)
@@ -133,9 +131,8 @@ def size_of(mib:float)->str:
 # %% ../../nbs/api/manager/03_camera_status.ipynb #00ffdb2e
 _card = dict(empty='no card', unformatted='the card is not formatted')
 
-def storage_of(msgs, # STORAGE_INFORMATION of each storage
-              )->dict|None:
-    "Return free and total MiB, and a text; `None` if unknown"
+def storage_of(msgs)->dict|None:
+    "Return free and total MiB, and a text, for the STORAGE_INFORMATION of each storage; `None` if unknown"
     first = min(map(_read_storage, msgs), key=lambda s: (s.status!='ready', s.storage_id), default=None)
     if first is None or first.status=='not_supported': return None
     if first.status in _card: return dict(free=0., total=0., text=_card[first.status])

@@ -53,10 +53,6 @@ class Gui(Panel):
             lost.removal = asyncio.ensure_future(self.remove_row(lost.id))      # an event loop keeps no task alive
         return self.add_row(kind(self, where))
 
-    def _may_manage(self)->set:
-        "Return the addresses of components that are not lost, and are no ground stations"
-        return {source for source,mav_type in _beating(self.gimbal_client) if mav_type!=mavlink.MAV_TYPE_GCS}
-
 # %% ../../nbs/api/manager/11_gui.ipynb #af8d85a7
 @patch
 async def find_cameras(self:Gui, count:int|None=None, # Return as soon as this many are found
@@ -191,7 +187,8 @@ async def _ask_managers(self:Gui, asked:dict):
 @patch
 def _due(self:Gui, asked:dict)->list:
     "Return the addresses to ask now, and drop lost ones from `asked`, `{address: (times, next time)}`"
-    there,now = self._may_manage(),clock.monotonic()
+    there = {source for source,mav_type in _beating(self.gimbal_client) if mav_type!=mavlink.MAV_TYPE_GCS}
+    now = clock.monotonic()
     answered = {g.manager for g in self.gimbal_client.reported(kinds=[GIMBAL_MANAGER_INFORMATION])}
     for gone in set(asked)-there: del asked[gone]
     def is_due(a): return a not in asked or a not in answered and asked[a][1]<=now

@@ -285,11 +285,9 @@ class Row:
     kind = ''               # 'camera' or 'gimbal'
     lost = ''               # the reason why its device is lost
     preview = None          # its live picture, a `Preview`
-    def __init__(self,
-        gui, # The `Panel`
-        id:str, # Such as '1/100'
-        *parts, # Classes of its parts, each called with the row
-    ):
+    def __init__(self, gui, # The `Panel`
+                 id:str, # Such as '1/100'
+                 *parts): # Classes of its parts, each called with the row
         self.gui,self.id,self.task = gui,id,None
         self.parts = [part(self) for part in parts]
         self.actions = _actions(self, *self.parts)
@@ -319,9 +317,7 @@ class Row:
 class RowPart:
     "State and buttons of one part of a row; a base class"
     receives,requests = (),{}     # ids of its messages; `{message id: s until the next request}`
-    def __init__(self,
-        row:Row, # Its row
-    ): self.row = row
+    def __init__(self, row:Row): self.row = row
 
     def status(self)->dict: "Return its state as plain values"; return {}
     def features(self)->list: "Return its GeoJSON features, for a map"; return []

@@ -120,9 +120,8 @@ class Door:
         if not hmac.compare_digest((given or '').encode('utf-8', 'replace'), self.token.encode()):
             raise Refused(403, 'this link has no token, or an old one')
 
-    def is_known(self, name:str, # Host name or address
-             )->bool:
-        "True if it is one of our names"
+    def is_known(self, name:str)->bool:
+        "True if a host name or address is one of ours"
         return is_loopback(name) or name in self.names or (self.everywhere and _is_address(name))
 
     def check_host(self, hosts:list): # All `Host` headers of a request
@@ -310,7 +309,9 @@ class Site:
         visit.admitted = True
         visit.trusted = visit.trusted or not public
         if public and folder=='download': return await self.download(request, visit, ticket)
-        if public: return self._static(request, name)
+        if public and not name: return self.reply(request, _page_html(self.gui.title), 'text/html')
+        kind = 'text/css' if name.endswith('.css') else 'text/javascript'
+        if public: return self.reply(request, self.files[name], kind)
         do = getattr(self, f'{request.method.lower()}_{name}'.replace('.', '_'), None)
         if not do: raise Refused(404, 'there is nothing of this name')
         return await do(request)
@@ -322,10 +323,6 @@ class Site:
         host = request.headers.get('Host', '')
         rules = _rules_for(host if self.door.is_known(_name_of(host)) else 'localhost')
         return web.Response(status=status, content_type=kind, headers=rules|headers, **what)
-
-    def _static(self, request, name:str):
-        if not name: return self.reply(request, _page_html(self.gui.title), 'text/html')
-        return self.reply(request, self.files[name], 'text/css' if name.endswith('.css') else 'text/javascript')
 
 # %% ../../nbs/api/manager/09_server.ipynb #9e0c508c
 @patch
