@@ -65,49 +65,42 @@ class CameraRow(Row):
         for e in await asyncio.gather(*ends, return_exceptions=True):
             if isinstance(e, Exception): raise e
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #d035ab0c
+# %% ../../nbs/api/manager/07_camera_row.ipynb #3a4b4eeb
 @patch
-async def run(self:CameraRow):
-    "Listen and request, until cancelled"
-    loop = asyncio.get_running_loop()
-    def received(msg):
-        with suppress(RuntimeError):            # the loop has ended
-            if address(msg)==self.camera.address: loop.call_soon_threadsafe(self.take, msg)
+def _on_information(self:CameraRow, msg):
+    "Check for another camera at this address, and forget the old one"
+    if not self.received.is_other(msg): return
+    self.received,self.streams,self.preview.streams,self.preview.chosen = CameraMessages(),{},None,None
+    self.preview.reopen()
+    self._ask_anew()
 
-    with ExitStack() as stack:
-        for msg_id in self.receives: stack.enter_context(self.camera.client.expecting(msg_id, received))
-        showing = asyncio.ensure_future(self.gui._keep(self.preview.run))
-        try:
-            while True:
-                self._wake.clear()
-                await self._refresh()
-                for part in self.parts: await part.watch()
-                await set_within(self._wake, .5)
-        finally:
-            showing.cancel()
-            await asyncio.wait([showing])
-
-# %% ../../nbs/api/manager/07_camera_row.ipynb #46f530f7
+# %% ../../nbs/api/manager/07_camera_row.ipynb #fa0bac66
 @patch
-def take(self:CameraRow, msg):
-    "Store a message of the camera, on the panel's loop"
-    msg_id = msg.get_msgId()
-    if self.received.restarts(msg): self._ask_anew()
-    self.tries.pop(msg_id, None)
-    self._put_off(msg_id)
-    if first := self.receives[msg_id]: first(msg)
-    self.received.add(msg)
-    self.gui.changed()
+def _on_stream(self:CameraRow, msg):
+    "Store a stream's information, and use it once all have arrived"
+    self.streams[msg.stream_id] = stream_of(msg)
+    if len(self.streams)==max(msg.count, 1): self.preview.streams = [self.streams[i] for i in sorted(self.streams)]
+    elif len(self.streams)>msg.count:
+        self.streams.clear()
+        self.soon(VIDEO_STREAM_INFORMATION)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #c85792a4
-@patch(as_prop=True)
-def lost(self:CameraRow)->str:
-    "Reason why the camera is lost, or ''"
-    com,there = self.camera.client.mav_com,self.camera.address
-    why = 'the link is closed' if com._closed else com.lost(there)
-    if not why and there not in com.remotes: why = f'{self.id} was not heard'
-    if why: self.was_lost = True        # until everything was requested again
-    return why
+# %% ../../nbs/api/manager/07_camera_row.ipynb #6e4f9029
+@patch
+def _on_picture(self:CameraRow, msg):
+    "Store an announced picture, with its thumbnail"
+    if self.received.has_picture(msg): return
+    key = -1
+    if self.preview.live and msg.capture_result==1:
+        key = max(self.thumbnails, default=0)+1
+        self.thumbnails[key] = self.preview.newest.thumbnail()
+        self.thumbnails.pop(key-self.most, None)
+    self.received.add_picture(msg, key)
+    self.ground.add(msg)
+
+@patch
+def thumbnail(self:CameraRow, key:int)->bytes|None:
+    "Return the thumbnail with a key of `status` as a JPEG; `None` if it is gone"
+    return self.thumbnails.get(key)
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #fab38aa5
 @patch
@@ -163,42 +156,49 @@ def _ask_anew(self:CameraRow):
     self.soon()
     if not self.preview.live: self.preview.reopen()
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #3a4b4eeb
+# %% ../../nbs/api/manager/07_camera_row.ipynb #d035ab0c
 @patch
-def _on_information(self:CameraRow, msg):
-    "Check for another camera at this address, and forget the old one"
-    if not self.received.is_other(msg): return
-    self.received,self.streams,self.preview.streams,self.preview.chosen = CameraMessages(),{},None,None
-    self.preview.reopen()
-    self._ask_anew()
+async def run(self:CameraRow):
+    "Listen and request, until cancelled"
+    loop = asyncio.get_running_loop()
+    def received(msg):
+        with suppress(RuntimeError):            # the loop has ended
+            if address(msg)==self.camera.address: loop.call_soon_threadsafe(self.take, msg)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #fa0bac66
-@patch
-def _on_stream(self:CameraRow, msg):
-    "Store a stream's information, and use it once all have arrived"
-    self.streams[msg.stream_id] = stream_of(msg)
-    if len(self.streams)==max(msg.count, 1): self.preview.streams = [self.streams[i] for i in sorted(self.streams)]
-    elif len(self.streams)>msg.count:
-        self.streams.clear()
-        self.soon(VIDEO_STREAM_INFORMATION)
+    with ExitStack() as stack:
+        for msg_id in self.receives: stack.enter_context(self.camera.client.expecting(msg_id, received))
+        showing = asyncio.ensure_future(self.gui._keep(self.preview.run))
+        try:
+            while True:
+                self._wake.clear()
+                await self._refresh()
+                for part in self.parts: await part.watch()
+                await set_within(self._wake, .5)
+        finally:
+            showing.cancel()
+            await asyncio.wait([showing])
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #6e4f9029
+# %% ../../nbs/api/manager/07_camera_row.ipynb #46f530f7
 @patch
-def _on_picture(self:CameraRow, msg):
-    "Store an announced picture, with its thumbnail"
-    if self.received.has_picture(msg): return
-    key = -1
-    if self.preview.live and msg.capture_result==1:
-        key = max(self.thumbnails, default=0)+1
-        self.thumbnails[key] = self.preview.newest.thumbnail()
-        self.thumbnails.pop(key-self.most, None)
-    self.received.add_picture(msg, key)
-    self.ground.add(msg)
+def take(self:CameraRow, msg):
+    "Store a message of the camera, on the panel's loop"
+    msg_id = msg.get_msgId()
+    if self.received.restarts(msg): self._ask_anew()
+    self.tries.pop(msg_id, None)
+    self._put_off(msg_id)
+    if first := self.receives[msg_id]: first(msg)
+    self.received.add(msg)
+    self.gui.changed()
 
-@patch
-def thumbnail(self:CameraRow, key:int)->bytes|None:
-    "Return the thumbnail with a key of `status` as a JPEG; `None` if it is gone"
-    return self.thumbnails.get(key)
+# %% ../../nbs/api/manager/07_camera_row.ipynb #c85792a4
+@patch(as_prop=True)
+def lost(self:CameraRow)->str:
+    "Reason why the camera is lost, or ''"
+    com,there = self.camera.client.mav_com,self.camera.address
+    why = 'the link is closed' if com._closed else com.lost(there)
+    if not why and there not in com.remotes: why = f'{self.id} was not heard'
+    if why: self.was_lost = True        # until everything was requested again
+    return why
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #bbbbf8dd
 @patch

@@ -88,7 +88,7 @@ async def run(self:Fleet):
         with suppress(RuntimeError): loop.call_soon_threadsafe(self.take, msg)      # raised when the loop has ended
     with ExitStack() as stack:
         for client in self.clients:
-            for msg_id in (POSITION, BATTERY_STATUS, SYS_STATUS): stack.enter_context(client.expecting(msg_id, received))
+            for id in (POSITION, BATTERY_STATUS, SYS_STATUS): stack.enter_context(client.expecting(id, received))
         while True:
             await asyncio.gather(*(self._ask(c, a) for c in self.clients for a in self._silent(c)))
             await asyncio.sleep(1)
