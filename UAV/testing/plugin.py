@@ -16,8 +16,9 @@ _world = pytest.StashKey()
 
 def _load():
     "Import all modules of the fixtures: handlers that come later would have tables built anew, in another order"
-    import UAV.blocking, UAV.gimbals.sim, UAV.gimbals.vehicle, UAV.mavlink.sim_autopilot, UAV.testing.kit, UAV.wire.lossy
-    from UAV.mavlink import camera_client, camera_server, capture, gimbal_client, gimbal_server
+    import UAV.blocking, UAV.testing.kit, UAV.wire.lossy
+    from UAV.gimbals import sim, vehicle
+    from UAV.mavlink import camera_client, camera_server, capture, gimbal_client, gimbal_server, sim_autopilot
 
 @pytest.fixture
 def uav_clock(request, tmp_path_factory):
