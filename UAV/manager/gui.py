@@ -188,10 +188,9 @@ async def _ask_managers(self:Gui, asked:dict):
 def _due(self:Gui, asked:dict)->list:
     "Return the addresses to ask now, and drop lost ones from `asked`, `{address: (times, next time)}`"
     there = {source for source,mav_type in _beating(self.gimbal_client) if mav_type!=mavlink.MAV_TYPE_GCS}
-    now = clock.monotonic()
     answered = {g.manager for g in self.gimbal_client.reported(kinds=[GIMBAL_MANAGER_INFORMATION])}
     for gone in set(asked)-there: del asked[gone]
-    def is_due(a): return a not in asked or a not in answered and asked[a][1]<=now
+    def is_due(a): return a not in asked or a not in answered and asked[a][1]<=clock.monotonic()
     return sorted(filter(is_due, there))[:16]
 
 # %% ../../nbs/api/manager/11_gui.ipynb #8c8c65b5
