@@ -31,129 +31,9 @@ from ..wire.dialect import enum_name, LinkError, MAVError
 from ..wire.signing import secret_key
 
 # %% auto #0
-__all__ = ['disk_errors', 'number', 'seconds', 'visit_groups', 'us', 'between', 'painted', 'run_with_options', 'Program',
-           'listed', 'links', 'address', 'target', 'key_in', 'Result', 'sentence', 'ending', 'complain', 'or_exit',
-           'place_for', 'visit_options', 'Visitor', 'on_links', 'Visit']
-
-# %% ../../nbs/api/cli/01_common.ipynb #d0e3f7e0
-def between(low:float, high:float, # Allowed range
-            kind=float, # `float` or `int`
-            nan:bool=False): # Allow nan
-    "Return an `argparse` type for numbers from `low` to `high`"
-    also = ', or nan' if nan else ''
-    def number(text:str):
-        try: value = kind(text)
-        except ValueError: value = math.inf
-        if low<=value<=high or nan and math.isnan(value): return value
-        raise ArgumentTypeError(f'{text!r} is no number from {low:g} to {high:g}{also}')
-    return number
-
-# %% ../../nbs/api/cli/01_common.ipynb #9af1fc78
-@cache
-def _words_of(*functions)->dict:
-    "Return `{name: its annotation, default and comment}` of the parameters; a later one replaces an equal name"
-    found = {}
-    for f in functions: found |= docments(f, full=True, returns=False, eval_str=True)
-    return {name:p for name,p in found.items() if p.anno not in (None, Parameter.empty)}
-
-# %% ../../nbs/api/cli/01_common.ipynb #52e62d92
-def _kind(p)->dict:
-    "Return how `add_argument` reads the value of a parameter"
-    if p.anno is bool: return dict(action='store_true')
-    if get_origin(p.anno) is list: return dict(type=get_args(p.anno)[0], nargs='*')
-    if get_args(p.anno): return dict(choices=get_args(p.anno))
-    return dict(type=p.anno)
-
-# %% ../../nbs/api/cli/01_common.ipynb #0d97e981
-def _add_option(parser, name:str, p, **how):
-    "Add an option; `UAV_CONNECTION` is the default of `--connection`"
-    kind,default,about = _kind(p),p.default,p.docment or ''
-    shown = f'{default:g}' if isinstance(default, float) else default
-    if kind.get('action') is None and default not in (None, ''): about += f' (default: {shown})'
-    if 'type' in kind: kind['metavar'] = name.rpartition('_')[2].upper()
-    if default and name=='connection': default = os.environ.get('UAV_CONNECTION') or default
-    how = dict(default=default, help=about.replace('%', '%%'))|kind|how
-    option = parser.add_argument(f'--{name.replace("_", "-")}', **how)
-    if p.anno is str: option.complete = 'file'      # for shtab
-
-def _add_words(parser, words:dict, # Parameters, as from `_words_of`
-               groups:dict|None=None, # `{title: names of its options}`; the others form one group
-               **how): # Further arguments of `add_argument` for each option
-    "Add arguments and options to a parser"
-    places = {}
-    for title,names in (groups or {}).items(): places |= dict.fromkeys(names.split(), parser.add_argument_group(title))
-    for name,p in words.items():
-        if p.default is not Parameter.empty: _add_option(places.get(name, parser), name, p, **how)
-        else: parser.add_argument(name, help=(p.docment or '').replace('%', '%%'), **_kind(p))
-
-# %% ../../nbs/api/cli/01_common.ipynb #95f2e1ec
-_styles = dict(title='1', option='36', good='32', warn='33', bad='1;31')    # of ECMA-48
-
-def painted(text:str, style:str, # 'title', 'option', 'good', 'warn' or 'bad'
-            stream=None, # Output stream; `None`: standard output
-           )->str:
-    "Return the text in colour if the stream is a terminal with colours"
-    refused = os.environ.get('NO_COLOR') or os.environ.get('TERM')=='dumb' or not text
-    return text if refused or not (stream or sys.stdout).isatty() else f'\x1b[{_styles[style]}m{text}\x1b[0m'
-
-# %% ../../nbs/api/cli/01_common.ipynb #b28c42bb
-def _formatter(prog):
-    width = min(shutil.get_terminal_size().columns, 110)-2
-    return RawDescriptionHelpFormatter(prog, max_help_position=28, width=width)
-
-# %% ../../nbs/api/cli/01_common.ipynb #c5877a21
-class _Parser(ArgumentParser):
-    "A parser with colours in its help, and a hint in each error"
-    def __init__(self, **how):
-        super().__init__(formatter_class=_formatter, **how)
-        self.color = False      # Python 3.14 has colours of its own
-        self._negative_number_matcher = re.compile(r'-\.?\d')
-
-    def print_help(self, file=None):
-        def paint(style): return lambda m: painted(m[0], style, file)
-        text = re.sub(r'(?m)^(usage(?=: )|[a-z][a-z ]*(?=:$))', paint('title'), self.format_help())
-        print(re.sub(r'(?m)(?<=^  )-\S+(, --\w+)?', paint('option'), text), end='', file=file or sys.stdout)
-
-    def error(self, message):
-        self.print_usage(sys.stderr)
-        self.exit(2, f'{self.prog}: {painted("error", "bad", sys.stderr)}: {message}\n')
-
-    def parse_known_args(self, args=None, namespace=None):
-        "Parse as `ArgumentParser`, but raise for words that are left over, also of a verb"
-        typed,rest = super().parse_known_args(args, namespace)
-        if not rest: return typed,rest
-        close = get_close_matches(rest[0].partition('=')[0], self._option_string_actions, 1)
-        hint = f'did you mean {close[0]}?' if close else f'see {self.prog} --help'
-        self.error(f'unrecognized arguments: {" ".join(rest)}; {hint}')
-
-# %% ../../nbs/api/cli/01_common.ipynb #83155a0e
-class _Completion(Action):
-    "An option that prints a shell's completion script and exits"
-    def __call__(self, parser, namespace, shell, option=None):
-        from shtab import complete
-        print(complete(parser, shell))
-        parser.exit()
-
-def _add_help(parser):
-    "Add `--version` and `--completion`"
-    version = f'{parser.prog} {__version__}'
-    parser.add_argument('--version', action='version', version=version, help='Show the version and exit')
-    parser.add_argument('--completion', action=_Completion, choices=('bash','zsh','fish'), default=SUPPRESS,
-                        help='Print the completion script of this shell')
-
-# %% ../../nbs/api/cli/01_common.ipynb #c34cca88
-_exit_codes = """exit codes:
-  0  done
-  1  refused (with the MAV_RESULT), or failed
-  2  wrong command line
-  3  no answer, or a port is in use"""
-
-# %% ../../nbs/api/cli/01_common.ipynb #120e31e1
-def _usage(name:str, function)->str:
-    "Return the usage of a program or verb"
-    needed = {word:p.anno for word,p in _words_of(function).items() if p.default is Parameter.empty}
-    shown = [f'[{word} …]' if get_origin(anno) is list else word for word,anno in needed.items()]
-    return ' '.join((name, *shown, '[options]'))
+__all__ = ['us', 'number', 'seconds', 'visit_groups', 'disk_errors', 'run_with_options', 'Program', 'Visit', 'Visitor',
+           'on_links', 'between', 'painted', 'listed', 'links', 'address', 'target', 'key_in', 'visit_options',
+           'Result', 'sentence', 'ending', 'complain', 'or_exit', 'place_for']
 
 # %% ../../nbs/api/cli/01_common.ipynb #14f04168
 def run_with_options(f, # Function whose parameters are the options
@@ -194,6 +74,54 @@ class Program:
             return f
         return _f
 
+# %% ../../nbs/api/cli/01_common.ipynb #5fa7a017
+@patch
+def parse(self:Program, words:list, # Command-line arguments
+         )->SimpleNamespace:
+    "Return verb, arguments and options as attributes; `--help` and mistakes end the process"
+    parser = self._parser()
+    typed = parser.parse_args(words, SimpleNamespace())
+    if there := getattr(typed, 'target', None):
+        others = (typed.system or there[0], typed.component or there[1])
+        if others!=there: parser.error('--target is another device than --system and --component')
+        typed.system,typed.component = there
+    return typed
+
+# %% ../../nbs/api/cli/01_common.ipynb #a029e2bd
+@patch
+async def run(self:Program, typed, # Result of `parse`
+             )->int:
+    "Run a verb, and return the exit code"
+    def part(words): return {name:getattr(typed, name) for name in words}
+    options,f = SimpleNamespace(**part(self.options)),self.verbs[typed.verb]
+    arguments = part(_words_of(f))
+    there = self.there = self.visit(self.client(us[1], loglevel=LogLevels.ERROR), options, typed.verb)
+    try:
+        if f.check: f.check(**arguments)
+        signing = key_in(options.sign)
+        with on_links(links(options.connection), source_system=us[0], signing=signing) as com:
+            com.add_component(there.client)
+            await f(there, **arguments)
+    except BrokenPipeError: pass
+    except (MAVError, GimbalError, CameraError, ValueError, OSError) as e: return there.fail(e)
+    return 0
+
+# %% ../../nbs/api/cli/01_common.ipynb #e1eebbce
+@patch
+def main(self:Program, words:list, # Command-line arguments
+        )->int:
+    "Run the program, and return its exit code; raises `KeyboardInterrupt`"
+    doing = self.run(self.parse(words))
+    try: return asyncio.run(doing)
+    except KeyboardInterrupt:
+        if not (self.there and self.there.endless): raise
+    except OSError as e:        # no event loop could be created
+        code,text = ending(e)
+        complain(self.visit.program, text)
+        return code
+    finally: doing.close()
+    return 0
+
 # %% ../../nbs/api/cli/01_common.ipynb #9d7e8d2a
 def _examples(program:str, examples)->str:
     return 'examples:\n'+'\n'.join(f'  {program} {example}' for example in examples)
@@ -214,178 +142,6 @@ def _parser(self:Program)->_Parser:
                                epilog=_examples(name, f.examples), parents=[shared], **how)
         _add_words(one, _words_of(f))
     return parser
-
-# %% ../../nbs/api/cli/01_common.ipynb #5fa7a017
-@patch
-def parse(self:Program, words:list, # Command-line arguments
-         )->SimpleNamespace:
-    "Return verb, arguments and options as attributes; `--help` and mistakes end the process"
-    parser = self._parser()
-    typed = parser.parse_args(words, SimpleNamespace())
-    if there := getattr(typed, 'target', None):
-        others = (typed.system or there[0], typed.component or there[1])
-        if others!=there: parser.error('--target is another device than --system and --component')
-        typed.system,typed.component = there
-    return typed
-
-# %% ../../nbs/api/cli/01_common.ipynb #8560e248
-def listed(option:str, # '--storage'
-           text:str, # Its value, separated by commas
-           comma:str=',', # A regular expression
-          )->list:
-    "Split a value at its commas; raises `ValueError`"
-    found = [part.strip() for part in re.split(comma, text)]
-    if not all(found): raise ValueError(f'{option} {text!r} has an empty place')
-    return found
-
-def links(connection:str, # Connection strings, separated by commas
-         )->list:
-    "Split connection strings; a number after a comma is a baud rate"
-    return listed('--connection', connection, r',(?!\s*\d+\s*(?:,|$))')
-
-# %% ../../nbs/api/cli/01_common.ipynb #559f4b2c
-def address(host:str, # Address or host name of this machine
-           )->str:
-    "Return `host`, without brackets; an `argparse` type"
-    label = r'(?!-)[a-zA-Z0-9-]{1,63}(?<!-)'
-    if re.fullmatch(rf'({label}\.)*(?![0-9]+$){label}', host): return host
-    try: return str(ip_address(host.strip('[]')))
-    except ValueError: pass
-    raise ArgumentTypeError(f'write an address or a name, such as 192.168.1.20, not {host!r}')
-
-# %% ../../nbs/api/cli/01_common.ipynb #5aa1fcbe
-def target(text:str, # Such as '1/100'
-          )->tuple:
-    "Convert text to the `(system, component)` of a device, as an `argparse` type"
-    numbers = re.fullmatch(r'(\d{1,3})/(\d{1,3})', text)
-    if numbers and all(1<=int(n)<=255 for n in numbers.groups()): return int(numbers[1]),int(numbers[2])
-    raise ArgumentTypeError(f'write SYSTEM/COMPONENT, such as 1/100, not {text!r}')
-
-# %% ../../nbs/api/cli/01_common.ipynb #2d8c4580
-def key_in(file:str|None, # The value of `--sign`; `None`: it wasn't typed
-          )->bytes|None:
-    "Return the key in a file, or `None` without one; raises `ValueError`, or `OSError` for the file"
-    if file is None: return
-    if not file.strip():            # `--sign "$KEY"` in a script
-        raise ValueError('--sign names no file, so nothing would be signed')
-    return secret_key(Path(file))
-
-# %% ../../nbs/api/cli/01_common.ipynb #5ebda971
-class Result:
-    "Result of a verb: a sentence for people, and fields for programs"
-    def __init__(self, text:str='', /, **fields): self.text,self.fields = text,fields
-    def __str__(self): return self.text
-
-    def show(self, as_json:bool=False, # Print as a JSON object
-             out=None): # Output stream; `None`: standard output
-        "Print the result in one line"
-        encoding = getattr(out or sys.stdout, 'encoding', None) or 'utf-8'
-        how = dict(ensure_ascii='utf' not in encoding.lower(), default=lambda raw: raw.decode('latin-1'))
-        line = json.dumps(plain(self.fields), **how) if as_json else self.text
-        print(line.encode(encoding, 'replace').decode(encoding), file=out, flush=True)      # '→' in a Windows pipe
-
-# %% ../../nbs/api/cli/01_common.ipynb #c8acc551
-disk_errors = errno.ENOSPC,errno.EDQUOT,errno.EIO      # the command is right, but the disk fails
-_machine_errors = *disk_errors,errno.EROFS,errno.EMFILE,errno.ENFILE,errno.ENOMEM    # or files or memory are used up
-
-def _is_taken(error:Exception)->bool:
-    "True if a port in use is the cause"
-    return errno.EADDRINUSE in [getattr(e, 'errno', None) for e in (error, error.__cause__, error.__context__)]
-
-def sentence(error:Exception, # Exception
-            )->str:
-    "Return an error as one line"
-    named,why = getattr(error, 'filename', None),getattr(error, 'strerror', None)
-    return f'{named}: {why}' if named else ' '.join(str(why or error).split())
-
-# %% ../../nbs/api/cli/01_common.ipynb #0c80c541
-def _two_ports(text:str)->str:
-    "Return a hint how two programs share the UDP port in `text`"
-    found = re.search(r'UDP port (\S+):(\d+)', text)
-    if not found: return ''
-    host,port = found[1],int(found[2])
-    here = {'0.0.0.0':'127.0.0.1', '[::]':'[::1]'}.get(host, host)
-    return (f'; or let the sender send to two: --connection udpout:{here}:{port},udpout:{here}:{port+1}, '
-            f'and type --connection udpin:{host}:{port+1} here')
-
-# %% ../../nbs/api/cli/01_common.ipynb #06272e80
-_results = [e.name.removeprefix('MAV_RESULT_') for e in mavlink.enums['MAV_RESULT'].values()]
-
-def ending(error:Exception, # Exception raised
-          )->tuple:
-    "Return `(exit code, sentence)` of an error"
-    text = sentence(error)
-    if isinstance(error, CommandError):
-        named = any(name in text for name in _results)
-        return 1, text if named else f'{enum_name("MAV_RESULT", error.result, "MAV_RESULT_")}: {text}'
-    if _is_taken(error): return 3, text+(_two_ports(text) if isinstance(error, LinkError) else '')
-    if isinstance(error, (NoAnswer, LinkError)): return 3,text
-    refused = isinstance(error, (MAVError, GimbalError, CameraError, ImportError))
-    return 1 if refused or getattr(error, 'errno', None) in _machine_errors else 2, text
-
-# %% ../../nbs/api/cli/01_common.ipynb #0046c56f
-def complain(program:str, # Name of the program
-             text:str): # Error message
-    "Print an error message to standard error"
-    print(f'{painted(program, "bad", sys.stderr)}: {text}', file=sys.stderr)
-
-# %% ../../nbs/api/cli/01_common.ipynb #d595fb77
-@contextmanager
-def or_exit(program:str): # Name of the program
-    "Return a context manager that ends the program with one sentence on an expected error"
-    try: yield
-    except (CameraError, GimbalError, MAVError, OSError, ImportError, ValueError) as e:
-        code,text = ending(e)
-        complain(program, text)
-        sys.exit(code)
-
-# %% ../../nbs/api/cli/01_common.ipynb #c4f9809b
-@contextmanager
-def place_for(what:str, # Purpose of the port, such as 'page'
-              host:str, port:int, # Address and port to open
-              error=OSError, # Exception class to raise
-              instead:str=''): # Hint for a port in use, such as '--port 0'
-    "Return a context manager that adds the purpose of a port to an `OSError`"
-    try: yield
-    except OSError as e:
-        why = (e.strerror or str(e)).partition(' (')[0]     # without Python's addition in brackets
-        hint = f'; {instead} takes a free one' if instead and _is_taken(e) else ''
-        raise error(f'no {what} at {url_host(host)}:{port}: {why}{hint}') from e
-
-# %% ../../nbs/api/cli/01_common.ipynb #5593208f
-number = between(1, 255, int)                   # of a system, component or gimbal
-seconds = between(.1, 3600)
-
-def visit_options(
-    connection:str='udpin:0.0.0.0:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
-    target:target=None, # SYSTEM/COMPONENT of the device, such as 1/100; needed if there are several
-    system:number=None, # System id of the device
-    component:number=None, # Component id of the device
-    timeout:seconds=5., # Seconds to look for the device; an answer may take up to 10 s
-    sign:str=None, # Sign the link with the key in this file
-    json:bool=False, # Print JSON, one object per line
-): "Options of all verbs"
-
-visit_groups = {'the link':'connection sign', 'which device':'target system component gimbal timeout', 'output':'json'}
-
-# %% ../../nbs/api/cli/01_common.ipynb #18a03515
-us = 254,mavlink.MAV_COMP_ID_MISSIONPLANNER
-
-class Visitor:
-    "Mixin for a client of short visits"
-    def on_mav_connection(self):
-        "Start the sequence number of our frames at the clock"
-        self.sender.mav.seq = int(clock.time()*16)%256
-
-# %% ../../nbs/api/cli/01_common.ipynb #c4a56e32
-@contextmanager
-def on_links(connections:list, # Connection strings
-             **how): # Arguments of `MAVCom`
-    "Return a `MAVCom` on these links, as a context manager"
-    first,*others = connections
-    with MAVCom(first, **how) as com:
-        for connection in others: com.add_link(connection)
-        yield com
 
 # %% ../../nbs/api/cli/01_common.ipynb #c79f7cbb
 class Visit:
@@ -458,6 +214,25 @@ async def choose(self:Visit):
     self.client.set_target(device.system, device.component)
     return device
 
+# %% ../../nbs/api/cli/01_common.ipynb #18a03515
+us = 254,mavlink.MAV_COMP_ID_MISSIONPLANNER
+
+class Visitor:
+    "Mixin for a client of short visits"
+    def on_mav_connection(self):
+        "Start the sequence number of our frames at the clock"
+        self.sender.mav.seq = int(clock.time()*16)%256
+
+# %% ../../nbs/api/cli/01_common.ipynb #c4a56e32
+@contextmanager
+def on_links(connections:list, # Connection strings
+             **how): # Arguments of `MAVCom`
+    "Return a `MAVCom` on these links, as a context manager"
+    first,*others = connections
+    with MAVCom(first, **how) as com:
+        for connection in others: com.add_link(connection)
+        yield com
+
 # %% ../../nbs/api/cli/01_common.ipynb #f9665402
 @patch
 def received(self:Visit)->dict:
@@ -482,37 +257,256 @@ def fail(self:Visit, error:Exception, # Exception of a verb
     if self.options.json: self.show(Result(error=text, exit=code, result=result, **fields, heard=received))
     return code
 
-# %% ../../nbs/api/cli/01_common.ipynb #a029e2bd
-@patch
-async def run(self:Program, typed, # Result of `parse`
-             )->int:
-    "Run a verb, and return the exit code"
-    def part(words): return {name:getattr(typed, name) for name in words}
-    options,f = SimpleNamespace(**part(self.options)),self.verbs[typed.verb]
-    arguments = part(_words_of(f))
-    there = self.there = self.visit(self.client(us[1], loglevel=LogLevels.ERROR), options, typed.verb)
-    try:
-        if f.check: f.check(**arguments)
-        signing = key_in(options.sign)
-        with on_links(links(options.connection), source_system=us[0], signing=signing) as com:
-            com.add_component(there.client)
-            await f(there, **arguments)
-    except BrokenPipeError: pass
-    except (MAVError, GimbalError, CameraError, ValueError, OSError) as e: return there.fail(e)
-    return 0
+# %% ../../nbs/api/cli/01_common.ipynb #d0e3f7e0
+def between(low:float, high:float, # Allowed range
+            kind=float, # `float` or `int`
+            nan:bool=False): # Allow nan
+    "Return an `argparse` type for numbers from `low` to `high`"
+    also = ', or nan' if nan else ''
+    def number(text:str):
+        try: value = kind(text)
+        except ValueError: value = math.inf
+        if low<=value<=high or nan and math.isnan(value): return value
+        raise ArgumentTypeError(f'{text!r} is no number from {low:g} to {high:g}{also}')
+    return number
 
-# %% ../../nbs/api/cli/01_common.ipynb #e1eebbce
-@patch
-def main(self:Program, words:list, # Command-line arguments
-        )->int:
-    "Run the program, and return its exit code; raises `KeyboardInterrupt`"
-    doing = self.run(self.parse(words))
-    try: return asyncio.run(doing)
-    except KeyboardInterrupt:
-        if not (self.there and self.there.endless): raise
-    except OSError as e:        # no event loop could be created
+# %% ../../nbs/api/cli/01_common.ipynb #9af1fc78
+@cache
+def _words_of(*functions)->dict:
+    "Return `{name: its annotation, default and comment}` of the parameters; a later one replaces an equal name"
+    found = {}
+    for f in functions: found |= docments(f, full=True, returns=False, eval_str=True)
+    return {name:p for name,p in found.items() if p.anno not in (None, Parameter.empty)}
+
+# %% ../../nbs/api/cli/01_common.ipynb #52e62d92
+def _kind(p)->dict:
+    "Return how `add_argument` reads the value of a parameter"
+    if p.anno is bool: return dict(action='store_true')
+    if get_origin(p.anno) is list: return dict(type=get_args(p.anno)[0], nargs='*')
+    if get_args(p.anno): return dict(choices=get_args(p.anno))
+    return dict(type=p.anno)
+
+# %% ../../nbs/api/cli/01_common.ipynb #0d97e981
+def _add_option(parser, name:str, p, **how):
+    "Add an option; `UAV_CONNECTION` is the default of `--connection`"
+    kind,default,about = _kind(p),p.default,p.docment or ''
+    shown = f'{default:g}' if isinstance(default, float) else default
+    if kind.get('action') is None and default not in (None, ''): about += f' (default: {shown})'
+    if 'type' in kind: kind['metavar'] = name.rpartition('_')[2].upper()
+    if default and name=='connection': default = os.environ.get('UAV_CONNECTION') or default
+    how = dict(default=default, help=about.replace('%', '%%'))|kind|how
+    option = parser.add_argument(f'--{name.replace("_", "-")}', **how)
+    if p.anno is str: option.complete = 'file'      # for shtab
+
+def _add_words(parser, words:dict, # Parameters, as from `_words_of`
+               groups:dict|None=None, # `{title: names of its options}`; the others form one group
+               **how): # Further arguments of `add_argument` for each option
+    "Add arguments and options to a parser"
+    places = {}
+    for title,names in (groups or {}).items(): places |= dict.fromkeys(names.split(), parser.add_argument_group(title))
+    for name,p in words.items():
+        if p.default is not Parameter.empty: _add_option(places.get(name, parser), name, p, **how)
+        else: parser.add_argument(name, help=(p.docment or '').replace('%', '%%'), **_kind(p))
+
+# %% ../../nbs/api/cli/01_common.ipynb #c5877a21
+class _Parser(ArgumentParser):
+    "A parser with colours in its help, and a hint in each error"
+    def __init__(self, **how):
+        super().__init__(formatter_class=_formatter, **how)
+        self.color = False      # Python 3.14 has colours of its own
+        self._negative_number_matcher = re.compile(r'-\.?\d')
+
+    def print_help(self, file=None):
+        def paint(style): return lambda m: painted(m[0], style, file)
+        text = re.sub(r'(?m)^(usage(?=: )|[a-z][a-z ]*(?=:$))', paint('title'), self.format_help())
+        print(re.sub(r'(?m)(?<=^  )-\S+(, --\w+)?', paint('option'), text), end='', file=file or sys.stdout)
+
+    def error(self, message):
+        self.print_usage(sys.stderr)
+        self.exit(2, f'{self.prog}: {painted("error", "bad", sys.stderr)}: {message}\n')
+
+    def parse_known_args(self, args=None, namespace=None):
+        "Parse as `ArgumentParser`, but raise for words that are left over, also of a verb"
+        typed,rest = super().parse_known_args(args, namespace)
+        if not rest: return typed,rest
+        close = get_close_matches(rest[0].partition('=')[0], self._option_string_actions, 1)
+        hint = f'did you mean {close[0]}?' if close else f'see {self.prog} --help'
+        self.error(f'unrecognized arguments: {" ".join(rest)}; {hint}')
+
+# %% ../../nbs/api/cli/01_common.ipynb #b28c42bb
+def _formatter(prog):
+    width = min(shutil.get_terminal_size().columns, 110)-2
+    return RawDescriptionHelpFormatter(prog, max_help_position=28, width=width)
+
+# %% ../../nbs/api/cli/01_common.ipynb #95f2e1ec
+_styles = dict(title='1', option='36', good='32', warn='33', bad='1;31')    # of ECMA-48
+
+def painted(text:str, style:str, # 'title', 'option', 'good', 'warn' or 'bad'
+            stream=None, # Output stream; `None`: standard output
+           )->str:
+    "Return the text in colour if the stream is a terminal with colours"
+    refused = os.environ.get('NO_COLOR') or os.environ.get('TERM')=='dumb' or not text
+    return text if refused or not (stream or sys.stdout).isatty() else f'\x1b[{_styles[style]}m{text}\x1b[0m'
+
+# %% ../../nbs/api/cli/01_common.ipynb #120e31e1
+def _usage(name:str, function)->str:
+    "Return the usage of a program or verb"
+    needed = {word:p.anno for word,p in _words_of(function).items() if p.default is Parameter.empty}
+    shown = [f'[{word} …]' if get_origin(anno) is list else word for word,anno in needed.items()]
+    return ' '.join((name, *shown, '[options]'))
+
+# %% ../../nbs/api/cli/01_common.ipynb #c34cca88
+_exit_codes = """exit codes:
+  0  done
+  1  refused (with the MAV_RESULT), or failed
+  2  wrong command line
+  3  no answer, or a port is in use"""
+
+# %% ../../nbs/api/cli/01_common.ipynb #83155a0e
+class _Completion(Action):
+    "An option that prints a shell's completion script and exits"
+    def __call__(self, parser, namespace, shell, option=None):
+        from shtab import complete
+        print(complete(parser, shell))
+        parser.exit()
+
+def _add_help(parser):
+    "Add `--version` and `--completion`"
+    version = f'{parser.prog} {__version__}'
+    parser.add_argument('--version', action='version', version=version, help='Show the version and exit')
+    parser.add_argument('--completion', action=_Completion, choices=('bash','zsh','fish'), default=SUPPRESS,
+                        help='Print the completion script of this shell')
+
+# %% ../../nbs/api/cli/01_common.ipynb #8560e248
+def listed(option:str, # '--storage'
+           text:str, # Its value, separated by commas
+           comma:str=',', # A regular expression
+          )->list:
+    "Split a value at its commas; raises `ValueError`"
+    found = [part.strip() for part in re.split(comma, text)]
+    if not all(found): raise ValueError(f'{option} {text!r} has an empty place')
+    return found
+
+def links(connection:str)->list:
+    "Split connection strings at their commas; a number after a comma is a baud rate"
+    return listed('--connection', connection, r',(?!\s*\d+\s*(?:,|$))')
+
+# %% ../../nbs/api/cli/01_common.ipynb #559f4b2c
+def address(host:str)->str:
+    "Return an address or host name, without brackets; an `argparse` type"
+    label = r'(?!-)[a-zA-Z0-9-]{1,63}(?<!-)'
+    if re.fullmatch(rf'({label}\.)*(?![0-9]+$){label}', host): return host
+    try: return str(ip_address(host.strip('[]')))
+    except ValueError: pass
+    raise ArgumentTypeError(f'write an address or a name, such as 192.168.1.20, not {host!r}')
+
+# %% ../../nbs/api/cli/01_common.ipynb #5aa1fcbe
+def target(text:str)->tuple:
+    "Convert text such as '1/100' to the `(system, component)` of a device, as an `argparse` type"
+    numbers = re.fullmatch(r'(\d{1,3})/(\d{1,3})', text)
+    if numbers and all(1<=int(n)<=255 for n in numbers.groups()): return int(numbers[1]),int(numbers[2])
+    raise ArgumentTypeError(f'write SYSTEM/COMPONENT, such as 1/100, not {text!r}')
+
+# %% ../../nbs/api/cli/01_common.ipynb #2d8c4580
+def key_in(file:str|None)->bytes|None:
+    "Return the key in the file of `--sign`, `None` if it wasn't typed; raises `ValueError`, `OSError` for the file"
+    if file is None: return
+    if not file.strip():            # `--sign "$KEY"` in a script
+        raise ValueError('--sign names no file, so nothing would be signed')
+    return secret_key(Path(file))
+
+# %% ../../nbs/api/cli/01_common.ipynb #5593208f
+number = between(1, 255, int)                   # of a system, component or gimbal
+seconds = between(.1, 3600)
+
+def visit_options(
+    connection:str='udpin:0.0.0.0:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
+    target:target=None, # SYSTEM/COMPONENT of the device, such as 1/100; needed if there are several
+    system:number=None, # System id of the device
+    component:number=None, # Component id of the device
+    timeout:seconds=5., # Seconds to look for the device; an answer may take up to 10 s
+    sign:str=None, # Sign the link with the key in this file
+    json:bool=False, # Print JSON, one object per line
+): "Options of all verbs"
+
+visit_groups = {'the link':'connection sign', 'which device':'target system component gimbal timeout', 'output':'json'}
+
+# %% ../../nbs/api/cli/01_common.ipynb #5ebda971
+class Result:
+    "Result of a verb: a sentence for people, and fields for programs"
+    def __init__(self, text:str='', /, **fields): self.text,self.fields = text,fields
+    def __str__(self): return self.text
+
+    def show(self, as_json:bool=False, # Print as a JSON object
+             out=None): # Output stream; `None`: standard output
+        "Print the result in one line"
+        encoding = getattr(out or sys.stdout, 'encoding', None) or 'utf-8'
+        how = dict(ensure_ascii='utf' not in encoding.lower(), default=lambda raw: raw.decode('latin-1'))
+        line = json.dumps(plain(self.fields), **how) if as_json else self.text
+        print(line.encode(encoding, 'replace').decode(encoding), file=out, flush=True)      # '→' in a Windows pipe
+
+# %% ../../nbs/api/cli/01_common.ipynb #c8acc551
+disk_errors = errno.ENOSPC,errno.EDQUOT,errno.EIO      # the command is right, but the disk fails
+_machine_errors = *disk_errors,errno.EROFS,errno.EMFILE,errno.ENFILE,errno.ENOMEM    # or files or memory are used up
+
+def _is_taken(error:Exception)->bool:
+    "True if a port in use is the cause"
+    return errno.EADDRINUSE in [getattr(e, 'errno', None) for e in (error, error.__cause__, error.__context__)]
+
+def sentence(error:Exception)->str:
+    "Return an error as one line"
+    named,why = getattr(error, 'filename', None),getattr(error, 'strerror', None)
+    return f'{named}: {why}' if named else ' '.join(str(why or error).split())
+
+# %% ../../nbs/api/cli/01_common.ipynb #0c80c541
+def _two_ports(text:str)->str:
+    "Return a hint how two programs share the UDP port in `text`"
+    found = re.search(r'UDP port (\S+):(\d+)', text)
+    if not found: return ''
+    host,port = found[1],int(found[2])
+    here = {'0.0.0.0':'127.0.0.1', '[::]':'[::1]'}.get(host, host)
+    return (f'; or let the sender send to two: --connection udpout:{here}:{port},udpout:{here}:{port+1}, '
+            f'and type --connection udpin:{host}:{port+1} here')
+
+# %% ../../nbs/api/cli/01_common.ipynb #06272e80
+_results = [e.name.removeprefix('MAV_RESULT_') for e in mavlink.enums['MAV_RESULT'].values()]
+
+def ending(error:Exception)->tuple:
+    "Return `(exit code, sentence)` of an error"
+    text = sentence(error)
+    if isinstance(error, CommandError):
+        named = any(name in text for name in _results)
+        return 1, text if named else f'{enum_name("MAV_RESULT", error.result, "MAV_RESULT_")}: {text}'
+    if _is_taken(error): return 3, text+(_two_ports(text) if isinstance(error, LinkError) else '')
+    if isinstance(error, (NoAnswer, LinkError)): return 3,text
+    refused = isinstance(error, (MAVError, GimbalError, CameraError, ImportError))
+    return 1 if refused or getattr(error, 'errno', None) in _machine_errors else 2, text
+
+# %% ../../nbs/api/cli/01_common.ipynb #0046c56f
+def complain(program:str, # Name of the program
+             text:str): # Error message
+    "Print an error message to standard error"
+    print(f'{painted(program, "bad", sys.stderr)}: {text}', file=sys.stderr)
+
+# %% ../../nbs/api/cli/01_common.ipynb #d595fb77
+@contextmanager
+def or_exit(program:str): # Name of the program
+    "Return a context manager that ends the program with one sentence on an expected error"
+    try: yield
+    except (CameraError, GimbalError, MAVError, OSError, ImportError, ValueError) as e:
         code,text = ending(e)
-        complain(self.visit.program, text)
-        return code
-    finally: doing.close()
-    return 0
+        complain(program, text)
+        sys.exit(code)
+
+# %% ../../nbs/api/cli/01_common.ipynb #c4f9809b
+@contextmanager
+def place_for(what:str, # Purpose of the port, such as 'page'
+              host:str, port:int, # Address and port to open
+              error=OSError, # Exception class to raise
+              instead:str=''): # Hint for a port in use, such as '--port 0'
+    "Return a context manager that adds the purpose of a port to an `OSError`"
+    try: yield
+    except OSError as e:
+        why = (e.strerror or str(e)).partition(' (')[0]     # without Python's addition in brackets
+        hint = f'; {instead} takes a free one' if instead and _is_taken(e) else ''
+        raise error(f'no {what} at {url_host(host)}:{port}: {why}{hint}') from e

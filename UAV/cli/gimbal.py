@@ -97,19 +97,19 @@ async def newest(self:Steering):
 def _attitude(there:GimbalAttitude|None)->Result:
     "Describe an attitude; degrees"
     if there is None: return Result('it does not tell where it points')
-    said = repr(there).partition(': ')[2].replace('angles unknown', 'it does not know where it points')
+    text = repr(there).partition(': ')[2].replace('angles unknown', 'it does not know where it points')
     fields = {name:getattr(there, name) for name in 'roll pitch yaw earth_yaw lock mode failures'.split()}
-    return Result(said, **fields, heading=there.vehicle_yaw)
+    return Result(text, **fields, heading=there.vehicle_yaw)
 
 @patch
 async def report(self:Steering, text:str='', # Text before the attitude
                **fields): # Further fields for programs
     "Print the attitude of the gimbal"
     (system,component,number),there = self.device.gimbal,_attitude(await self.newest())
-    said = '; '.join(filter(None, (text, str(there))))
+    text = '; '.join(filter(None, (text, str(there))))
     about = dict(system=system, component=component, gimbal=number, verb=self.verb)
     more = dict(**about, **fields, control=self.owner, **there.fields)
-    self.show(Result(f'{system}/{component} gimbal {number}: {said}', **more))
+    self.show(Result(f'{system}/{component} gimbal {number}: {text}', **more))
 
 # %% ../../nbs/api/cli/04_gimbal.ipynb #971faf13
 @_verb('list', 'list --json', 'list --connection /dev/ttyUSB0,57600')

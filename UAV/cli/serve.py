@@ -312,8 +312,9 @@ class Aboard(Closes):
     ):
         if path and not (autopilot or gimbal=='sim'): raise ValueError('--path needs --gimbal sim, or --autopilot')
         one_of('--role', role, ('both','device'))
-        needed,flies = path or autopilot or (gimbal=='sim' and camera in ('sim','dual')),path or 'hover'
-        self.vehicle = SimVehicle(self.paths[one_of('--path', flies, self.paths)]()) if needed else None
+        flies = self.paths[one_of('--path', path or 'hover', self.paths)]
+        hangs = gimbal=='sim' and camera in ('sim','dual')             # a simulated camera from a simulated gimbal
+        self.vehicle = SimVehicle(flies()) if path or autopilot or hangs else None
         made = isinstance(gimbal, str)
         self.gimbal = _make_gimbal(gimbal, self.vehicle, not (path or autopilot), **storage) if made else gimbal
         kind = GimbalCameraServer if takes_orders(self.gimbal) and _is_device(camera) else GimbalServer
@@ -349,7 +350,8 @@ def _gimbal_of(com)->tuple:
     if server is None: return '',''
     if fault := getattr(server.gimbal, 'fault', None): return '',f'FAULT: {fault}'
     now = server.attitude()
-    return f'{now.pitch:.0f}° {now.yaw:.0f}°, ' if known(now.pitch) and known(now.yaw) else '',server.control.owner
+    direction = f'{now.pitch:.0f}° {now.yaw:.0f}°, ' if known(now.pitch) and known(now.yaw) else ''
+    return direction,server.control.owner
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3a65f7fd
 def _status_of(camera, com)->tuple:

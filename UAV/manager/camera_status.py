@@ -57,6 +57,32 @@ def status(self:CameraMessages)->dict:
         battery=battery_of(get(BATTERY_STATUS)), notices=self.texts.lines,
         pictures=[picture_of(*picture) for picture in self.pictures])
 
+# %% ../../nbs/api/manager/03_camera_status.ipynb #7e1d0005
+@patch
+def has_picture(self:CameraMessages, msg)->bool:
+    "True if this CAMERA_IMAGE_CAPTURED came before"
+    def which(m): return m.image_index,m.time_utc,m.time_boot_ms
+    return which(msg) in (which(old) for old,_ in self.pictures)
+
+@patch
+def add_picture(self:CameraMessages, msg, # A new CAMERA_IMAGE_CAPTURED
+                key:int=-1): # Key of its thumbnail; -1: none
+    "Store a picture among the last ones"
+    self.pictures = [*self.pictures, (msg, key)][-self.most:]
+
+@patch
+def restarts(self:CameraMessages, msg)->bool:
+    "True if the camera restarted since the last message of this kind"
+    old,now = self.newest.get(msg.get_msgId()),getattr(msg, 'time_boot_ms', 0)
+    return old is not None and msg.get_msgId()!=CAMERA_IMAGE_CAPTURED and now+5000<getattr(old, 'time_boot_ms', 0)
+
+@patch
+def is_other(self:CameraMessages, msg)->bool:
+    "True if this CAMERA_INFORMATION describes another kind of camera than the last"
+    def kind(m): return text_of(m.vendor_name),text_of(m.model_name),m.flags,m.firmware_version
+    old = self.newest.get(CAMERA_INFORMATION)
+    return old is not None and kind(msg)!=kind(old)
+
 # %% ../../nbs/api/manager/03_camera_status.ipynb #737e7954
 _all_ = ['printable', 'text_of', 'flags_of']       # of the client
 
@@ -67,11 +93,11 @@ def _modes_of(can:list)->list:
     return ['image','video',*survey] if 'HAS_MODES' in can else []
 
 # %% ../../nbs/api/manager/03_camera_status.ipynb #fc2a0c5f
-def about_camera(info, # A CAMERA_INFORMATION, or `None`
-                )->dict:
-    "Return the properties of a camera as `{name: text}`"
+def about_camera(info)->dict:
+    "Return the properties in a CAMERA_INFORMATION as `{name: text}`; none for `None`"
     if info is None: return {}
-    version,lens,sensor = info.firmware_version,info.focal_length,(info.sensor_size_h, info.sensor_size_v)
+    version,lens = info.firmware_version,info.focal_length
+    sensor = info.sensor_size_h,info.sensor_size_v
     there = {'firmware': version and '.'.join(str(version>>8*n&255) for n in range(4)),      # major to dev
              'resolution': info.resolution_h and f'{info.resolution_h} × {info.resolution_v} px',
              'lens': known(lens) and 0<lens<math.inf and f'{lens:g} mm',
@@ -79,9 +105,8 @@ def about_camera(info, # A CAMERA_INFORMATION, or `None`
     return {what:text for what,text in there.items() if text}
 
 # %% ../../nbs/api/manager/03_camera_status.ipynb #6caa4126
-def settings_of(msg, # A CAMERA_SETTINGS, or `None`
-               )->dict:
-    "Return mode, zoom and focus; `None` where unknown"
+def settings_of(msg)->dict:
+    "Return mode, zoom and focus of a CAMERA_SETTINGS; `None` where unknown"
     if msg is None: return dict(mode=None, zoom=None, focus=None)
     now = status_of(msg)
     return dict(mode=now.mode, zoom=now.zoom, focus=now.focus)
@@ -106,9 +131,8 @@ def size_of(mib:float)->str:
 # %% ../../nbs/api/manager/03_camera_status.ipynb #00ffdb2e
 _card = dict(empty='no card', unformatted='the card is not formatted')
 
-def storage_of(msgs, # STORAGE_INFORMATION of each storage
-              )->dict|None:
-    "Return free and total MiB, and a text; `None` if unknown"
+def storage_of(msgs)->dict|None:
+    "Return free and total MiB, and a text, for the STORAGE_INFORMATION of each storage; `None` if unknown"
     first = min(map(_read_storage, msgs), key=lambda s: (s.status!='ready', s.storage_id), default=None)
     if first is None or first.status=='not_supported': return None
     if first.status in _card: return dict(free=0., total=0., text=_card[first.status])
@@ -144,29 +168,3 @@ def picture_of(msg, key:int=-1)->dict:
     "Return number, file name and thumbnail key (-1: none) of a CAMERA_IMAGE_CAPTURED"
     name = text_of(msg.file_url).replace('\\', '/').rpartition('/')[2]
     return dict(n=msg.image_index, name=name if msg.capture_result==1 else 'failed', key=key)
-
-# %% ../../nbs/api/manager/03_camera_status.ipynb #7e1d0005
-@patch
-def has_picture(self:CameraMessages, msg)->bool:
-    "True if this CAMERA_IMAGE_CAPTURED came before"
-    def which(m): return m.image_index,m.time_utc,m.time_boot_ms
-    return which(msg) in (which(old) for old,_ in self.pictures)
-
-@patch
-def add_picture(self:CameraMessages, msg, # A new CAMERA_IMAGE_CAPTURED
-                key:int=-1): # Key of its thumbnail; -1: none
-    "Store a picture among the last ones"
-    self.pictures = [*self.pictures, (msg, key)][-self.most:]
-
-@patch
-def restarts(self:CameraMessages, msg)->bool:
-    "True if the camera restarted since the last message of this kind"
-    old,now = self.newest.get(msg.get_msgId()),getattr(msg, 'time_boot_ms', 0)
-    return old is not None and msg.get_msgId()!=CAMERA_IMAGE_CAPTURED and now+5000<getattr(old, 'time_boot_ms', 0)
-
-@patch
-def is_other(self:CameraMessages, msg)->bool:
-    "True if this CAMERA_INFORMATION describes another kind of camera than the last"
-    def kind(m): return text_of(m.vendor_name),text_of(m.model_name),m.flags,m.firmware_version
-    old = self.newest.get(CAMERA_INFORMATION)
-    return old is not None and kind(msg)!=kind(old)

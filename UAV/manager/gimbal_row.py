@@ -55,37 +55,6 @@ class GimbalRow(Row):
         q = now.earth_q if frame=='earth' else now.q
         if all(map(known, q)): self.history.add(clock.monotonic(), q)
 
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #ba93704f
-def _between(p:tuple, q:tuple, share:float)->tuple:
-    "Interpolate between the unit quaternions `p` (share 0) and `q` (share 1)"
-    w,*axis = product(inverse(p), q)
-    length = math.hypot(*axis)
-    if length<1e-9: return q
-    half = math.atan2(length, abs(w))
-    size = math.copysign(math.sin(half*share), w)/length
-    return product(p, (math.cos(half*share), *(a*size for a in axis)))
-
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #c4feabb3
-class _History:
-    "The attitudes of the last seconds, as quaternions; times in monotonic s"
-    def __init__(self, seconds:float=10.):
-        self.seconds,self._kept,self._lock = seconds,deque(),clock.Lock()
-
-    def add(self, time:float, q:tuple):
-        "Store an attitude, if it is later than the last one"
-        with self._lock:
-            if self._kept and time<=self._kept[-1][0]: return
-            self._kept.append((time, q))
-            while self._kept[0][0]<time-self.seconds: self._kept.popleft()
-
-    def at(self, time:float)->tuple|None:
-        "Return the attitude at `time`, or the nearest; `None` without any"
-        with self._lock: kept = list(self._kept)
-        later = next((n for n,(t,_) in enumerate(kept) if t>=time), len(kept))
-        if later in (0, len(kept)): return kept[min(later, len(kept)-1)][1] if kept else None
-        (t0,p),(t1,q) = kept[later-1:later+1]
-        return _between(p, q, (time-t0)/(t1-t0))
-
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #27d57da1
 @patch
 async def request_all(self:GimbalRow):
@@ -121,31 +90,6 @@ async def run(self:GimbalRow):
         self.client.forget()
         await asyncio.sleep(1)
 
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #fcf58d52
-@patch
-def limits(self:GimbalRow)->dict:
-    "Return the limits of pitch and yaw, degrees; `None` if unknown or there is no such axis"
-    info = self.client.information
-    ends = {axis:axis_limits(info, axis) if info and getattr(info, axis) else () for axis in ('pitch','yaw')}
-    return {axis:list(both) if both and all(map(known, both)) else None for axis,both in ends.items()}
-
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #578b3c3b
-@patch
-def pointing(self:GimbalRow)->dict:
-    "Return its direction, degrees, `heading` from north, and its mode"
-    now = self.client.attitude or GimbalAttitude()
-    angles = dict(pitch=now.pitch, yaw=now.yaw, heading=now.earth_yaw%360)
-    return dict({name:round(angle, 1) for name,angle in angles.items()}, lock=now.lock, mode=now.mode,
-                failures=list(now.failures))
-
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #5f1284fd
-@patch
-def owner(self:GimbalRow)->dict:
-    "Return the client in control, and whether it is us"
-    primary = self.client.status and self.client.status.primary
-    return dict(owner=primary and '{}/{}'.format(*primary), ours=primary==self.client.client.us,
-                owner_name=_owner_in_words(self.client))
-
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #42533ffd
 @patch
 def status(self:GimbalRow)->dict:
@@ -156,6 +100,28 @@ def status(self:GimbalRow)->dict:
         why=lost or self.missing, can=list(self.client.can), limits=self.limits(), **self.pointing(), **self.owner(),
         turning=self.helm.held is not None, buttons=self.buttons())
 
+@patch
+def limits(self:GimbalRow)->dict:
+    "Return the limits of pitch and yaw, degrees; `None` if unknown or there is no such axis"
+    info = self.client.information
+    ends = {axis:axis_limits(info, axis) if info and getattr(info, axis) else () for axis in ('pitch','yaw')}
+    return {axis:list(both) if both and all(map(known, both)) else None for axis,both in ends.items()}
+
+@patch
+def pointing(self:GimbalRow)->dict:
+    "Return its direction, degrees, `heading` from north, and its mode"
+    now = self.client.attitude or GimbalAttitude()
+    angles = dict(pitch=now.pitch, yaw=now.yaw, heading=now.earth_yaw%360)
+    return dict({name:round(angle, 1) for name,angle in angles.items()}, lock=now.lock, mode=now.mode,
+                failures=list(now.failures))
+
+@patch
+def owner(self:GimbalRow)->dict:
+    "Return the client in control, and whether it is us"
+    primary = self.client.status and self.client.status.primary
+    return dict(owner=primary and '{}/{}'.format(*primary), ours=primary==self.client.client.us,
+                owner_name=_owner_in_words(self.client))
+
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #014a9c79
 @patch
 @action('hold', quiet=True)
@@ -165,7 +131,6 @@ async def hold(self:GimbalRow, pitch:float, yaw:float, # Rates, degrees a second
     "Turn while a button is held; stops by itself when not repeated"
     await self.helm.hold(pitch, yaw, hold, n)
 
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #1043e154
 @patch
 @action('release', quiet=True)
 async def release(self:GimbalRow, hold:str): # Id, as for `hold`
@@ -189,6 +154,28 @@ async def attitude(self:GimbalRow, pitch:float, yaw:float, # Degrees, yaw from t
     await self.ready()
     return await self.client.set_angles(pitch, yaw, lock=self.helm.locked)
 
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #8512084e
+@patch
+@action('down')
+async def down(self:GimbalRow)->Ack:
+    "Point straight down, and keep the yaw"
+    await self.ready()
+    return await self.client.set_angles(pitch=-90, lock=self.helm.locked)
+
+@patch
+@action('center')
+async def center(self:GimbalRow)->Ack:
+    "Point straight ahead"
+    await self.ready()
+    return await self.client.center()
+
+@patch
+@action('retract')
+async def retract(self:GimbalRow)->Ack:
+    "Fold the gimbal away"
+    await self.ready()
+    return await self.client.retract()
+
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #aed53287
 @patch
 async def aim_at(self:GimbalRow, pitch:float, yaw:float): # Degrees, yaw in the `frame` of the history
@@ -206,30 +193,6 @@ def beyond(self:GimbalRow, pitch:float, yaw:float)->str:
     if self.frame=='earth': yaw = wrap(yaw-now.vehicle_yaw)
     off = max(abs(wrap(info.limited(axis, angle)-angle)) for axis,angle in (('pitch',pitch), ('yaw',yaw)))
     return ', which is farther than it can turn' if off>.5 else ''
-
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #8512084e
-@patch
-@action('down')
-async def down(self:GimbalRow)->Ack:
-    "Point straight down, and keep the yaw"
-    await self.ready()
-    return await self.client.set_angles(pitch=-90, lock=self.helm.locked)
-
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #bcc080f3
-@patch
-@action('center')
-async def center(self:GimbalRow)->Ack:
-    "Point straight ahead"
-    await self.ready()
-    return await self.client.center()
-
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #467d9318
-@patch
-@action('retract')
-async def retract(self:GimbalRow)->Ack:
-    "Fold the gimbal away"
-    await self.ready()
-    return await self.client.retract()
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #bac28754
 @patch
@@ -250,7 +213,6 @@ async def lock(self:GimbalRow)->Ack:
     if ack: await self.until_reported(lambda: self.helm.locked)
     return ack
 
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #38e3de5f
 @patch
 @action('follow')
 async def follow(self:GimbalRow)->Ack:
@@ -268,10 +230,40 @@ async def take(self:GimbalRow)->str:
     await self.helm.seize(take_over=True)
     return f'{self.client.status}'
 
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #fe395a20
 @patch
 @action('give')
 async def give(self:GimbalRow)->str:
     "Return control, if it is ours"
     await self.helm.give()
     return f'{self.client.status}'
+
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #c4feabb3
+class _History:
+    "The attitudes of the last seconds, as quaternions; times in monotonic s"
+    def __init__(self, seconds:float=10.):
+        self.seconds,self._kept,self._lock = seconds,deque(),clock.Lock()
+
+    def add(self, time:float, q:tuple):
+        "Store an attitude, if it is later than the last one"
+        with self._lock:
+            if self._kept and time<=self._kept[-1][0]: return
+            self._kept.append((time, q))
+            while self._kept[0][0]<time-self.seconds: self._kept.popleft()
+
+    def at(self, time:float)->tuple|None:
+        "Return the attitude at `time`, or the nearest; `None` without any"
+        with self._lock: kept = list(self._kept)
+        later = next((n for n,(t,_) in enumerate(kept) if t>=time), len(kept))
+        if later in (0, len(kept)): return kept[min(later, len(kept)-1)][1] if kept else None
+        (t0,p),(t1,q) = kept[later-1:later+1]
+        return _between(p, q, (time-t0)/(t1-t0))
+
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #ba93704f
+def _between(p:tuple, q:tuple, share:float)->tuple:
+    "Interpolate between the unit quaternions `p` (share 0) and `q` (share 1)"
+    w,*axis = product(inverse(p), q)
+    length = math.hypot(*axis)
+    if length<1e-9: return q
+    half = math.atan2(length, abs(w))
+    size = math.copysign(math.sin(half*share), w)/length
+    return product(p, (math.cos(half*share), *(a*size for a in axis)))

@@ -37,7 +37,8 @@ class Helm:
                  changed=lambda: None): # Called when a viewer should redraw
         store_attr('client,who,changed')
         self.log = CommandLog() if log is None else log
-        self.taken,self.held,self.ended = False,None,deque(maxlen=256)      # True if we took control; current hold; ids
+        self.taken,self.held = False,None       # True if we took control; the current `_Hold`
+        self.ended = deque(maxlen=256)          # ids of the last holds
 
     def __repr__(self): return f'Helm of {self.who}: {self.held or "at rest"}, {self.client.status}'
 
@@ -62,24 +63,60 @@ class Helm:
         "End a hold and stop the gimbal"
         if self._ends(hold, why): hold.task.cancel()
 
-# %% ../../nbs/api/manager/02_helm.ipynb #4641e20c
-_kinds = {mavlink.MAV_TYPE_GCS:'a ground station', mavlink.MAV_TYPE_ONBOARD_CONTROLLER:'a companion computer'}
+# %% ../../nbs/api/manager/02_helm.ipynb #0651ea7b
+@patch
+async def hold(self:Helm, pitch:float, yaw:float, # Degrees a second
+               hold:str, # Id of this hold, never used again
+               n:int): # Number of this message, from 0
+    "Turn while called again and again; raises `ValueError` after the release, at first also as `Ack.check`"
+    rates = inside('pitch', pitch, -self.most, self.most),inside('yaw', yaw, -self.most, self.most)
+    n,id = inside('n', n, 0, 1e12),_hold_id(hold)
+    if id in self.ended: raise ValueError('the hold has ended: press again')
+    first = self.held is None or self.held.id!=id
+    now = self._grab(id, rates) if first else self.held
+    if n>now.n:                             # ignore an older message
+        if rates!=now.rates: now.changed.set()
+        now.n,now.rates = n,rates
+        now.until = asyncio.get_running_loop().time()+self.patience
+    if first:
+        self._watch(now)
+        await now.begun.wait()
+    if now.error: raise now.error
 
-def _owner_in_words(client:RemoteGimbal)->str|None:
-    "Return the client in control of a gimbal, in words; `None` if there is none, or unknown"
-    if client.status is None or (who := client.status.primary) is None: return None
-    if client.in_control: return 'this panel'
-    remote,number = client.client.remotes.get(who),'{}/{}'.format(*who)
-    pilot = remote is not None and remote.type is not None and remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID
-    kind = 'the autopilot' if pilot else _kinds.get(remote and remote.type)
-    return f'{kind} ({number})' if kind else number
+@patch
+async def release(self:Helm, hold:str): # As for `hold`
+    "Release the button, and wait until the gimbal has acknowledged the stop; raises `MAVError` if it doesn't"
+    now,id = self.held,_hold_id(hold)
+    if now is None or now.id!=id:           # it has ended, or "let go" overtook its first message
+        if id not in self.ended: self.ended.append(id)
+        return
+    await self.rest('let go')
+    if now.error: raise now.error
 
-# %% ../../nbs/api/manager/02_helm.ipynb #94de4f2e
-def _denied(client:RemoteGimbal, why:Exception|None=None)->Denied:
-    "Return an error that names the client in control"
-    if not client.held_by_other: return why or Denied('The gimbal obeys another')
-    owner = _owner_in_words(client)
-    return Denied(f'{owner[0].upper()}{owner[1:]} is in control of the gimbal: take control first')
+# %% ../../nbs/api/manager/02_helm.ipynb #5c81a37a
+@patch
+async def rest(self:Helm, why:str='another button was pressed'): # Reason, for the log
+    "End a hold, and wait until the gimbal has stopped"
+    if (now := self.held) is None: return
+    self._let_go(now, why)
+    await asyncio.wait([now.task])
+
+@patch
+async def give(self:Helm):
+    "Stop, and return control if it is ours; raises as `Ack.check`"
+    await self.rest('control was given back')
+    if self.client.in_control: (await self.client.give_back()).check()
+    self.taken = False
+    self.changed()
+
+@patch
+async def close(self:Helm, timeout:float=5.): # Seconds to wait for the gimbal
+    "Stop, and return control if we took it; raises `MAVError` if the gimbal doesn't confirm in time"
+    async def leave():
+        await self.rest('the panel was closed')
+        if self.taken: await self.give()
+    try: await asyncio.wait_for(leave(), timeout)
+    except asyncio.TimeoutError: raise NoAnswer(f'{self.who} has not said that it stopped, and is free') from None
 
 # %% ../../nbs/api/manager/02_helm.ipynb #4e4c1a23
 class _Hold:
@@ -87,7 +124,8 @@ class _Hold:
     def __init__(self, id:str, rates:tuple, entry:Press):
         store_attr()
         self.n,self.until = -1,0.       # number of its newest message; end of the hold, s on the loop's clock
-        self.sent,self.why,self.error = False,'let go',None     # command sent?; reason and error of its end
+        self.sent = False                                       # True once a command may have reached the gimbal
+        self.why,self.error = 'let go',None                     # reason and error of its end
         self.begun = asyncio.Event()                            # it turns, or never will
         self.changed,self.task = asyncio.Event(),None           # the rates changed
 
@@ -97,6 +135,12 @@ class _Hold:
         "Wait `seconds`, or until the rates change"
         self.changed.clear()
         await set_within(self.changed, seconds)
+
+# %% ../../nbs/api/manager/02_helm.ipynb #bd6eb254
+def _hold_id(id:str)->str:
+    "Return `id`; raise `ValueError` unless it is a text of 1 to 64 characters"
+    if isinstance(id, str) and 0<len(id)<=64: return id
+    raise ValueError(f'hold must be a text of 1 to 64 characters, not {id!r:.80}')
 
 # %% ../../nbs/api/manager/02_helm.ipynb #e4cd1e1f
 @patch
@@ -129,7 +173,6 @@ def locked(self:Helm)->bool:
     "True if the yaw is locked to a direction on earth"
     return self.client.locked
 
-# %% ../../nbs/api/manager/02_helm.ipynb #0e64b6d6
 @patch
 async def _live(self:Helm, hold:_Hold, before:asyncio.Task|None):
     "Run a hold, from its first message until the gimbal has acknowledged the stop"
@@ -143,16 +186,6 @@ async def _live(self:Helm, hold:_Hold, before:asyncio.Task|None):
         if hold.sent: await self._stop(lock)
     except MAVError as e: hold.error = hold.error or e
 
-# %% ../../nbs/api/manager/02_helm.ipynb #d0380668
-@patch
-def _over(self:Helm, hold:_Hold):
-    "Log the end of a hold"
-    if self.held is hold: self.held = None
-    hold.begun.set()
-    if e := hold.error: self.log.end(hold.entry, Btn_State.FAILED, str(e) or type(e).__name__)
-    else: self.log.end(hold.entry, Btn_State.DONE, hold.why)
-    self.changed()
-
 # %% ../../nbs/api/manager/02_helm.ipynb #5d073c86
 @patch
 def _grab(self:Helm, id:str, rates:tuple)->_Hold:
@@ -165,6 +198,16 @@ def _grab(self:Helm, id:str, rates:tuple)->_Hold:
     hold.task.add_done_callback(lambda _: self._over(hold))
     return hold
 
+# %% ../../nbs/api/manager/02_helm.ipynb #d0380668
+@patch
+def _over(self:Helm, hold:_Hold):
+    "Log the end of a hold"
+    if self.held is hold: self.held = None
+    hold.begun.set()
+    if e := hold.error: self.log.end(hold.entry, Btn_State.FAILED, str(e) or type(e).__name__)
+    else: self.log.end(hold.entry, Btn_State.DONE, hold.why)
+    self.changed()
+
 # %% ../../nbs/api/manager/02_helm.ipynb #1fded618
 @patch
 def _watch(self:Helm, hold:_Hold):
@@ -174,87 +217,24 @@ def _watch(self:Helm, hold:_Hold):
     if (left := hold.until-loop.time())>0: loop.call_later(left, self._watch, hold)
     else: self._let_go(hold, f'no message from the viewer for {self.patience:g} s: stopped')
 
-# %% ../../nbs/api/manager/02_helm.ipynb #bd6eb254
-def _hold_id(id:str)->str:
-    "Return `id`; raise `ValueError` unless it is a text of 1 to 64 characters"
-    if isinstance(id, str) and 0<len(id)<=64: return id
-    raise ValueError(f'hold must be a text of 1 to 64 characters, not {id!r:.80}')
+# %% ../../nbs/api/manager/02_helm.ipynb #4641e20c
+_kinds = {mavlink.MAV_TYPE_GCS:'a ground station', mavlink.MAV_TYPE_ONBOARD_CONTROLLER:'a companion computer'}
 
-# %% ../../nbs/api/manager/02_helm.ipynb #0651ea7b
-@patch
-async def hold(self:Helm, pitch:float, yaw:float, # Degrees a second
-               hold:str, # Id of this hold, never used again
-               n:int): # Number of this message, from 0
-    "Turn while called again and again; raises `ValueError` after the release, at first also as `Ack.check`"
-    rates = inside('pitch', pitch, -self.most, self.most),inside('yaw', yaw, -self.most, self.most)
-    n,id = inside('n', n, 0, 1e12),_hold_id(hold)
-    if id in self.ended: raise ValueError('the hold has ended: press again')
-    first = self.held is None or self.held.id!=id
-    now = self._grab(id, rates) if first else self.held
-    if n>now.n:                             # ignore an older message
-        if rates!=now.rates: now.changed.set()
-        now.n,now.rates,now.until = n,rates,asyncio.get_running_loop().time()+self.patience
-    if first:
-        self._watch(now)
-        await now.begun.wait()
-    if now.error: raise now.error
+def _owner_in_words(client:RemoteGimbal)->str|None:
+    "Return the client in control of a gimbal, in words; `None` if there is none, or unknown"
+    if client.status is None or (who := client.status.primary) is None: return None
+    if client.in_control: return 'this panel'
+    remote,number = client.client.remotes.get(who),'{}/{}'.format(*who)
+    pilot = remote is not None and remote.type is not None and remote.autopilot!=mavlink.MAV_AUTOPILOT_INVALID
+    kind = 'the autopilot' if pilot else _kinds.get(remote and remote.type)
+    return f'{kind} ({number})' if kind else number
 
-# %% ../../nbs/api/manager/02_helm.ipynb #5c81a37a
-@patch
-async def rest(self:Helm, why:str='another button was pressed'): # Reason, for the log
-    "End a hold, and wait until the gimbal has stopped"
-    if (now := self.held) is None: return
-    self._let_go(now, why)
-    await asyncio.wait([now.task])
-
-# %% ../../nbs/api/manager/02_helm.ipynb #5012b864
-@patch
-async def release(self:Helm, hold:str): # As for `hold`
-    "Release the button, and wait until the gimbal has acknowledged the stop; raises `MAVError` if it doesn't"
-    now,id = self.held,_hold_id(hold)
-    if now is None or now.id!=id: return id in self.ended or self.ended.append(id)
-    await self.rest('let go')
-    if now.error: raise now.error
-
-# %% ../../nbs/api/manager/02_helm.ipynb #5e381dc8
-@patch
-async def give(self:Helm):
-    "Stop, and return control if it is ours; raises as `Ack.check`"
-    await self.rest('control was given back')
-    if self.client.in_control: (await self.client.give_back()).check()
-    self.taken = False
-    self.changed()
-
-# %% ../../nbs/api/manager/02_helm.ipynb #a2794150
-@patch
-async def close(self:Helm, timeout:float=5.): # Seconds to wait for the gimbal
-    "Stop, and return control if we took it; raises `MAVError` if the gimbal doesn't confirm in time"
-    async def leave():
-        await self.rest('the panel was closed')
-        if self.taken: await self.give()
-    try: await asyncio.wait_for(leave(), timeout)
-    except asyncio.TimeoutError: raise NoAnswer(f'{self.who} has not said that it stopped, and is free') from None
-
-# %% ../../nbs/api/manager/02_helm.ipynb #1d1fcdc2
-class _Middle:
-    "A PI controller: from errors in degrees to rates in degrees a second"
-    gain,adds,most = 1.5,1.,40.         # 1/s, 1/s², degrees a second
-    def __init__(self): self.sums,self.when = [0.,0.],None      # integral parts; time of the last error, s
-
-    def rates(self, errors:tuple, when:float)->list:
-        "Return the rates of pitch and yaw for a new error"
-        step = min(max(when-self.when, 0.), .3) if self.when is not None else 0.
-        def inner(rate): return max(-self.most, min(rate, self.most))
-        self.sums = [inner(old+self.adds*e*step) for old,e in zip(self.sums, errors)]
-        self.when = when
-        return [inner(grown+self.gain*e) for grown,e in zip(self.sums, errors)]
-
-# %% ../../nbs/api/manager/02_helm.ipynb #9926aecf
-def _errors(point:tuple, fov:tuple, pitch:float)->tuple:
-    "Return the pitch and yaw, degrees, that bring a point to the middle; 0 to 1, right and down are positive"
-    right,down = (math.degrees(math.atan((2*n-1)*math.tan(math.radians(wide)/2))) for n,wide in zip(point, fov))
-    ahead = math.cos(math.radians(pitch))       # below 0: beyond straight down, where yaw has the other effect
-    return -down, right/math.copysign(max(abs(ahead), .2), ahead)
+# %% ../../nbs/api/manager/02_helm.ipynb #94de4f2e
+def _denied(client:RemoteGimbal, why:Exception|None=None)->Denied:
+    "Return an error that names the client in control"
+    if not client.held_by_other: return why or Denied('The gimbal obeys another')
+    owner = _owner_in_words(client)
+    return Denied(f'{owner[0].upper()}{owner[1:]} is in control of the gimbal: take control first')
 
 # %% ../../nbs/api/manager/02_helm.ipynb #1773b243
 class _Follow(RowPart):
@@ -293,7 +273,8 @@ class _Follow(RowPart):
 @patch
 async def _steer(self:_Follow, gimbal):
     "Turn the gimbal until there is a reason to end, and log the reason"
-    n,seen,middle,rates,why = 0,clock.monotonic(),_Middle(),(0.,0.),''
+    n,rates,why = 0,(0.,0.),''
+    middle,seen = _Middle(),clock.monotonic()   # `seen`: when the target was seen last
     try:
         while not (why := self._ends(seen)):
             now,came = self._target()
@@ -309,7 +290,8 @@ async def _steer(self:_Follow, gimbal):
     except ValueError: why = 'The gimbal was moved by other means'       # the helm has let go
     except MAVError as e: why = str(e)
     finally: self.row.tracking.rate = self.usual
-    self.row.gui.log.end(self.row.gui.log.begin(self.row.id, 'follow_target'), Btn_State.FAILED, why)
+    log = self.row.gui.log
+    log.end(log.begin(self.row.id, 'follow_target'), Btn_State.FAILED, why)
     self.row.gui.changed()
 
 # %% ../../nbs/api/manager/02_helm.ipynb #66b40558
@@ -318,14 +300,16 @@ async def _steer(self:_Follow, gimbal):
 async def follow_target(self:_Follow, on:bool):
     "Start or stop following the target; raises `GimbalError`, and `Denied` if another client is in control"
     if not _on_or_off(on): return await self.close()
-    row,(now,_) = self.row,self._target()
+    row = self.row
+    now,_ = self._target()
     if row.aim.why_not: raise GimbalError(row.aim.why_not)
     if now is None or now.status=='idle': raise GimbalError('There is no target: draw a rectangle around it first')
     await self.close()
     gimbal = row.aim.gimbal
     self.helm,self.hold = gimbal.helm,f'follow {token_hex(8)}'
     await self.helm.hold(0., 0., self.hold, 0)
-    self.task,row.tracking.rate = asyncio.ensure_future(self._steer(gimbal)),self.rate
+    self.task = asyncio.ensure_future(self._steer(gimbal))
+    row.tracking.rate = self.rate
     await row.tracking.close()                  # it starts again, faster
     await row.tracking.watch()
 
@@ -334,3 +318,24 @@ async def follow_target(self:_Follow, on:bool):
 async def watch(self:_Follow):
     "Request the field of view while following, as it changes with the zoom"
     if self.task and not self.task.done(): self.row.soon(CAMERA_FOV_STATUS, now=False)
+
+# %% ../../nbs/api/manager/02_helm.ipynb #1d1fcdc2
+class _Middle:
+    "A PI controller: from errors in degrees to rates in degrees a second"
+    gain,adds,most = 1.5,1.,40.         # 1/s, 1/s², degrees a second
+    def __init__(self): self.sums,self.when = [0.,0.],None      # integral parts; time of the last error, s
+
+    def rates(self, errors:tuple, when:float)->list:
+        "Return the rates of pitch and yaw for a new error"
+        step = min(max(when-self.when, 0.), .3) if self.when is not None else 0.
+        def limited(rate): return max(-self.most, min(rate, self.most))
+        self.sums = [limited(total+self.adds*e*step) for total,e in zip(self.sums, errors)]
+        self.when = when
+        return [limited(total+self.gain*e) for total,e in zip(self.sums, errors)]
+
+# %% ../../nbs/api/manager/02_helm.ipynb #9926aecf
+def _errors(point:tuple, fov:tuple, pitch:float)->tuple:
+    "Return the pitch and yaw, degrees, that bring a point to the middle; 0 to 1, right and down are positive"
+    right,down = (math.degrees(math.atan((2*n-1)*math.tan(math.radians(wide)/2))) for n,wide in zip(point, fov))
+    ahead = math.cos(math.radians(pitch))       # below 0: beyond straight down, where yaw has the other effect
+    return -down, right/math.copysign(max(abs(ahead), .2), ahead)

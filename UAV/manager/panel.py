@@ -22,7 +22,7 @@ from ..utils.sockets import LoopThread
 from ..wire.dialect import Ack, MAVError
 
 # %% auto #0
-__all__ = ['Panel', 'Btn_State', 'Press', 'CommandLog', 'action', 'Row', 'RowPart', 'call']
+__all__ = ['Panel', 'action', 'Row', 'RowPart', 'Btn_State', 'Press', 'CommandLog', 'call']
 
 # %% ../../nbs/api/manager/00_panel.ipynb #18c0383b
 _all_ = ['Btn_State', 'Row', 'RowPart', 'action']
@@ -36,23 +36,21 @@ class Panel(Closes):
                  gimbal_client=None, # A `GimbalClient` that is on a link
                  auto=None, reset=None, pause=None, # Functions or coroutine functions, each with a button
                  title:str='UAV'): # Shown above the panel
-        for client,verb,kind in ((camera_client,'find_cameras','Camera'), (gimbal_client,'find_gimbals','Gimbal')):
-            is_class = isinstance(client, type)
-            finds = hasattr(client, verb) and not hasattr(client, 'add_component')      # a `MAVCom` has both
-            if client is None or finds and not is_class: continue
-            name,cls = f'{kind.lower()}_client',f'{kind}Client'
-            got = f'the class {client.__name__}' if is_class else f'a {type(client).__name__}'
-            write = f'write {type(self).__name__}({name}=com.add_component({cls}(…)))'
-            raise TypeError(f'{name} is a {cls}, not {got}: {write}')
+        _check_client(camera_client, 'Camera', self)
+        _check_client(gimbal_client, 'Gimbal', self)
         store_attr('camera_client,gimbal_client,title')
         self.functions = {n:f for n,f in dict(auto=auto, reset=reset, pause=pause).items() if f is not None}
         self.calling = set()            # names of those under way
         self.rows = {}                  # `{id: Row}`
-        self.log,self.actions = CommandLog(),_actions(self)
+        self.log = CommandLog()
+        self.actions = _actions(self)
         self.hosts = []                 # views, which have `close()`
         self.last_pictures = {}         # `{camera id: JPEG}`
-        self.logger,self.exit_event,self.closed = get_logger('manager'),clock.Event(),False
-        self.loop,self.feed = LoopThread('panel'),_StatusFeed(lambda: self.status())
+        self.logger = get_logger('manager')
+        self.exit_event = clock.Event()
+        self.closed = False
+        self.loop = LoopThread('panel')
+        self.feed = _StatusFeed(lambda: self.status())
         atexit.register(self.close)
         for name in self.lives: self.loop.run(self._keep(getattr(self, name)))
 
@@ -63,188 +61,27 @@ def __repr__(self:Panel):
     return f'{type(self).__name__}: {kinds.count("camera")} cameras, {kinds.count("gimbal")} gimbals'
 
 @patch
-def _there(self:Panel, f):
+def _on_loop(self:Panel, f):
     "Call a function on the panel's loop, if it still runs"
     if self.loop.inside: return f()
     with suppress(RuntimeError): self.loop.loop.call_soon_threadsafe(f)
 
 @patch
-def wake(self:Panel): "Send viewers the new picture"; self._there(self.feed.wake)
+def wake(self:Panel): "Send viewers the new picture"; self._on_loop(self.feed.wake)
 
 @patch
-def changed(self:Panel): "Send viewers the new status"; self._there(self.feed.changed)
+def changed(self:Panel): "Send viewers the new status"; self._on_loop(self.feed.changed)
 
-# %% ../../nbs/api/manager/00_panel.ipynb #c3ec49b8
-class Btn_State(Enum):
-    "State of a button"
-    READY = 0       # green
-    RUNNING = 1     # red
-    DONE = 2        # blue
-    FAILED = 3      # orange
-    CANCELLED = 4
-
-# %% ../../nbs/api/manager/00_panel.ipynb #1b034452
-@dataclass
-class Press:
-    "One press of a button"
-    number:int # Counts from 1
-    who:str # Camera or gimbal, such as '1/100'; '' is the panel itself
-    what:str # Name of the button
-    at:float # Time of the press, s since 1970
-    state:Btn_State=Btn_State.RUNNING
-    text:str='' # The result, or the reason of a failure
-    took:float|None=None # s until the result
-
-    def __repr__(self):
-        took = '' if self.took is None else f', {self.took:.2f} s'
-        return f'{self.who} {self.what}: {self.state.name}{took} {self.text}'.strip()
-
-    def status(self)->dict:
-        "Return the press as plain values"
-        at = clock.strftime('%H:%M:%S', clock.localtime(self.at))
-        return dict(n=self.number, at=at, who=self.who, what=self.what, state=self.state.name, text=self.text,
-                    took=self.took)
-
-# %% ../../nbs/api/manager/00_panel.ipynb #9ce1e8e7
-class CommandLog:
-    "The newest presses, and the state of each button"
-    most,longest = 30,300 # lines kept; characters of a text
-    def __init__(self):
-        self.entries,self._last,self._number,self._lock = [],{},0,clock.Lock()
-
-    def __repr__(self): return '\n'.join(map(repr, self.entries)) or 'no presses yet'
-    def __len__(self): return len(self.entries)
-
-    def begin(self, who:str, what:str)->Press:
-        "Log the press of a button"
-        with self._lock:
-            self._number += 1
-            entry = self._last[who,what] = Press(self._number, who, what, clock.time())
-            self.entries = [*self.entries[1-self.most:], entry]
-            return entry
-
-    def end(self, entry:Press, state:Btn_State, text:str=''):
-        "Log the result of a press"
-        entry.took,entry.text,entry.state = max(clock.time()-entry.at, 0.),text[:self.longest],state
-
-    def state_of(self, who:str, what:str)->Btn_State:
-        "Return the state of a button"
-        entry = self._last.get((who,what))
-        return entry.state if entry else Btn_State.READY
-
-    def forget(self, who:str):
-        "Reset the buttons of a camera or gimbal that is gone for good"
-        with self._lock: self._last = {k:e for k,e in self._last.items() if k[0]!=who}
-
-# %% ../../nbs/api/manager/00_panel.ipynb #d13b73f8
-class _StatusFeed:
-    "The newest result of the function `status`, and the viewers that wait for a newer one; on one event loop"
-    period = .1                     # s between two calls of `status`
-    def __init__(self, status):
-        self.status,self.run,self.number = status,token_hex(3),0
-        self.newest = None
-        self._due = 0.              # time of the next call of `status`, monotonic s
-        self._awaited = None        # the future that all wait for
-
-    tag = property(lambda self: f'{self.run}-{self.number}', doc="Tag of the newest status")
-
-    def refresh(self):
-        "Call `status` again, if it is due"
-        now = clock.monotonic()
-        if now<self._due: return
-        self._due,status = now+self.period,self.status()
-        if status!=self.newest: self.newest,self.number = status,self.number+1
-
-    def wake(self):
-        "Wake the viewers that wait"
-        awaited,self._awaited = self._awaited,None
-        if awaited: awaited.set_result(None)
-
-    def changed(self):
-        "Wake the viewers, and have `status` called at once"
-        self._due = 0.
-        self.wake()
-
-    async def wait(self, timeout:float):
-        "Wait to be woken, or until the next `refresh` is due; `timeout` s at most"
-        self._awaited = self._awaited or asyncio.get_running_loop().create_future()
-        await asyncio.wait([self._awaited], timeout=min(timeout, self.period))  # `wait_for` may swallow a cancellation
-
-# %% ../../nbs/api/manager/00_panel.ipynb #16d95f57
-class _Update:
-    "Update for one viewer: a status and its tag, and `(camera id, number, JPEG)` of each picture"
-    def __init__(self, tag:str, status:dict|None, pictures:list=()): store_attr()
-    def __repr__(self): return f'Update: {"a status and " if self.status else ""}{len(self.pictures)} pictures'
-
-# %% ../../nbs/api/manager/00_panel.ipynb #9c6fb239
-def action(name:str, # Name of the button, for views
-           quiet:bool=False): # Keep it out of the log, as it repeats many times a second
-    "Mark a coroutine method as a button"
-    def _f(f):
-        f.action,f.quiet = name,quiet
-        return f
-    return _f
-
-# %% ../../nbs/api/manager/00_panel.ipynb #42005b47
-def _actions(*things)->dict:
-    "Return `{name: method}` of all marked methods of rows, their parts, or the panel"
-    named = ((one, name, getattr(type(one), name)) for one in things for name in dir(type(one)))
-    return {f.action:getattr(one, name) for one,name,f in named if hasattr(f, 'action')}
-
-# %% ../../nbs/api/manager/00_panel.ipynb #74ce0b09
-def _on_or_off(on)->bool:
-    "Return `on`, as sent by a viewer; raise `ValueError` unless it is true or false"
-    if isinstance(on, bool): return on
-    raise ValueError(f'on must be true or false, not {on!r:.80}')
-
-# %% ../../nbs/api/manager/00_panel.ipynb #9381b458
-class Row:
-    "State and buttons of one camera or gimbal; a base class"
-    kind = ''               # 'camera' or 'gimbal'
-    lost = ''               # the reason why its device is lost
-    preview = None          # its live picture, a `Preview`
-    def __init__(self,
-        gui, # The `Panel`
-        id:str, # Such as '1/100'
-        *parts, # Classes of its parts, each called with the row
-    ):
-        self.gui,self.id,self.task = gui,id,None
-        self.parts = [part(self) for part in parts]
-        self.actions = _actions(self, *self.parts)
-
-    def __repr__(self): return f'{type(self).__name__} {self.id}'
-
-    def status(self)->dict:
-        "Return its id, its buttons, and the status of its parts"
-        shown = dict(id=self.id, buttons=self.buttons())
-        for part in self.parts: shown |= part.status()
-        return shown
-
-    def features(self)->list:
-        "Return its GeoJSON features, for a map"
-        return [feature for part in self.parts for feature in part.features()]
-
-    async def run(self): "Keep the row up to date, until cancelled"
-    async def close(self): "Leave the device in order"
-    async def picture(self, after:int)->tuple|None: "Return `(number, JPEG)` of a picture later than `after`, if any"
-    def thumbnail(self, key:int)->bytes|None: "Return the JPEG of a captured picture, or `None`"
-
-    def buttons(self)->dict:
-        "Return `{name: state}` of its buttons"
-        return {name:self.gui.log.state_of(self.id, name).name for name in self.actions}
-
-# %% ../../nbs/api/manager/00_panel.ipynb #e4323bd1
-class RowPart:
-    "State and buttons of one part of a row; a base class"
-    receives,requests = (),{}     # ids of its messages; `{message id: s until the next request}`
-    def __init__(self,
-        row:Row, # Its row
-    ): self.row = row
-
-    def status(self)->dict: "Return its state as plain values"; return {}
-    def features(self)->list: "Return its GeoJSON features, for a map"; return []
-    async def watch(self): "Update the part, twice a second"
-    async def close(self): "Leave the device in order"
+# %% ../../nbs/api/manager/00_panel.ipynb #d7824214
+def _check_client(client, kind:str, panel:Panel):
+    "Raise `TypeError` if `client` is neither `None` nor a client of this kind"
+    is_client = hasattr(client, f'find_{kind.lower()}s') and not hasattr(client, 'add_component')  # a `MAVCom` has both
+    is_class = isinstance(client, type)
+    if client is None or is_client and not is_class: return
+    name,cls = f'{kind.lower()}_client',f'{kind}Client'
+    got = f'the class {client.__name__}' if is_class else f'a {type(client).__name__}'
+    write = f'write {type(panel).__name__}({name}=com.add_component({cls}(…)))'
+    raise TypeError(f'{name} is a {cls}, not {got}: {write}')
 
 # %% ../../nbs/api/manager/00_panel.ipynb #7db6ca60
 @patch
@@ -266,38 +103,6 @@ def close(self:Panel):
     try: self.loop.run(farewell()).result(10)
     except TooLate: self.logger.warning('a device did not answer while closing')
     self.loop.close()
-
-# %% ../../nbs/api/manager/00_panel.ipynb #0a5ce881
-@patch(as_prop=True)
-def us(self:Panel)->str:
-    "`system/component` of the panel's messages; empty when it is on no link"
-    client = self.gimbal_client or self.camera_client
-    return f'{client.source_system}/{client.source_component}' if client and client.mav_com else ''
-
-@patch
-def buttons(self:Panel)->dict:
-    "Return `{name: state}` of the panel's own buttons"
-    return {name:'RUNNING' if name in self.calling else self.log.state_of('', name).name for name in self.functions}
-
-# %% ../../nbs/api/manager/00_panel.ipynb #bff7d2d8
-@patch
-def status(self:Panel)->dict:
-    "Return all that a viewer shows, as plain values; `None` where unknown"
-    rows = list(self.rows.values())
-    of_kind = {f'{kind}s':[row.status() for row in rows if row.kind==kind] for kind in ('camera','gimbal')}
-    return plain(dict(title=self.title, us=self.us, run=self.feed.run, closed=self.exit_event.is_set(),
-        buttons=self.buttons(), **of_kind, **self._around(), log=[entry.status() for entry in self.log.entries]))
-
-@patch
-def _around(self:Panel)->dict:
-    "Return the vehicles and links"
-    return self.fleet.status() if self.fleet else dict(vehicles=[], links=[])
-
-@patch
-def geojson(self:Panel)->dict:
-    "Return a map as a GeoJSON FeatureCollection"
-    shown = [*([self.fleet] if self.fleet else []), *list(self.rows.values())]
-    return dict(type='FeatureCollection', features=[feature for thing in shown for feature in thing.features()])
 
 # %% ../../nbs/api/manager/00_panel.ipynb #7dc23367
 @patch
@@ -334,11 +139,38 @@ async def remove_row(self:Panel, id:str):
     self.log.forget(id)
     self.changed()
 
+# %% ../../nbs/api/manager/00_panel.ipynb #0a5ce881
+@patch
+def status(self:Panel)->dict:
+    "Return all that a viewer shows, as plain values; `None` where unknown"
+    rows = list(self.rows.values())
+    of_kind = {f'{kind}s':[row.status() for row in rows if row.kind==kind] for kind in ('camera','gimbal')}
+    around = self.fleet.status() if self.fleet else dict(vehicles=[], links=[])
+    return plain(dict(title=self.title, us=self.us, run=self.feed.run, closed=self.exit_event.is_set(),
+        buttons=self.buttons(), **of_kind, **around, log=[entry.status() for entry in self.log.entries]))
+
+@patch(as_prop=True)
+def us(self:Panel)->str:
+    "`system/component` of the panel's messages; empty when it is on no link"
+    client = self.gimbal_client or self.camera_client
+    return f'{client.source_system}/{client.source_component}' if client and client.mav_com else ''
+
+@patch
+def buttons(self:Panel)->dict:
+    "Return `{name: state}` of the panel's own buttons"
+    return {name:'RUNNING' if name in self.calling else self.log.state_of('', name).name for name in self.functions}
+
+@patch
+def geojson(self:Panel)->dict:
+    "Return a map as a GeoJSON FeatureCollection"
+    shown = [*([self.fleet] if self.fleet else []), *list(self.rows.values())]
+    return dict(type='FeatureCollection', features=[feature for thing in shown for feature in thing.features()])
+
 # %% ../../nbs/api/manager/00_panel.ipynb #883a0720
 @patch
 def target_of(self:Panel, what:str, of:str|None=None)->tuple:
     "Return `(row or panel, method)` of a button; `of=None`: the first that has it. Raises `ValueError`"
-    rows = [self.rows[of]] if of and of in self.rows else [] if of else [self, *self.rows.values()]
+    rows = [row for row in self.rows.values() if row.id==of] if of else [self, *self.rows.values()]
     for row in rows:
         if method := row.actions.get(what): return row,method
     raise ValueError(f'there is no {what!r}{f" of {of!r}" if of else ""}')
@@ -355,7 +187,8 @@ async def _do(self:Panel, what:str, of:str|None, args:dict)->dict:
     try:
         found = await method(**args)
         is_text = found is None or isinstance(found, str)
-        state,text = Btn_State.DONE if is_text or found else Btn_State.FAILED,(found or '') if is_text else repr(found)
+        state = Btn_State.DONE if is_text or found else Btn_State.FAILED
+        text = (found or '') if is_text else repr(found)
     except (MAVError, GimbalError, CameraError, OSError, ValueError) as e:
         state,text = Btn_State.FAILED,str(e) or type(e).__name__
     except Exception as e:
@@ -425,6 +258,176 @@ def frame(self:Panel, of:str|None=None, # Id of a camera; `None`: the first
     found = self.loop.run(self.next_picture(of, after, timeout)).result()
     return found and found[1]
 
+# %% ../../nbs/api/manager/00_panel.ipynb #9c6fb239
+def action(name:str, # Name of the button, for views
+           quiet:bool=False): # Keep it out of the log, as it repeats many times a second
+    "Mark a coroutine method as a button"
+    def _f(f):
+        f.action,f.quiet = name,quiet
+        return f
+    return _f
+
+# %% ../../nbs/api/manager/00_panel.ipynb #42005b47
+def _actions(*things)->dict:
+    "Return `{name: method}` of all marked methods of rows, their parts, or the panel"
+    named = ((one, name, getattr(type(one), name)) for one in things for name in dir(type(one)))
+    return {f.action:getattr(one, name) for one,name,f in named if hasattr(f, 'action')}
+
+# %% ../../nbs/api/manager/00_panel.ipynb #74ce0b09
+def _on_or_off(on)->bool:
+    "Return `on`, as sent by a viewer; raise `ValueError` unless it is true or false"
+    if isinstance(on, bool): return on
+    raise ValueError(f'on must be true or false, not {on!r:.80}')
+
+# %% ../../nbs/api/manager/00_panel.ipynb #9381b458
+class Row:
+    "State and buttons of one camera or gimbal; a base class"
+    kind = ''               # 'camera' or 'gimbal'
+    lost = ''               # the reason why its device is lost
+    preview = None          # its live picture, a `Preview`
+    def __init__(self, gui, # The `Panel`
+                 id:str, # Such as '1/100'
+                 *parts): # Classes of its parts, each called with the row
+        self.gui,self.id,self.task = gui,id,None
+        self.parts = [part(self) for part in parts]
+        self.actions = _actions(self, *self.parts)
+
+    def __repr__(self): return f'{type(self).__name__} {self.id}'
+
+    def status(self)->dict:
+        "Return its id, its buttons, and the status of its parts"
+        shown = dict(id=self.id, buttons=self.buttons())
+        for part in self.parts: shown |= part.status()
+        return shown
+
+    def features(self)->list:
+        "Return its GeoJSON features, for a map"
+        return [feature for part in self.parts for feature in part.features()]
+
+    async def run(self): "Keep the row up to date, until cancelled"
+    async def close(self): "Leave the device in order"
+    async def picture(self, after:int)->tuple|None: "Return `(number, JPEG)` of a picture later than `after`, if any"
+    def thumbnail(self, key:int)->bytes|None: "Return the JPEG of a captured picture, or `None`"
+
+    def buttons(self)->dict:
+        "Return `{name: state}` of its buttons"
+        return {name:self.gui.log.state_of(self.id, name).name for name in self.actions}
+
+# %% ../../nbs/api/manager/00_panel.ipynb #e4323bd1
+class RowPart:
+    "State and buttons of one part of a row; a base class"
+    receives,requests = (),{}     # ids of its messages; `{message id: s until the next request}`
+    def __init__(self, row:Row): self.row = row
+
+    def status(self)->dict: "Return its state as plain values"; return {}
+    def features(self)->list: "Return its GeoJSON features, for a map"; return []
+    async def watch(self): "Update the part, twice a second"
+    async def close(self): "Leave the device in order"
+
+# %% ../../nbs/api/manager/00_panel.ipynb #c3ec49b8
+class Btn_State(Enum):
+    "State of a button"
+    READY = 0       # green
+    RUNNING = 1     # red
+    DONE = 2        # blue
+    FAILED = 3      # orange
+    CANCELLED = 4
+
+# %% ../../nbs/api/manager/00_panel.ipynb #1b034452
+@dataclass
+class Press:
+    "One press of a button"
+    number:int # Counts from 1
+    who:str # Camera or gimbal, such as '1/100'; '' is the panel itself
+    what:str # Name of the button
+    at:float # Time of the press, s since 1970
+    state:Btn_State=Btn_State.RUNNING
+    text:str='' # The result, or the reason of a failure
+    took:float|None=None # s until the result
+
+    def __repr__(self):
+        took = '' if self.took is None else f', {self.took:.2f} s'
+        return f'{self.who} {self.what}: {self.state.name}{took} {self.text}'.strip()
+
+    def status(self)->dict:
+        "Return the press as plain values"
+        at = clock.strftime('%H:%M:%S', clock.localtime(self.at))
+        return dict(n=self.number, at=at, who=self.who, what=self.what, state=self.state.name, text=self.text,
+                    took=self.took)
+
+# %% ../../nbs/api/manager/00_panel.ipynb #9ce1e8e7
+class CommandLog:
+    "The newest presses, and the state of each button"
+    most,longest = 30,300 # lines kept; characters of a text
+    def __init__(self):
+        self.entries,self._number = [],0
+        self._last = {}                 # `{(who, what): Press}`, the last one of each button
+        self._lock = clock.Lock()
+
+    def __repr__(self): return '\n'.join(map(repr, self.entries)) or 'no presses yet'
+    def __len__(self): return len(self.entries)
+
+    def begin(self, who:str, what:str)->Press:
+        "Log the press of a button"
+        with self._lock:
+            self._number += 1
+            entry = self._last[who,what] = Press(self._number, who, what, clock.time())
+            self.entries = [*self.entries[1-self.most:], entry]
+            return entry
+
+    def end(self, entry:Press, state:Btn_State, text:str=''):
+        "Log the result of a press"
+        entry.took,entry.text,entry.state = max(clock.time()-entry.at, 0.),text[:self.longest],state
+
+    def state_of(self, who:str, what:str)->Btn_State:
+        "Return the state of a button"
+        entry = self._last.get((who,what))
+        return entry.state if entry else Btn_State.READY
+
+    def forget(self, who:str):
+        "Reset the buttons of a camera or gimbal that is gone for good"
+        with self._lock: self._last = {k:e for k,e in self._last.items() if k[0]!=who}
+
+# %% ../../nbs/api/manager/00_panel.ipynb #d13b73f8
+class _StatusFeed:
+    "The newest result of the function `status`, and the viewers that wait for a newer one; on one event loop"
+    period = .1                     # s between two calls of `status`
+    def __init__(self, status):
+        self.status,self.run,self.number = status,token_hex(3),0
+        self.newest = None
+        self._due = 0.              # time of the next call of `status`, monotonic s
+        self._awaited = None        # the future that all wait for
+
+    tag = property(lambda self: f'{self.run}-{self.number}', doc="Tag of the newest status")
+
+    def refresh(self):
+        "Call `status` again, if it is due"
+        now = clock.monotonic()
+        if now<self._due: return
+        self._due,status = now+self.period,self.status()
+        if status!=self.newest: self.newest,self.number = status,self.number+1
+
+    def wake(self):
+        "Wake the viewers that wait"
+        awaited,self._awaited = self._awaited,None
+        if awaited: awaited.set_result(None)
+
+    def changed(self):
+        "Wake the viewers, and have `status` called at once"
+        self._due = 0.
+        self.wake()
+
+    async def wait(self, timeout:float):
+        "Wait to be woken, or until the next `refresh` is due; `timeout` s at most"
+        self._awaited = self._awaited or asyncio.get_running_loop().create_future()
+        await asyncio.wait([self._awaited], timeout=min(timeout, self.period))  # `wait_for` may swallow a cancellation
+
+# %% ../../nbs/api/manager/00_panel.ipynb #16d95f57
+class _Update:
+    "Update for one viewer: a status and its tag, and `(camera id, number, JPEG)` of each picture"
+    def __init__(self, tag:str, status:dict|None, pictures:list=()): store_attr()
+    def __repr__(self): return f'Update: {"a status and " if self.status else ""}{len(self.pictures)} pictures'
+
 # %% ../../nbs/api/manager/00_panel.ipynb #5307cf8d
 def _as_error(e:BaseException)->Exception:
     "Return `e`, or a `RuntimeError` in place of one that would end a thread or loop"
@@ -437,13 +440,13 @@ async def call(f, # Function or coroutine function
     "Return the result of `f`; a coroutine runs on the caller's loop. Raises the errors of `f`, as `_as_error`"
     answer = Future()
     answer.set_running_or_notify_cancel()       # so a cancelled waiter doesn't cancel it
-    def live():
+    def in_thread():
         try: answer.set_result(f())
         except BaseException as e: answer.set_exception(_as_error(e))
-    here = inspect.iscoroutinefunction(f)
-    if not here: clock.Thread(target=live, name=name, daemon=True).start()
+    is_coroutine = inspect.iscoroutinefunction(f)
+    if not is_coroutine: clock.Thread(target=in_thread, name=name, daemon=True).start()
     try:
-        found = await (f() if here else asyncio.wrap_future(answer))
+        found = await (f() if is_coroutine else asyncio.wrap_future(answer))
         return await found if inspect.isawaitable(found) else found
     except (SystemExit,KeyboardInterrupt) as e: raise _as_error(e) from e
 

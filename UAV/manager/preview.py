@@ -16,55 +16,6 @@ from ..wire.dialect import MAVError
 # %% auto #0
 __all__ = ['Preview']
 
-# %% ../../nbs/api/manager/01_preview.ipynb #51f5b90a
-class _Numbered:
-    "The newest picture, numbered across players, and the times of the last ones"
-    most,window,widest,small = 256,2.,1920,160      # times kept; s to measure the rate over; px of JPEGs
-    def __init__(self):
-        self.last,self.first = (-1, None),0         # number, and a `Decoded`; first number of this player
-        self.times,self._jpeg = deque(maxlen=self.most),(-1, b'')   # `(number, monotonic s)` of the last
-
-    number = property(lambda self: self.last[0], doc="Number of the newest picture; -1 before the first")
-    size = property(lambda self: self.last[1] and self.last[1].size, doc="(width, height) of the newest picture, px")
-
-    def begin(self):
-        "Start to count for another player"
-        self.first = self.number+1
-
-    def put(self, frame):
-        "Keep a new picture"
-        self.last = self.first+frame.number,frame
-        self.times.append((self.number, frame.time))
-
-    def when(self, number:int)->float|None:
-        "Return when it came, monotonic s; the oldest time kept if it is too old, `None` before the first"
-        return dict(self.times).get(number, self.times[0][1] if self.times else None)
-
-    def rate(self, now:float)->float:
-        "Return the latest pictures per second; `now` is monotonic s"
-        lately = [(n, t) for n,t in list(self.times) if now-t<self.window]      # a copy: pictures come meanwhile
-        if not lately: return 0.
-        (first,began),(last,ended) = lately[0],lately[-1]
-        return (last-first)/max(ended-began, self.window/2)     # the first ones may come all at once
-
-    def thumbnail(self)->bytes:
-        "Return the newest picture as a small JPEG"
-        return _jpeg_of(self.last[1], self.small)
-
-    def numbered(self)->tuple:
-        "Return `(number, JPEG)` of the newest picture"
-        number,frame = self.last
-        if self._jpeg[0]!=number: self._jpeg = number,_jpeg_of(frame, self.widest)
-        return self._jpeg
-
-# %% ../../nbs/api/manager/01_preview.ipynb #a87235db
-def _jpeg_of(frame, widest:int)->bytes:
-    "Return a `Decoded` as a JPEG, at most `widest` px wide"
-    import cv2
-    scale = min(1., widest/frame.size[0])
-    image = frame.scaled(*(max(2, round(scale*n)) for n in frame.size))
-    return cv2.imencode('.jpg', image, [cv2.IMWRITE_JPEG_QUALITY, 75])[1].tobytes()
-
 # %% ../../nbs/api/manager/01_preview.ipynb #fae855c0
 class Preview:
     "Live picture of a camera, while a viewer looks"
@@ -109,13 +60,11 @@ def silent(self:Preview)->float:
     "Seconds since the last picture, or since the stream was opened"
     return clock.monotonic()-self._since
 
-# %% ../../nbs/api/manager/01_preview.ipynb #bec5d93f
 @patch(as_prop=True)
 def begun(self:Preview)->bool:
     "True if a picture came since the stream was opened"
     return self.player is not None and self.newest.number>=self.newest.first
 
-# %% ../../nbs/api/manager/01_preview.ipynb #fa4831c8
 @patch(as_prop=True)
 def live(self:Preview)->bool:
     "True if a picture of this stream came just now"
@@ -129,7 +78,7 @@ def state(self:Preview)->tuple:
     if self.streams==[]: return 'none','the camera has no video streams'
     if not self.wanted: return 'idle',''
     if self.live: return 'running',''
-    if why := self.player and self.player.fault or self.fault: return 'lost',why
+    if why := (self.player and self.player.fault) or self.fault: return 'lost',why
     return ('lost',f'no picture for {self.silent:.0f} s') if self.begun else ('waiting','')
 
 # %% ../../nbs/api/manager/01_preview.ipynb #d99f9d62
@@ -207,7 +156,6 @@ def look(self:Preview):
     wakes,self._looked = not self.wanted,clock.monotonic()
     if wakes: self._wake.set()
 
-# %% ../../nbs/api/manager/01_preview.ipynb #48c2efbe
 @patch
 async def picture(self:Preview, after:int=-1, # Number of the viewer's last picture
                  )->tuple|None:
@@ -233,9 +181,57 @@ def add_sink(self:Preview, sink): # A `Sink` for the access units, from the next
     if self.player: self.player.sinks.append(sink)
     self._wake.set()
 
-# %% ../../nbs/api/manager/01_preview.ipynb #c2f2b68a
 @patch
 def remove_sink(self:Preview, sink):
     "Stop sending to `sink`; safe to call twice"
     for sinks in (self.sinks, self.player.sinks if self.player else []):
         if sink in sinks: sinks.remove(sink)
+
+# %% ../../nbs/api/manager/01_preview.ipynb #51f5b90a
+class _Numbered:
+    "The newest picture, numbered across players, and the times of the last ones"
+    most,window,widest,small = 256,2.,1920,160      # times kept; s to measure the rate over; px of JPEGs
+    def __init__(self):
+        self.last,self.first = (-1, None),0         # number, and a `Decoded`; first number of this player
+        self.times,self._jpeg = deque(maxlen=self.most),(-1, b'')   # `(number, monotonic s)` of the last
+
+    number = property(lambda self: self.last[0], doc="Number of the newest picture; -1 before the first")
+    size = property(lambda self: self.last[1] and self.last[1].size, doc="(width, height) of the newest picture, px")
+
+    def begin(self):
+        "Start to count for another player"
+        self.first = self.number+1
+
+    def put(self, frame):
+        "Keep a new picture"
+        self.last = self.first+frame.number,frame
+        self.times.append((self.number, frame.time))
+
+    def when(self, number:int)->float|None:
+        "Return when it came, monotonic s; the oldest time kept if it is too old, `None` before the first"
+        return dict(self.times).get(number, self.times[0][1] if self.times else None)
+
+    def rate(self, now:float)->float:
+        "Return the latest pictures per second; `now` is monotonic s"
+        lately = [(n, t) for n,t in list(self.times) if now-t<self.window]      # a copy: pictures come meanwhile
+        if not lately: return 0.
+        (first,began),(last,ended) = lately[0],lately[-1]
+        return (last-first)/max(ended-began, self.window/2)     # the first ones may come all at once
+
+    def thumbnail(self)->bytes:
+        "Return the newest picture as a small JPEG"
+        return _jpeg_of(self.last[1], self.small)
+
+    def numbered(self)->tuple:
+        "Return `(number, JPEG)` of the newest picture"
+        number,frame = self.last
+        if self._jpeg[0]!=number: self._jpeg = number,_jpeg_of(frame, self.widest)
+        return self._jpeg
+
+# %% ../../nbs/api/manager/01_preview.ipynb #a87235db
+def _jpeg_of(frame, widest:int)->bytes:
+    "Return a `Decoded` as a JPEG, at most `widest` px wide"
+    import cv2
+    scale = min(1., widest/frame.size[0])
+    image = frame.scaled(*(max(2, round(scale*n)) for n in frame.size))
+    return cv2.imencode('.jpg', image, [cv2.IMWRITE_JPEG_QUALITY, 75])[1].tobytes()

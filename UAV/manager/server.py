@@ -19,7 +19,7 @@ from ..utils.sockets import listen_tcp, url_host, _Guesses, is_loopback
 from ..wire.dialect import MAVError
 
 # %% auto #0
-__all__ = ['log', 'modules', 'panel_css', 'panel_js', 'PanelServer', 'Refused', 'Door', 'bundle', 'Site']
+__all__ = ['log', 'modules', 'panel_css', 'panel_js', 'PanelServer', 'Door', 'Refused', 'Site', 'bundle']
 
 # %% ../../nbs/api/manager/09_server.ipynb #a6ed9cc8
 log = get_logger('manager.server')
@@ -92,29 +92,11 @@ async def _end(self:PanelServer, patience:float):
     for task in under_way: task.cancel()
     goodbyes = [talk.socket.close(code=1001, message=b'the panel has ended') for talk in self.site.talks]
     await asyncio.gather(*goodbyes, return_exceptions=True)
-    for visit in list(self.visits.values()): visit.busy or visit.transport.close()
+    for visit in list(self.visits.values()):
+        if not visit.busy: visit.transport.close()
     await self.web.shutdown(patience)
     for visit in list(self.visits.values()): visit.transport.abort()
     await asyncio.sleep(0)                  # lets them notice that they are closed
-
-# %% ../../nbs/api/manager/09_server.ipynb #43690a9c
-class Refused(Exception):
-    "A refused request: an HTTP status, and a text"
-    def __init__(self, status:int, # HTTP status, such as 403
-                 text:str=''): # Text to show; defaults to the phrase of the status
-        self.status,self.text = status,text or HTTPStatus(status).phrase
-        super().__init__(f'{status} {self.text}')
-
-# %% ../../nbs/api/manager/09_server.ipynb #0421d4ea
-def _name_of(place:str|None)->str:
-    "Return the host of a `Host` header in lower case; empty if it is neither a name nor an address"
-    found = re.fullmatch(r'(\[[0-9a-f:.%]+\]|[0-9a-z._-]+)(:\d{1,5})?', (place or '').lower())
-    return found[1].strip('[]') if found else ''
-
-# %% ../../nbs/api/manager/09_server.ipynb #fa7bcfe7
-def _is_address(name:str)->bool:
-    try: return bool(ipaddress.ip_address(name.partition('%')[0]))
-    except ValueError: return False
 
 # %% ../../nbs/api/manager/09_server.ipynb #e566ed1a
 class Door:
@@ -124,7 +106,8 @@ class Door:
                  names:tuple=()): # Further host names, such as that of a proxy
         if token is not None and not re.fullmatch(r'[A-Za-z0-9._~-]{8,200}', token):
             raise ValueError('a token has 8 or more characters, of A-Z, a-z, 0-9, and . _ ~ -')
-        self.token,self.everywhere = token or secrets.token_urlsafe(24),host in ('','0.0.0.0','::')
+        self.token = token or secrets.token_urlsafe(24)
+        self.everywhere = host in ('','0.0.0.0','::')
         self.guesses,self.queues = _Guesses() if token else None,{}         # `[lock, how many wait]` for each address
         own = socket.gethostname().lower()
         names = host, *names, *((own, f'{own.partition(".")[0]}.local') if self.everywhere else ())
@@ -137,9 +120,8 @@ class Door:
         if not hmac.compare_digest((given or '').encode('utf-8', 'replace'), self.token.encode()):
             raise Refused(403, 'this link has no token, or an old one')
 
-    def is_known(self, name:str, # Host name or address
-             )->bool:
-        "True if it is one of our names"
+    def is_known(self, name:str)->bool:
+        "True if a host name or address is one of ours"
         return is_loopback(name) or name in self.names or (self.everywhere and _is_address(name))
 
     def check_host(self, hosts:list): # All `Host` headers of a request
@@ -147,6 +129,25 @@ class Door:
         if len(hosts)!=1: raise Refused(400, 'one Host is needed')
         if self.is_known(_name_of(hosts[0])): return
         raise Refused(403, 'the panel does not know the name in this address: serve(names=…)')
+
+# %% ../../nbs/api/manager/09_server.ipynb #0421d4ea
+def _name_of(place:str|None)->str:
+    "Return the host of a `Host` header in lower case; empty if it is neither a name nor an address"
+    found = re.fullmatch(r'(\[[0-9a-f:.%]+\]|[0-9a-z._-]+)(:\d{1,5})?', (place or '').lower())
+    return found[1].strip('[]') if found else ''
+
+# %% ../../nbs/api/manager/09_server.ipynb #fa7bcfe7
+def _is_address(name:str)->bool:
+    try: return bool(ipaddress.ip_address(name.partition('%')[0]))
+    except ValueError: return False
+
+# %% ../../nbs/api/manager/09_server.ipynb #43690a9c
+class Refused(Exception):
+    "A refused request: an HTTP status, and a text"
+    def __init__(self, status:int, # HTTP status, such as 403
+                 text:str=''): # Text to show; defaults to the phrase of the status
+        self.status,self.text = status,text or HTTPStatus(status).phrase
+        super().__init__(f'{status} {self.text}')
 
 # %% ../../nbs/api/manager/09_server.ipynb #3a0e5f50
 @patch
@@ -192,53 +193,6 @@ def _rules_for(host:str)->dict:
         'Referrer-Policy': 'no-referrer',
         'Cross-Origin-Resource-Policy': 'same-origin',
         'Cache-Control': 'no-store'}
-
-# %% ../../nbs/api/manager/09_server.ipynb #dc78c707
-_icon = ("data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E"
-         "%3Cg fill='none' stroke='%230a7' stroke-width='2'%3E%3Ccircle cx='8' cy='8' r='6'/%3E"
-         "%3Cpath d='M8 5v6M5 8h6'/%3E%3C/g%3E%3C/svg%3E")
-_page_css = ':root { color-scheme: light dark } body { margin: 0 }'
-
-# %% ../../nbs/api/manager/09_server.ipynb #d548f9eb
-_static = files('UAV.manager')/'static'
-def _texts(ending:str)->dict:
-    "Return name and text of the static files with this ending, by name"
-    found = sorted((file for file in _static.iterdir() if file.name.endswith(ending)), key=lambda file: file.name)
-    return {file.name:file.read_text(encoding='utf-8') for file in found}
-
-# %% ../../nbs/api/manager/09_server.ipynb #0890adc7
-modules,_styles = _texts('.js'),_texts('.css')
-panel_css = '\n'.join([_styles.pop('panel.css'), *_styles.values()])      # the others refine it
-_imports = re.compile(r"^import [^']*'\./([\w.]+)'\n", re.M)
-
-# %% ../../nbs/api/manager/09_server.ipynb #f93f7cec
-def _in_order(name:str)->list:
-    "Return the names of a module and its imports, each after those it needs"
-    return list(dict.fromkeys([*(n for inner in _imports.findall(modules[name]) for n in _in_order(inner)), name]))
-
-# %% ../../nbs/api/manager/09_server.ipynb #a640a7d0
-def bundle(name:str='panel.js', # Main module, whose exports the bundle keeps
-          )->str:
-    "Return all modules as one script, for a notebook"
-    *others,last = (_imports.sub('', modules[n]) for n in _in_order(name))
-    return '\n'.join([*(re.sub('^export ', '', text, flags=re.M) for text in others), last])
-
-panel_js = bundle()
-
-# %% ../../nbs/api/manager/09_server.ipynb #bda11a06
-def _page_html(title:str)->str:
-    "Return the HTML of the page; `title` may be any text"
-    return f'''<!DOCTYPE html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1, viewport-fit=cover">
-<title>{escape(title)}</title>
-<link rel="icon" href="{_icon}">
-<link rel="stylesheet" href="panel.css">
-<script type="module" src="panel.js"></script>
-<main data-uav-panel></main>
-<noscript>This panel needs JavaScript.</noscript>
-'''
 
 # %% ../../nbs/api/manager/09_server.ipynb #5dab2f1c
 _releases = dict(hold='release', zoom_hold='zoom_release')      # the release of each kind of hold
@@ -333,14 +287,6 @@ async def answer(self:_Messages, message)->tuple:
         error = f'{type(e).__name__}: {e}'
     return dict(error=error[:300], ref=ref),[]
 
-# %% ../../nbs/api/manager/09_server.ipynb #96261aaa
-def _json_of(data)->dict:
-    "Return a JSON object; raises `Refused` (400)"
-    try: found = json.loads(data, parse_constant=int)       # raises `ValueError` for NaN and infinity
-    except (ValueError, RecursionError): raise Refused(400, 'this is no JSON') from None
-    if isinstance(found, dict): return found
-    raise Refused(400, 'a JSON object is needed')
-
 # %% ../../nbs/api/manager/09_server.ipynb #2748bc82
 class Site:
     "HTTP responses, on the panel's loop; one method per path"
@@ -355,14 +301,17 @@ class Site:
         hosts = request.headers.getall('Host', [])
         self.door.check_host(hosts)
         if request.method not in ('GET','POST'): raise Refused(405)
-        *_,folder,ticket,name = f'///{request.path}'.split('/')
+        *_,folder,ticket,name = f'///{request.path}'.split('/')         # behind a proxy, others come before
         if request.method=='POST' or name=='socket': self.door.check_origin(request.headers.get('Origin'), hosts[0])
         if name=='socket': return await _Talk(self, visit).live(request)
         public = request.method=='GET' and (not name or name in self.files or folder=='download')
         if not public: await self.door.admit(request.headers.get('X-Token'), request.remote or '')
-        visit.admitted,visit.trusted = True,visit.trusted or not public
+        visit.admitted = True
+        visit.trusted = visit.trusted or not public
         if public and folder=='download': return await self.download(request, visit, ticket)
-        if public: return self._static(request, name)
+        if public and not name: return self.reply(request, _page_html(self.gui.title), 'text/html')
+        kind = 'text/css' if name.endswith('.css') else 'text/javascript'
+        if public: return self.reply(request, self.files[name], kind)
         do = getattr(self, f'{request.method.lower()}_{name}'.replace('.', '_'), None)
         if not do: raise Refused(404, 'there is nothing of this name')
         return await do(request)
@@ -374,10 +323,6 @@ class Site:
         host = request.headers.get('Host', '')
         rules = _rules_for(host if self.door.is_known(_name_of(host)) else 'localhost')
         return web.Response(status=status, content_type=kind, headers=rules|headers, **what)
-
-    def _static(self, request, name:str):
-        if not name: return self.reply(request, _page_html(self.gui.title), 'text/html')
-        return self.reply(request, self.files[name], 'text/css' if name.endswith('.css') else 'text/javascript')
 
 # %% ../../nbs/api/manager/09_server.ipynb #9e0c508c
 @patch
@@ -412,6 +357,61 @@ async def post_act(self:Site, request):
     try: answer,_ = await _Messages(self.gui).act(**press)
     except (TypeError, ValueError) as e: raise Refused(400, str(e)[:300]) from None
     return self.reply(request, json.dumps(answer))
+
+# %% ../../nbs/api/manager/09_server.ipynb #96261aaa
+def _json_of(data)->dict:
+    "Return a JSON object; raises `Refused` (400)"
+    try: found = json.loads(data, parse_constant=int)       # raises `ValueError` for NaN and infinity
+    except (ValueError, RecursionError): raise Refused(400, 'this is no JSON') from None
+    if isinstance(found, dict): return found
+    raise Refused(400, 'a JSON object is needed')
+
+# %% ../../nbs/api/manager/09_server.ipynb #dc78c707
+_icon = ("data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E"
+         "%3Cg fill='none' stroke='%230a7' stroke-width='2'%3E%3Ccircle cx='8' cy='8' r='6'/%3E"
+         "%3Cpath d='M8 5v6M5 8h6'/%3E%3C/g%3E%3C/svg%3E")
+_page_css = ':root { color-scheme: light dark } body { margin: 0 }'
+
+# %% ../../nbs/api/manager/09_server.ipynb #d548f9eb
+_static = files('UAV.manager')/'static'
+def _texts(ending:str)->dict:
+    "Return name and text of the static files with this ending, by name"
+    found = sorted((file for file in _static.iterdir() if file.name.endswith(ending)), key=lambda file: file.name)
+    return {file.name:file.read_text(encoding='utf-8') for file in found}
+
+# %% ../../nbs/api/manager/09_server.ipynb #0890adc7
+modules,_styles = _texts('.js'),_texts('.css')
+panel_css = '\n'.join([_styles.pop('panel.css'), *_styles.values()])      # the others refine it
+_imports = re.compile(r"^import [^']*'\./([\w.]+)'\n", re.M)
+
+# %% ../../nbs/api/manager/09_server.ipynb #f93f7cec
+def _in_order(name:str)->list:
+    "Return the names of a module and its imports, each after those it needs"
+    return list(dict.fromkeys([*(n for inner in _imports.findall(modules[name]) for n in _in_order(inner)), name]))
+
+# %% ../../nbs/api/manager/09_server.ipynb #a640a7d0
+def bundle(name:str='panel.js', # Main module, whose exports the bundle keeps
+          )->str:
+    "Return all modules as one script, for a notebook"
+    *others,last = (_imports.sub('', modules[n]) for n in _in_order(name))
+    return '\n'.join([*(re.sub('^export ', '', text, flags=re.M) for text in others), last])
+
+panel_js = bundle()
+
+# %% ../../nbs/api/manager/09_server.ipynb #bda11a06
+def _page_html(title:str)->str:
+    "Return the HTML of the page; `title` may be any text"
+    return f'''<!DOCTYPE html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1, viewport-fit=cover">
+<title>{escape(title)}</title>
+<link rel="icon" href="{_icon}">
+<link rel="stylesheet" href="panel.css">
+<script type="module" src="panel.js"></script>
+<main data-uav-panel></main>
+<noscript>This panel needs JavaScript.</noscript>
+'''
 
 # %% ../../nbs/api/manager/09_server.ipynb #ac4b1d91
 _played = dict(mp4='video/mp4', m4v='video/mp4', mov='video/mp4', webm='video/webm')     # playable in a browser
@@ -453,12 +453,6 @@ async def download(self:Site, request, visit, ticket:str):
         visit.transport.abort()
     finally: await coming.close()
     return response
-
-# %% ../../nbs/api/manager/09_server.ipynb #7a125fba
-def _packed(answer:dict, pictures:list)->bytes:
-    "Pack an answer and its pictures into one message"
-    head = json.dumps(answer|dict(sizes=[len(jpeg) for jpeg in pictures])).encode()
-    return b''.join([len(head).to_bytes(4, 'big'), head, *pictures])
 
 # %% ../../nbs/api/manager/09_server.ipynb #eaf99261
 class _Talk:
@@ -521,6 +515,14 @@ async def _answer(self:_Talk, asked:dict):
     if asked.get('kind')!='poll': return await self._send(*await self.viewer.answer(asked))
     async with self.turn: await self._send(*await self.viewer.answer(asked))
 
+# %% ../../nbs/api/manager/09_server.ipynb #a7319ab3
+@patch
+async def _end(self:_Talk):
+    "Cancel the answers and release the holds of a page that is gone; finish what was pressed"
+    for task,kind in list(self.tasks.items()):
+        if kind!='act': task.cancel()
+    await self.viewer.leave()
+
 # %% ../../nbs/api/manager/09_server.ipynb #d314d30d
 @patch
 async def _send(self:_Talk, answer:dict, pictures=()):
@@ -528,12 +530,11 @@ async def _send(self:_Talk, answer:dict, pictures=()):
         if pictures: await self.socket.send_bytes(_packed(answer, pictures))
         else: await self.socket.send_str(json.dumps(answer))
 
-# %% ../../nbs/api/manager/09_server.ipynb #a7319ab3
-@patch
-async def _end(self:_Talk):
-    "Cancel the answers and release the holds of a page that is gone; finish what was pressed"
-    for task,kind in list(self.tasks.items()): kind=='act' or task.cancel()
-    await self.viewer.leave()
+# %% ../../nbs/api/manager/09_server.ipynb #7a125fba
+def _packed(answer:dict, pictures:list)->bytes:
+    "Pack an answer and its pictures into one message"
+    head = json.dumps(answer|dict(sizes=[len(jpeg) for jpeg in pictures])).encode()
+    return b''.join([len(head).to_bytes(4, 'big'), head, *pictures])
 
 # %% ../../nbs/api/manager/09_server.ipynb #d8d625be
 class _Visit:
@@ -574,12 +575,14 @@ def _web_class():
 @patch
 def _welcome(self:PanelServer, visit:_Visit):
     "Accept a connection, if there is room"
-    others,self.visits[visit.handler] = list(self.visits.values()),visit
+    others = list(self.visits.values())
+    self.visits[visit.handler] = visit
     if len(others)<self.most: return
     first = min(others, key=_Visit.rank)
-    if full := first.trusted and first.busy: first = visit
-    del self.visits[first.handler]
-    if not full: return first.transport.abort()
+    full = first.trusted and first.busy                     # all wait for an answer
+    dropped = visit if full else first
+    del self.visits[dropped.handler]
+    if not full: return dropped.transport.abort()
     visit.transport.write(b'HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n')
     self.gui.loop.loop.call_soon(visit.transport.close)     # aiohttp has not started with it yet
 

@@ -15,13 +15,14 @@ import pytest
 _world = pytest.StashKey()
 
 def _load():
-    "Import what the fixtures use: marks of handlers that come later would have tables built anew, and change the order"
-    import UAV.blocking, UAV.gimbals.sim, UAV.gimbals.vehicle, UAV.mavlink.sim_autopilot, UAV.testing.kit, UAV.wire.lossy
-    from UAV.mavlink import camera_client, camera_server, capture, gimbal_client, gimbal_server
+    "Import all modules of the fixtures: handlers that come later would have tables built anew, in another order"
+    import UAV.blocking, UAV.testing.kit, UAV.wire.lossy
+    from UAV.gimbals import sim, vehicle
+    from UAV.mavlink import camera_client, camera_server, capture, gimbal_client, gimbal_server, sim_autopilot
 
 @pytest.fixture
 def uav_clock(request, tmp_path_factory):
-    "Simulated time: the `World` of `UAV.testing.simulated`, with the seed that `parametrize(…, indirect=True)` gives, or 0"
+    "Simulated time: the `World` of `UAV.testing.simulated`, with the seed of `parametrize(…, indirect=True)`, or 0"
     from UAV.testing.simulation import simulated
     _load()
     tmp_path_factory.getbasetemp()

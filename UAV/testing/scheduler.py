@@ -14,35 +14,13 @@ from fastcore.basics import patch
 from ..logging import get_logger
 
 # %% auto #0
-__all__ = ['log', 'Deadlock', 'World', 'here', 'Waiter', 'outside']
+__all__ = ['log', 'World', 'here', 'Deadlock', 'Waiter', 'outside']
 
 # %% ../../nbs/api/testing/00_scheduler.ipynb #1956d010
 log = get_logger('simulated')
 __tracebackhide__ = True        # pytest shows the lines of a test, not ours
 _real_sleep,_real_monotonic = time.sleep,time.monotonic
 _get_ident,_allocate_lock = _thread.get_ident,_thread.allocate_lock
-
-# %% ../../nbs/api/testing/00_scheduler.ipynb #419349db
-class Deadlock(RuntimeError): "All threads of a simulation wait, and nothing can wake one; says where each waits"
-
-class _Ended(SystemExit): "Ends the threads that are left when a simulation ends"
-
-# %% ../../nbs/api/testing/00_scheduler.ipynb #250f81ab
-class _Task:
-    "A thread of a world"
-    def __init__(self, world, thread):
-        self.world,self.thread,self.gate = world,thread,_allocate_lock()
-        self.gate.acquire()             # it stands here while another one has the baton
-        self.turn = 0                   # its waits so far
-        self.spins = 0                  # how many of the latest took no time
-        self.looks = 0                  # at clocks, locks and events since it has waited
-        self.undisturbed = 0            # imports and forks under way: no dice, or a run would differ once all is loaded
-        self.waiting,self.late = False,False
-        self.poll = None                # finds what it waits for outside of the world
-        self.found = None               # by `poll`
-        self.error = None               # to be raised in it when it goes on
-        self.done,self.joiners = False,[]
-        self.outside = False            # true while it waits for the system itself
 
 # %% ../../nbs/api/testing/00_scheduler.ipynb #f2463e1d
 class World:
@@ -61,7 +39,7 @@ class World:
         self.pacer = None                   # the thread that has the baton while all others are outside
         self.programs = []                  # process ids of those that run
         self.outsiders = 0                  # threads in `outside`
-        self._told = False                  # that a program runs
+        self._noted = False                 # that a program runs
         self.on_the_way = 0                 # bytes not delivered yet
         self._awaited = 0.                  # in real time, until when they're due
         self.host,self.error,self.ended = None,None,False   # `host`: the asyncio task that began it
@@ -78,6 +56,28 @@ def here()->_Task|None:
     if _current is None: return
     task = _current.tasks.get(_get_ident())
     return None if task is None or task.outside else task
+
+# %% ../../nbs/api/testing/00_scheduler.ipynb #250f81ab
+class _Task:
+    "A thread of a world"
+    def __init__(self, world, thread):
+        self.world,self.thread,self.gate = world,thread,_allocate_lock()
+        self.gate.acquire()             # it stands here while another one has the baton
+        self.turn = 0                   # its waits so far
+        self.spins = 0                  # how many of the latest took no time
+        self.looks = 0                  # at clocks, locks and events since it has waited
+        self.undisturbed = 0            # imports and forks under way: no dice, or a run would differ once all is loaded
+        self.waiting,self.late = False,False
+        self.poll = None                # finds what it waits for outside of the world
+        self.found = None               # by `poll`
+        self.error = None               # to be raised in it when it goes on
+        self.done,self.joiners = False,[]
+        self.outside = False            # true while it waits for the system itself
+
+# %% ../../nbs/api/testing/00_scheduler.ipynb #419349db
+class Deadlock(RuntimeError): "All threads of a simulation wait, and nothing can wake one; says where each waits"
+
+class _Ended(SystemExit): "Ends the threads that are left when a simulation ends"
 
 # %% ../../nbs/api/testing/00_scheduler.ipynb #735f774a
 @patch
@@ -146,39 +146,6 @@ class Waiter:
         self.woken = True
         self.task.world.wake(self.task, self.turn)
 
-# %% ../../nbs/api/testing/00_scheduler.ipynb #b486a4b0
-@patch
-def _look(self:World):
-    "Find out who could run now"
-    while self._woken:
-        task,turn = self._woken.popleft()
-        if task.turn==turn: self._make_ready(task)
-    for task in list(self.tasks.values()):
-        if task.waiting and task.poll and (found := task.poll()):
-            task.found = found
-            self._make_ready(task)
-    while self.timed and (self.timed[0][0]<=self.now or self._is_stale(self.timed[0])):
-        _,_,task,turn = heapq.heappop(self.timed)
-        if task.turn==turn: self._make_ready(task, late=True)
-
-@patch
-def _is_stale(self:World, entry:tuple)->bool: return not entry[2].waiting or entry[2].turn!=entry[3]
-
-# %% ../../nbs/api/testing/00_scheduler.ipynb #760fcc71
-@patch
-def _next(self:World)->_Task:
-    "The task to run; raises `Deadlock`"
-    while True:
-        self._look()
-        if self.ended: return self.ready.pop(0) if self.ready else self.main
-        if self.ready: return self.ready.pop(self.dice.randrange(len(self.ready)))
-        due = self.timed[0][0] if self.timed else math.inf
-        if self._program_runs(): self._keep_pace(due)
-        elif self._delivers(): pass
-        elif due==math.inf: self._wait_for_others()
-        elif due>self.longest: raise Deadlock(f'it goes on after {self.longest:g} simulated seconds:\n{self.report()}')
-        else: self.now,self.changes = due+1e-9,0       # no timer rings early, whatever floats round to
-
 # %% ../../nbs/api/testing/00_scheduler.ipynb #aa526104
 @patch
 def _hand_on(self:World, me:_Task):
@@ -196,6 +163,39 @@ def _hand_on(self:World, me:_Task):
         if self.running is not me: self._woken.append((me, me.turn))
         me.gate.acquire(self.running is not me)
         raise
+
+# %% ../../nbs/api/testing/00_scheduler.ipynb #760fcc71
+@patch
+def _next(self:World)->_Task:
+    "The task to run; raises `Deadlock`"
+    while True:
+        self._look()
+        if self.ended: return self.ready.pop(0) if self.ready else self.main
+        if self.ready: return self.ready.pop(self.dice.randrange(len(self.ready)))
+        due = self.timed[0][0] if self.timed else math.inf
+        if self._program_runs(): self._keep_pace(due)
+        elif self._delivers(): pass
+        elif due==math.inf: self._wait_for_others()
+        elif due>self.longest: raise Deadlock(f'it goes on after {self.longest:g} simulated seconds:\n{self.report()}')
+        else: self.now,self.changes = due+1e-9,0       # no timer rings early, whatever floats round to
+
+# %% ../../nbs/api/testing/00_scheduler.ipynb #b486a4b0
+@patch
+def _look(self:World):
+    "Find out who could run now"
+    while self._woken:
+        task,turn = self._woken.popleft()
+        if task.turn==turn: self._make_ready(task)
+    for task in list(self.tasks.values()):
+        if task.waiting and task.poll and (found := task.poll()):
+            task.found = found
+            self._make_ready(task)
+    while self.timed and (self.timed[0][0]<=self.now or self._is_stale(self.timed[0])):
+        _,_,task,turn = heapq.heappop(self.timed)
+        if task.turn==turn: self._make_ready(task, late=True)
+
+@patch
+def _is_stale(self:World, entry:tuple)->bool: return not entry[2].waiting or entry[2].turn!=entry[3]
 
 # %% ../../nbs/api/testing/00_scheduler.ipynb #cf926a45
 @patch
@@ -293,7 +293,7 @@ def _fail(self:World, error:Exception)->_Task:
 def _runs(pid:int)->bool:
     "True until a child of this process has ended"
     try: return os.waitid(os.P_PID, pid, os.WEXITED|os.WNOHANG|os.WNOWAIT) is None
-    except AttributeError: pass         # macOS: we see the end only when somebody has waited for it
+    except AttributeError: pass         # macOS: we see the end only when another one has waited for it
     except OSError: return False
     try: os.kill(pid, 0)
     except OSError: return False
@@ -302,14 +302,14 @@ def _runs(pid:int)->bool:
 @patch
 def _program_runs(self:World)->bool:
     self.programs = [pid for pid in self.programs if _runs(pid)]
-    if self.programs and not self._told:
-        self._told = True
+    if self.programs and not self._noted:
+        self._noted = True
         log.info('a program was started: while one runs, time keeps its real pace')
     return bool(self.programs or self.outsiders)
 
 @patch
 def _keep_pace(self:World, due:float):
-    "Really wait until `due`, or until somebody could run, or no program runs any more"
+    "Really wait until `due`, until a thread could run, or until no program runs any more"
     began,now = _real_monotonic(),self.now
     while not self.ready and self.now<due and self._program_runs():
         _real_sleep(.001)

@@ -20,24 +20,6 @@ from ..utils import clock, threads
 # %% auto #0
 __all__ = ['epoch', 'simulated']
 
-# %% ../../nbs/api/testing/00_simulation.ipynb #33a323d7
-_real_urandom = os.urandom
-__tracebackhide__ = True        # pytest shows the lines of a test, not ours
-
-def _seeded(seed)->dict:
-    "Random numbers of a world in place of the system's: below `secrets`, `uuid4` and NumPy's generators"
-    dice = Random(f'secrets {seed}')
-    def urandom(size): return _real_urandom(size) if here() is None else dice.randbytes(size)
-    return {os.urandom: urandom, random.seed: _reseed}
-
-_real_seed = Random.seed
-
-def _seed(self, a=None, version=2):
-    "`Random()` asks the system in C"
-    _real_seed(self, int.from_bytes(os.urandom(32), 'big') if a is None else a, version)
-
-def _reseed(a=None, version=2): _seed(random._inst, a, version)
-
 # %% ../../nbs/api/testing/00_simulation.ipynb #0219579f
 class simulated:
     "Simulate time for the calling thread and all that it starts, until the end of the `with`; gives the `World`"
@@ -77,6 +59,24 @@ class simulated:
             self._swap.undo()
             random.setstate(self._state)
             numpy.random.set_state(self._numpy_state)
+
+# %% ../../nbs/api/testing/00_simulation.ipynb #33a323d7
+_real_urandom = os.urandom
+__tracebackhide__ = True        # pytest shows the lines of a test, not ours
+
+def _seeded(seed)->dict:
+    "Random numbers of a world in place of the system's: below `secrets`, `uuid4` and NumPy's generators"
+    dice = Random(f'secrets {seed}')
+    def urandom(size): return _real_urandom(size) if here() is None else dice.randbytes(size)
+    return {os.urandom: urandom, random.seed: _reseed}
+
+_real_seed = Random.seed
+
+def _seed(self, a=None, version=2):
+    "`Random()` asks the system in C"
+    _real_seed(self, int.from_bytes(os.urandom(32), 'big') if a is None else a, version)
+
+def _reseed(a=None, version=2): _seed(random._inst, a, version)
 
 # %% ../../nbs/api/testing/00_simulation.ipynb #07dc37b5
 @threads.in_child
