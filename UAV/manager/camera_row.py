@@ -40,8 +40,10 @@ class CameraRow(Row):
                  target:tuple): # `(system, component)`
         self.camera,self.received = gui.camera_client.camera(*target),CameraMessages()
         self.preview = Preview(self.camera, gui.wake)
-        self.due,self.tries,self._wake = {},{},asyncio.Event()  # by message id: time of the next request; failures
-        self.was_lost,self.thumbnails,self.streams = False,{},{}    # `{key: JPEG}`; `{id: Stream}` as received
+        self.due,self.tries = {},{}     # by message id: time of the next request; failures
+        self._wake = asyncio.Event()
+        self.was_lost = False
+        self.thumbnails,self.streams = {},{}    # `{key: JPEG}`; `{id: Stream}` as received
         parts = _CameraFiles,_CameraSettings,_CameraTracking,_RecordHere,_Aim,_CameraGround,_Follow,_Signal
         super().__init__(gui, '{}/{}'.format(*target), *parts)
         self.files,self.settings,self.tracking,self.recording,self.aim,self.ground,self.follow,_ = self.parts
@@ -64,26 +66,6 @@ class CameraRow(Row):
         for e in await asyncio.gather(*ends, return_exceptions=True):
             if isinstance(e, Exception): raise e
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #6e4f9029
-@patch
-def _on_picture(self:CameraRow, msg):
-    "Store an announced picture, with its thumbnail"
-    if self.received.has_picture(msg): return
-    key = -1
-    if self.preview.live and msg.capture_result==1:
-        key = max(self.thumbnails, default=0)+1
-        self.thumbnails[key] = self.preview.newest.thumbnail()
-        self.thumbnails.pop(key-self.most, None)
-    self.received.add_picture(msg, key)
-    self.ground.add(msg)
-
-# %% ../../nbs/api/manager/07_camera_row.ipynb #dae38c59
-@patch
-def thumbnail(self:CameraRow, key:int, # Key, as in `status`
-             )->bytes|None:
-    "Return a thumbnail as a JPEG; `None` if it is gone"
-    return self.thumbnails.get(key)
-
 # %% ../../nbs/api/manager/07_camera_row.ipynb #3a4b4eeb
 @patch
 def _on_information(self:CameraRow, msg):
@@ -103,17 +85,23 @@ def _on_stream(self:CameraRow, msg):
         self.streams.clear()
         self.soon(VIDEO_STREAM_INFORMATION)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #46f530f7
+# %% ../../nbs/api/manager/07_camera_row.ipynb #6e4f9029
 @patch
-def take(self:CameraRow, msg):
-    "Store a message of the camera, on the panel's loop"
-    msg_id = msg.get_msgId()
-    if self.received.restarts(msg): self._ask_anew()
-    self.tries.pop(msg_id, None)
-    self._put_off(msg_id)
-    if first := self.receives[msg_id]: first(msg)
-    self.received.add(msg)
-    self.gui.changed()
+def _on_picture(self:CameraRow, msg):
+    "Store an announced picture, with its thumbnail"
+    if self.received.has_picture(msg): return
+    key = -1
+    if self.preview.live and msg.capture_result==1:
+        key = max(self.thumbnails, default=0)+1
+        self.thumbnails[key] = self.preview.newest.thumbnail()
+        self.thumbnails.pop(key-self.most, None)
+    self.received.add_picture(msg, key)
+    self.ground.add(msg)
+
+@patch
+def thumbnail(self:CameraRow, key:int)->bytes|None:
+    "Return the thumbnail with a key of `status` as a JPEG; `None` if it is gone"
+    return self.thumbnails.get(key)
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #fab38aa5
 @patch
@@ -135,35 +123,6 @@ async def _ask(self:CameraRow, question:int):
     await asyncio.sleep(0)                      # the answer may be coming from the link's thread
     if self.received.came.get(question, 0)>=began: self.tries.pop(question, None)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #f1a67207
-@patch
-def soon(self:CameraRow,
-    *questions, # Message ids; all if there are none
-    now:bool=True, # False: within half a second
-):
-    "Request these messages next; on the panel's loop"
-    for question in questions or self.requests: self.due.pop(question, None)
-    if now: self._wake.set()
-
-# %% ../../nbs/api/manager/07_camera_row.ipynb #df1b2b53
-@patch
-def _ask_anew(self:CameraRow):
-    "Request everything: the camera restarted, or is back"
-    self.tries.clear()
-    self.streams.clear()
-    self.soon()
-    if not self.preview.live: self.preview.reopen()
-
-# %% ../../nbs/api/manager/07_camera_row.ipynb #c85792a4
-@patch(as_prop=True)
-def lost(self:CameraRow)->str:
-    "Reason why the camera is lost, or ''"
-    com,there = self.camera.client.mav_com,self.camera.address
-    why = 'the link is closed' if com._closed else com.lost(there)
-    if not why and there not in com.remotes: why = f'{self.id} was not heard'
-    if why: self.was_lost = True        # until everything was requested again
-    return why
-
 # %% ../../nbs/api/manager/07_camera_row.ipynb #f7bd3577
 @patch
 def _open_questions(self:CameraRow)->list:
@@ -181,17 +140,34 @@ async def _refresh(self:CameraRow):
         self._ask_anew()
     while not self.lost and (questions := self._open_questions()): await asyncio.gather(*map(self._ask, questions))
 
+# %% ../../nbs/api/manager/07_camera_row.ipynb #f1a67207
+@patch
+def soon(self:CameraRow, *questions, # Message ids; all if there are none
+         now:bool=True): # False: within half a second
+    "Request these messages next; on the panel's loop"
+    for question in questions or self.requests: self.due.pop(question, None)
+    if now: self._wake.set()
+
+# %% ../../nbs/api/manager/07_camera_row.ipynb #df1b2b53
+@patch
+def _ask_anew(self:CameraRow):
+    "Request everything: the camera restarted, or is back"
+    self.tries.clear()
+    self.streams.clear()
+    self.soon()
+    if not self.preview.live: self.preview.reopen()
+
 # %% ../../nbs/api/manager/07_camera_row.ipynb #d035ab0c
 @patch
 async def run(self:CameraRow):
     "Listen and request, until cancelled"
     loop = asyncio.get_running_loop()
-    def heard(msg):
+    def received(msg):
         with suppress(RuntimeError):            # the loop has ended
             if address(msg)==self.camera.address: loop.call_soon_threadsafe(self.take, msg)
 
     with ExitStack() as stack:
-        for msg_id in self.receives: stack.enter_context(self.camera.client.expecting(msg_id, heard))
+        for msg_id in self.receives: stack.enter_context(self.camera.client.expecting(msg_id, received))
         showing = asyncio.ensure_future(self.gui._keep(self.preview.run))
         try:
             while True:
@@ -202,6 +178,28 @@ async def run(self:CameraRow):
         finally:
             showing.cancel()
             await asyncio.wait([showing])
+
+# %% ../../nbs/api/manager/07_camera_row.ipynb #46f530f7
+@patch
+def take(self:CameraRow, msg):
+    "Store a message of the camera, on the panel's loop"
+    msg_id = msg.get_msgId()
+    if self.received.restarts(msg): self._ask_anew()
+    self.tries.pop(msg_id, None)
+    self._put_off(msg_id)
+    if first := self.receives[msg_id]: first(msg)
+    self.received.add(msg)
+    self.gui.changed()
+
+# %% ../../nbs/api/manager/07_camera_row.ipynb #c85792a4
+@patch(as_prop=True)
+def lost(self:CameraRow)->str:
+    "Reason why the camera is lost, or ''"
+    com,there = self.camera.client.mav_com,self.camera.address
+    why = 'the link is closed' if com._closed else com.lost(there)
+    if not why and there not in com.remotes: why = f'{self.id} was not heard'
+    if why: self.was_lost = True        # until everything was requested again
+    return why
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #bbbbf8dd
 @patch
@@ -225,42 +223,29 @@ async def snapshot(self:CameraRow)->str:
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #2cc5221f
 @patch
-async def commanded(self:CameraRow,
-    verb, # Coroutine of a `RemoteCamera` method
-    *questions:int, # Ids of messages to request afterwards
-)->Ack:
-    "Await the ack of a command, and request the camera's state"
+async def commanded(self:CameraRow, verb, *questions:int)->Ack:
+    "Await `verb`, a coroutine of the `RemoteCamera`, and request messages with these ids"
     ack = await verb
     self.soon(*questions)
     return ack
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #ce82bd88
-def _in_or_out(what:str, value)->int:
-    "Return `value`; raise `ValueError` unless it is 1 (in) or -1 (out)"
-    if value in (1, -1): return value
-    raise ValueError(f'{what} must be 1 or -1, not {value!r:.80}')
-
 # %% ../../nbs/api/manager/07_camera_row.ipynb #7ecdeb1e
 @patch
 @action('interval')
-async def interval(self:CameraRow, seconds:float, # Seconds between two pictures, 0.1 to 3600
-                  )->Ack:
-    "Take pictures until stopped"
+async def interval(self:CameraRow, seconds:float)->Ack:
+    "Take pictures every 0.1 to 3600 `seconds` until stopped"
     start,seconds = self.camera.client.image_start_capture,inside('seconds', seconds, .1, 3600)
     return await self.commanded(start(*self.camera.address, interval=seconds, count=0), CAMERA_CAPTURE_STATUS)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #2adebb49
 @patch
 @action('stop_capture')
 async def stop_capture(self:CameraRow)->Ack:
     "Stop taking pictures"
     return await self.commanded(self.camera.stop(), CAMERA_CAPTURE_STATUS, STORAGE_INFORMATION)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #5bc41b77
 @patch
 @action('record')
-async def record(self:CameraRow, on:bool, # Start, or stop
-                )->Ack:
+async def record(self:CameraRow, on:bool)->Ack:
     "Start or stop recording on the camera's card"
     verb = self.camera.record if _on_or_off(on) else self.camera.stop_recording
     return await self.commanded(verb(), CAMERA_CAPTURE_STATUS, *([] if on else [STORAGE_INFORMATION]))
@@ -268,9 +253,8 @@ async def record(self:CameraRow, on:bool, # Start, or stop
 # %% ../../nbs/api/manager/07_camera_row.ipynb #34c4f2e4
 @patch
 @action('mode')
-async def mode(self:CameraRow, mode:str, # One of the camera's modes
-              )->Ack:
-    "Set the mode: image, video or survey"
+async def mode(self:CameraRow, mode:str)->Ack:
+    "Set one of the camera's modes: image, video or survey"
     there = self.received.status()['modes'] or ['image','video','image_survey']
     return await self.commanded(self.camera.mode(one_of('mode', mode, there)), CAMERA_SETTINGS)
 
@@ -283,28 +267,29 @@ async def zoomed(self:CameraRow, **how)->Ack:
 # %% ../../nbs/api/manager/07_camera_row.ipynb #13abb93b
 @patch
 @action('zoom')
-async def zoom(self:CameraRow, percent:float, # 0 is wide, 100 is tele
-              )->Ack:
-    "Zoom to a percentage of the range"
+async def zoom(self:CameraRow, percent:float)->Ack:
+    "Zoom to a percentage of the range: 0 is wide, 100 is tele"
     return await self.zoomed(percent=inside('percent', percent, 0, 100))
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #4330edd2
 @patch
 @action('zoom_step')
-async def zoom_step(self:CameraRow, step:int=1, # 1 is in, -1 is out
-                   )->Ack:
-    "Zoom one step in or out"
+async def zoom_step(self:CameraRow, step:int=1)->Ack:
+    "Zoom one step in (1) or out (-1)"
     return await self.zoomed(steps=_in_or_out('step', step))
+
+# %% ../../nbs/api/manager/07_camera_row.ipynb #ce82bd88
+def _in_or_out(what:str, value)->int:
+    "Return `value`; raise `ValueError` unless it is 1 (in) or -1 (out)"
+    if value in (1, -1): return value
+    raise ValueError(f'{what} must be 1 or -1, not {value!r:.80}')
 
 # %% ../../nbs/api/manager/07_camera_row.ipynb #929975bf
 @patch
 @action('focus')
-async def focus(self:CameraRow, percent:float, # 0 is nearest, 100 is farthest
-               )->Ack:
-    "Focus at a percentage of the range"
+async def focus(self:CameraRow, percent:float)->Ack:
+    "Focus at a percentage of the range: 0 is nearest, 100 is farthest"
     return await self.commanded(self.camera.focus(percent=inside('percent', percent, 0, 100)), CAMERA_SETTINGS)
 
-# %% ../../nbs/api/manager/07_camera_row.ipynb #45dd2398
 @patch
 @action('autofocus')
 async def autofocus(self:CameraRow)->Ack:

@@ -53,21 +53,71 @@ class Gui(Panel):
             lost.removal = asyncio.ensure_future(self.remove_row(lost.id))      # an event loop keeps no task alive
         return self.add_row(kind(self, where))
 
-    def _may_manage(self)->set:
-        "Return the addresses of components that are not lost, and are no ground stations"
-        return {source for source,mav_type in _beating(self.gimbal_client) if mav_type!=mavlink.MAV_TYPE_GCS}
+# %% ../../nbs/api/manager/11_gui.ipynb #af8d85a7
+@patch
+async def find_cameras(self:Gui, count:int|None=None, # Return as soon as this many are found
+                       timeout:float=1.5, # Seconds to listen
+                      )->list:
+    "Find cameras and return their rows, from any event loop; raises `LinkError`"
+    find = self.camera_client and self.camera_client.find_cameras
+    return await self.loop.ask(self._find(find, CameraRow, count, timeout))
 
-# %% ../../nbs/api/manager/11_gui.ipynb #3c865782
-def _beating(client)->list:
-    "Return address and MAV_TYPE of the components that are not lost"
-    return sorted((a, r.type) for a,r in client.remotes.items() if r.heard and not r.lost)
+@patch
+async def find_gimbals(self:Gui, count:int|None=None, # Return as soon as this many are found
+                       timeout:float=1.5, # Seconds to listen
+                      )->list:
+    "Find gimbals and return their rows, from any event loop; raises `LinkError`"
+    find = self.gimbal_client and self.gimbal_client.find_gimbals
+    return await self.loop.ask(self._find(find, GimbalRow, count, timeout))
 
-# %% ../../nbs/api/manager/11_gui.ipynb #57d6e3ba
-async def _next_beat(client, is_new):
-    "Wait up to a second for the heartbeat of a component that `is_new`, but at least 0.1 s"
-    with client.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda msg: is_new(address(msg), msg.type)) as beat:
-        await beat.wait(.9)
-    await asyncio.sleep(.1)
+# %% ../../nbs/api/manager/11_gui.ipynb #7e41e1d5
+@patch
+async def _find(self:Gui, find, kind:type, count, timeout)->list:
+    "Return the rows of the devices that `find` finds; none without a client"
+    rows = []
+    for remote in await find(count, timeout) if find else ():
+        row = self._row_of(kind, remote.gimbal if kind is GimbalRow else remote.address)
+        if row is None: continue
+        if kind is CameraRow and remote.information: row.take(remote.information)
+        rows.append(row)
+    return rows
+
+# %% ../../nbs/api/manager/11_gui.ipynb #a281ff51
+@patch
+def serve(self:Gui, port:int=0, # TCP port; 0: any free one
+          host:str='127.0.0.1', # Address to listen on; '': all, for other computers, too
+          token:str|None=None, # `None`: a new one; set your own so that open pages find a restarted panel
+          names:tuple=(), # Further host names, such as that of a proxy
+         )->PanelServer:
+    "Serve the panel to browsers; raises `OSError` (port in use), `ValueError` (weak token), `RuntimeError` (closed)"
+    return PanelServer(self, port, host, token, names)
+
+# %% ../../nbs/api/manager/11_gui.ipynb #72dd9599
+@patch
+async def run_gui(self:Gui, port:int=0, # TCP port; 0: any free one
+                  host:str='127.0.0.1', # Address to listen on; '': all, for other computers, too
+                  token:str|None=None): # `None`: a new one
+    "Serve the panel to browsers until `exit_event`; raises `OSError` if the port is in use"
+    with self.serve(port, host, token) as server:
+        self.logger.warning('the panel is at %s', server.url)
+        await self.until_exit()
+
+# %% ../../nbs/api/manager/11_gui.ipynb #7fb42cd5
+@patch
+async def gimbal_control(self:Gui):
+    "Control all gimbals that no other client controls, until `exit_event`; from any event loop"
+    seen = {}           # `{id: row}`: each is taken once, so that the button to give it back works
+    async def control():
+        try:
+            while not self.exit_event.is_set():
+                for row in [r for r in self.rows.values() if r.kind=='gimbal' and r.id not in seen and not r.lost]:
+                    seen[row.id] = row
+                    try: await row.helm.seize()
+                    except MAVError as e: self.logger.warning('%s', e)
+                await self.feed.wait(1.)
+        finally:
+            for row in seen.values(): await row.helm.close()
+    await self.loop.ask(control())
 
 # %% ../../nbs/api/manager/11_gui.ipynb #fe44d5f2
 @patch
@@ -97,25 +147,17 @@ async def _watch_cameras(self:Gui):
         for task in asked.values(): task.cancel()
         await asyncio.gather(*asked.values(), return_exceptions=True)
 
-# %% ../../nbs/api/manager/11_gui.ipynb #4d5a4cd8
-@patch
-def _due(self:Gui, asked:dict)->list:
-    "Return the addresses to ask now, and drop lost ones from `asked`, `{address: (times, next time)}`"
-    there,now = self._may_manage(),clock.monotonic()
-    answered = {g.manager for g in self.gimbal_client.reported(kinds=[GIMBAL_MANAGER_INFORMATION])}
-    for gone in set(asked)-there: del asked[gone]
-    return sorted(a for a in there if a not in asked or a not in answered and asked[a][1]<=now)[:16]
+# %% ../../nbs/api/manager/11_gui.ipynb #3c865782
+def _beating(client)->list:
+    "Return address and MAV_TYPE of the components that are not lost"
+    return sorted((a, r.type) for a,r in client.remotes.items() if r.heard and not r.lost)
 
-# %% ../../nbs/api/manager/11_gui.ipynb #e8cfa48d
-@patch
-async def _ask_managers(self:Gui, asked:dict):
-    "Ask the managers that are due for their gimbals"
-    due,(first,longest_back_off) = self._due(asked),self.ask_again
-    for a in due:
-        times = asked.get(a, (0, 0))[0]
-        asked[a] = times+1,clock.monotonic()+min(first*2**min(times, 9), longest_back_off)
-    ask = self.gimbal_client.ask
-    await asyncio.gather(*(ask(a, GIMBAL_MANAGER_INFORMATION) for a in due), return_exceptions=True)
+# %% ../../nbs/api/manager/11_gui.ipynb #57d6e3ba
+async def _next_beat(client, is_new):
+    "Wait up to a second for the heartbeat of a component that `is_new`, but at least 0.1 s"
+    with client.expecting(mavlink.MAVLINK_MSG_ID_HEARTBEAT, lambda msg: is_new(address(msg), msg.type)) as beat:
+        await beat.wait(.9)
+    await asyncio.sleep(.1)
 
 # %% ../../nbs/api/manager/11_gui.ipynb #446ac36f
 @patch
@@ -129,6 +171,27 @@ async def _watch_gimbals(self:Gui):
             if not gimbal.gimbal_device_id or client.mav_com.lost(gimbal.manager): continue
             self._row_of(GimbalRow, gimbal.address)
         await _next_beat(client, is_new)
+
+# %% ../../nbs/api/manager/11_gui.ipynb #e8cfa48d
+@patch
+async def _ask_managers(self:Gui, asked:dict):
+    "Ask the managers that are due for their gimbals"
+    due,(first,longest_back_off) = self._due(asked),self.ask_again
+    for a in due:
+        times = asked.get(a, (0, 0))[0]
+        asked[a] = times+1,clock.monotonic()+min(first*2**min(times, 9), longest_back_off)
+    ask = self.gimbal_client.ask
+    await asyncio.gather(*(ask(a, GIMBAL_MANAGER_INFORMATION) for a in due), return_exceptions=True)
+
+# %% ../../nbs/api/manager/11_gui.ipynb #4d5a4cd8
+@patch
+def _due(self:Gui, asked:dict)->list:
+    "Return the addresses to ask now, and drop lost ones from `asked`, `{address: (times, next time)}`"
+    there = {source for source,mav_type in _beating(self.gimbal_client) if mav_type!=mavlink.MAV_TYPE_GCS}
+    answered = {g.manager for g in self.gimbal_client.reported(kinds=[GIMBAL_MANAGER_INFORMATION])}
+    for gone in set(asked)-there: del asked[gone]
+    def is_due(a): return a not in asked or a not in answered and asked[a][1]<=clock.monotonic()
+    return sorted(filter(is_due, there))[:16]
 
 # %% ../../nbs/api/manager/11_gui.ipynb #8c8c65b5
 @patch
@@ -148,70 +211,3 @@ async def _forget_lost(self:Gui):
         for id,when in since.items():
             if now-when>=self.forget_after: await self.remove_row(id)
         await asyncio.sleep(min(1., self.forget_after/4))
-
-# %% ../../nbs/api/manager/11_gui.ipynb #7e41e1d5
-@patch
-async def _find(self:Gui, find, kind:type, count, timeout)->list:
-    "Return the rows of the devices that `find` finds; none without a client"
-    rows = []
-    for remote in await find(count, timeout) if find else ():
-        row = self._row_of(kind, remote.gimbal if kind is GimbalRow else remote.address)
-        if row is None: continue
-        if kind is CameraRow and remote.information: row.take(remote.information)
-        rows.append(row)
-    return rows
-
-# %% ../../nbs/api/manager/11_gui.ipynb #af8d85a7
-@patch
-async def find_cameras(self:Gui, count:int|None=None, # Return as soon as this many are found
-                       timeout:float=1.5, # Seconds to listen
-                      )->list:
-    "Find cameras and return their rows, from any event loop; raises `LinkError`"
-    find = self.camera_client and self.camera_client.find_cameras
-    return await self.loop.ask(self._find(find, CameraRow, count, timeout))
-
-# %% ../../nbs/api/manager/11_gui.ipynb #1e146e6f
-@patch
-async def find_gimbals(self:Gui, count:int|None=None, # Return as soon as this many are found
-                       timeout:float=1.5, # Seconds to listen
-                      )->list:
-    "Find gimbals and return their rows, from any event loop; raises `LinkError`"
-    find = self.gimbal_client and self.gimbal_client.find_gimbals
-    return await self.loop.ask(self._find(find, GimbalRow, count, timeout))
-
-# %% ../../nbs/api/manager/11_gui.ipynb #7fb42cd5
-@patch
-async def gimbal_control(self:Gui):
-    "Control all gimbals that no other client controls, until `exit_event`; from any event loop"
-    seen = {}           # `{id: row}`: each is taken once, so that the button to give it back works
-    async def control():
-        try:
-            while not self.exit_event.is_set():
-                for row in [r for r in self.rows.values() if r.kind=='gimbal' and r.id not in seen and not r.lost]:
-                    seen[row.id] = row
-                    try: await row.helm.seize()
-                    except MAVError as e: self.logger.warning('%s', e)
-                await self.feed.wait(1.)
-        finally:
-            for row in seen.values(): await row.helm.close()
-    await self.loop.ask(control())
-
-# %% ../../nbs/api/manager/11_gui.ipynb #a281ff51
-@patch
-def serve(self:Gui, port:int=0, # TCP port; 0: any free one
-          host:str='127.0.0.1', # Address to listen on; '': all, for other computers, too
-          token:str|None=None, # `None`: a new one; set your own so that open pages find a restarted panel
-          names:tuple=(), # Further host names, such as that of a proxy
-         )->PanelServer:
-    "Serve the panel to browsers; raises `OSError` (port in use), `ValueError` (weak token), `RuntimeError` (closed)"
-    return PanelServer(self, port, host, token, names)
-
-# %% ../../nbs/api/manager/11_gui.ipynb #72dd9599
-@patch
-async def run_gui(self:Gui, port:int=0, # TCP port; 0: any free one
-                  host:str='127.0.0.1', # Address to listen on; '': all, for other computers, too
-                  token:str|None=None): # `None`: a new one
-    "Serve the panel to browsers until `exit_event`; raises `OSError` if the port is in use"
-    with self.serve(port, host, token) as server:
-        self.logger.warning('the panel is at %s', server.url)
-        await self.until_exit()

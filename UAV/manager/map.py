@@ -53,7 +53,8 @@ class Fleet:
     def take(self, msg):
         "Store an autopilot's message, on the panel's loop; component 1 has priority in a system"
         source = address(msg)
-        if not self._is_pilot(source) or source[0] not in self.vehicles and len(self.vehicles)>=self.most: return
+        full = source[0] not in self.vehicles and len(self.vehicles)>=self.most
+        if full or not self._is_pilot(source): return
         vehicle = self.vehicles.setdefault(source[0], _Vehicle(source[0]))
         gone = clock.monotonic()-vehicle.heard>self.patience
         if vehicle.source in (None, source) or source[1]==1 or gone: vehicle.take(msg)
@@ -83,11 +84,11 @@ async def _ask(self:Fleet, client, source:tuple):
 async def run(self:Fleet):
     "Listen and request, until cancelled"
     loop = asyncio.get_running_loop()
-    def heard(msg):
+    def received(msg):
         with suppress(RuntimeError): loop.call_soon_threadsafe(self.take, msg)      # raised when the loop has ended
     with ExitStack() as stack:
         for client in self.clients:
-            for msg_id in (POSITION, BATTERY_STATUS, SYS_STATUS): stack.enter_context(client.expecting(msg_id, heard))
+            for id in (POSITION, BATTERY_STATUS, SYS_STATUS): stack.enter_context(client.expecting(id, received))
         while True:
             await asyncio.gather(*(self._ask(c, a) for c in self.clients for a in self._silent(c)))
             await asyncio.sleep(1)
