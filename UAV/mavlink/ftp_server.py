@@ -21,7 +21,140 @@ from ..wire.dialect import address
 _all_ = ['FILE_TRANSFER_PROTOCOL']
 
 # %% auto #0
-__all__ = ['FtpPace', 'FtpServer', 'FILE_TRANSFER_PROTOCOL']
+__all__ = ['FtpServer', 'FtpPace', 'FILE_TRANSFER_PROTOCOL']
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #63f4eee9
+class FtpServer(Part):
+    "Serves files by MAVLink FTP, on any component"
+    most_waiting,most_each = 64,16  # queued requests; of one peer
+    linger = 5.                     # seconds without work until the thread ends, or checks for old sessions
+    patience = 5.                   # seconds that `close` waits for the disk
+
+    def __init__(self, component, # Sends the answers; its `pace` is each peer's minimum in bytes/s
+                 files:FileTree|None=None, # The files to serve
+                 guard=lambda msg: None): # Called with each request that changes something; raises `Denied`
+        super().__init__(component)
+        self.files,self.guard = FileTree() if files is None else files,guard
+        self.sessions,self._paces = FtpSessions(self.files),{}
+        self._requests,self._jobs = deque(),{}          # queued requests; `{key: FtpJob}`
+        self._changed,self._thread,self._closed = clock.Condition(),None,False
+
+    def __repr__(self): return f'FtpServer: {self.files!r}, {len(self.sessions.open)} open'
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #f4303e59
+@patch
+@receives(FILE_TRANSFER_PROTOCOL)
+def take(self:FtpServer, msg): # A FILE_TRANSFER_PROTOCOL
+    "Queue a request; drop it if too many are waiting"
+    peer = address(msg)
+    if msg.target_component!=self.component.source_component or 0 in peer: return
+    with self._changed:
+        each = sum(1 for p,*_ in self._requests if p==peer)
+        if self._closed or len(self._requests)>=self.most_waiting or each>=self.most_each: return
+        self._requests.append((peer, read_ftp(msg.payload), msg))
+        self._changed.notify_all()
+        if self._thread is None:
+            name = f'files of {type(self.component).__name__} {self.component.source_component}'
+            self._thread = clock.Thread(target=self._run, name=name, daemon=True)
+            self._thread.start()
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #3fe6e4bb
+@patch
+def _run(self:FtpServer):
+    while (requests := self._next()) is not None:
+        for request in requests: self._answer(*request)
+        for job in list(self._jobs.values()): self._advance(job)
+        self.sessions.sweep()
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #1a9e39d2
+@patch
+def _next(self:FtpServer)->tuple|None:
+    "Wait for work and return a tuple of one request, or of none if a job is due; `None` at the end"
+    end = clock.monotonic()+self.linger
+    with self._changed:
+        while not self._closed:
+            now,due = clock.monotonic(),min(map(self._when, self._jobs.values()), default=math.inf)
+            if self._requests: return (self._requests.popleft(),)
+            if due<=now: return ()
+            if now>=end: break
+            self._changed.wait(min(due, end)-now)
+        if self.sessions.open and not self._closed: return ()
+        self._thread = None
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #560f1b90
+@patch
+def _answer(self:FtpServer, peer:tuple, request:FtpFrame, msg):
+    "Answer a request, or start a job"
+    def guard():
+        try: self.guard(msg)
+        except Denied as e: raise PermissionError(errno.EACCES, str(e)) from None
+    found = self.sessions.answer(peer, request, guard)
+    if request.opcode==FtpOp.READ_FILE and peer in self._paces:
+        self._paces[peer].note_read(self.sessions.open.get((peer,request.session)))
+    if isinstance(found, FtpJob): self._begin(found)
+    elif found: self._send(peer, found)
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #472d595e
+@patch
+def _begin(self:FtpServer, job:FtpJob):
+    "Start a job; it replaces one with the same key"
+    if not self._is_burst(job):
+        if job.key in self._jobs: self._jobs[job.key].request = job.request     # repeated request
+        else: self._jobs[job.key],job.frames = job,self.sessions.checksum(job)
+        return
+    pace,now = self._paces.setdefault(job.peer, FtpPace(self.component.pace)),clock.monotonic()
+    job.session = self.sessions.open[job.peer,job.request.session]
+    job.frames = self.sessions.burst(job, pace.begin(job.session, job.request.offset, now))
+    self._jobs[job.key] = job
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #c62a3336
+@patch
+def _is_burst(self:FtpServer, job:FtpJob)->bool: return job.key[1]==FtpOp.BURST_READ_FILE
+
+@patch
+def _when(self:FtpServer, job:FtpJob)->float: return self._paces[job.peer].due if self._is_burst(job) else 0.
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #6dd41f3f
+@patch
+def _advance(self:FtpServer, job:FtpJob):
+    "Advance a job by a step of a checksum or some frames of a burst, and move it to the end of the queue"
+    now = clock.monotonic()
+    for _ in range(8):
+        if self._when(job)>now: return
+        self._jobs[job.key] = self._jobs.pop(job.key)
+        frame = next(job.frames, self)
+        if frame is None: return
+        if frame is self or not self._send(job.peer, frame): break
+        if not self._is_burst(job): continue
+        pace = self._paces[job.peer]
+        pace.pay(len(frame.data), now)
+        if frame.burst_complete: pace.ended(job.session, frame.offset+len(frame.data))
+    else: return
+    del self._jobs[job.key]
+    busy = {job.peer for job in self._jobs.values()}        # with many peers, drop the rates of idle ones
+    for peer in list(self._paces)[:-self.most_waiting]:
+        if peer not in busy: del self._paces[peer]
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #3acf50be
+@patch
+def _send(self:FtpServer, peer:tuple, frame:FtpFrame)->bool:
+    "Send an answer; false if the link is gone"
+    try: self.component.send_message(self.component.mav.file_transfer_protocol_encode(0, *peer, frame.pack()), peer)
+    except Exception as e:
+        self.component.log.info('no answer to %s/%s: %s', *peer, e)
+        return False
+    return True
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #a2911028
+@patch
+def close(self:FtpServer):
+    "End the thread, and close all files; safe to call twice"
+    with self._changed:
+        self._closed,thread = True,self._thread
+        self._changed.notify_all()
+    if thread: thread.join(self.patience)
+    if thread and thread.is_alive(): return self.component.log.error('%s does not end: the disk hangs', thread.name)
+    self.sessions.end_all()
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #4d3c97c0
 class FtpPace:
@@ -99,137 +232,3 @@ def _slow_down(self:FtpPace, share:float): # Fraction of sent frames that arrive
 def note_read(self:FtpPace, session):
     "Count a single requested frame as missed, if it was in a burst"
     if session in self._bursts: self.missed += 1
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #63f4eee9
-class FtpServer(Part):
-    "Serves files by MAVLink FTP, on any component"
-    most_waiting,most_each = 64,16  # queued requests; of one peer
-    linger = 5.                     # seconds without work until the thread ends, or checks for old sessions
-    patience = 5.                   # seconds that `close` waits for the disk
-
-    def __init__(self, component, # Sends the answers; its `pace` is each peer's minimum in bytes/s
-                 files:FileTree|None=None, # The files to serve
-                 guard=lambda msg: None): # Called with each request that changes something; raises `Denied`
-        super().__init__(component)
-        self.files,self.guard = FileTree() if files is None else files,guard
-        self.sessions,self._paces = FtpSessions(self.files),{}
-        self._requests,self._jobs = deque(),{}          # queued requests; `{key: FtpJob}`
-        self._changed,self._thread,self._closed = clock.Condition(),None,False
-
-    def __repr__(self): return f'FtpServer: {self.files!r}, {len(self.sessions.open)} open'
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #a2911028
-@patch
-def close(self:FtpServer):
-    "End the thread, and close all files; safe to call twice"
-    with self._changed:
-        self._closed,thread = True,self._thread
-        self._changed.notify_all()
-    if thread: thread.join(self.patience)
-    if thread and thread.is_alive(): return self.component.log.error('%s does not end: the disk hangs', thread.name)
-    self.sessions.end_all()
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #3acf50be
-@patch
-def _send(self:FtpServer, peer:tuple, frame:FtpFrame)->bool:
-    "Send an answer; false if the link is gone"
-    try: self.component.send_message(self.component.mav.file_transfer_protocol_encode(0, *peer, frame.pack()), peer)
-    except Exception as e:
-        self.component.log.info('no answer to %s/%s: %s', *peer, e)
-        return False
-    return True
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #c62a3336
-@patch
-def _is_burst(self:FtpServer, job:FtpJob)->bool: return job.key[1]==FtpOp.BURST_READ_FILE
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #51051768
-@patch
-def _when(self:FtpServer, job:FtpJob)->float: return self._paces[job.peer].due if self._is_burst(job) else 0.
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #472d595e
-@patch
-def _begin(self:FtpServer, job:FtpJob):
-    "Start a job; it replaces one with the same key"
-    if not self._is_burst(job):
-        if job.key in self._jobs: self._jobs[job.key].request = job.request     # repeated request
-        else: self._jobs[job.key],job.frames = job,self.sessions.checksum(job)
-        return
-    pace,now = self._paces.setdefault(job.peer, FtpPace(self.component.pace)),clock.monotonic()
-    job.session = self.sessions.open[job.peer,job.request.session]
-    job.frames = self.sessions.burst(job, pace.begin(job.session, job.request.offset, now))
-    self._jobs[job.key] = job
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #560f1b90
-@patch
-def _answer(self:FtpServer, peer:tuple, request:FtpFrame, msg):
-    "Answer a request, or start a job"
-    def guard():
-        try: self.guard(msg)
-        except Denied as e: raise PermissionError(errno.EACCES, str(e)) from None
-    found = self.sessions.answer(peer, request, guard)
-    if request.opcode==FtpOp.READ_FILE and peer in self._paces:
-        self._paces[peer].note_read(self.sessions.open.get((peer,request.session)))
-    if isinstance(found, FtpJob): self._begin(found)
-    elif found: self._send(peer, found)
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #6dd41f3f
-@patch
-def _advance(self:FtpServer, job:FtpJob):
-    "Advance a job by a step of a checksum or some frames of a burst, and move it to the end of the queue"
-    now = clock.monotonic()
-    for _ in range(8):
-        if self._when(job)>now: return
-        self._jobs[job.key] = self._jobs.pop(job.key)
-        frame = next(job.frames, self)
-        if frame is None: return
-        if frame is self or not self._send(job.peer, frame): break
-        if not self._is_burst(job): continue
-        pace = self._paces[job.peer]
-        pace.pay(len(frame.data), now)
-        if frame.burst_complete: pace.ended(job.session, frame.offset+len(frame.data))
-    else: return
-    del self._jobs[job.key]
-    busy = {job.peer for job in self._jobs.values()}        # with many peers, drop the rates of idle ones
-    for peer in list(self._paces)[:-self.most_waiting]:
-        if peer not in busy: del self._paces[peer]
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #1a9e39d2
-@patch
-def _next(self:FtpServer)->tuple|None:
-    "Wait for work and return a tuple of one request, or of none if a job is due; `None` at the end"
-    end = clock.monotonic()+self.linger
-    with self._changed:
-        while not self._closed:
-            now,due = clock.monotonic(),min(map(self._when, self._jobs.values()), default=math.inf)
-            if self._requests: return (self._requests.popleft(),)
-            if due<=now: return ()
-            if now>=end: break
-            self._changed.wait(min(due, end)-now)
-        if self.sessions.open and not self._closed: return ()
-        self._thread = None
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #3fe6e4bb
-@patch
-def _run(self:FtpServer):
-    while (requests := self._next()) is not None:
-        for request in requests: self._answer(*request)
-        for job in list(self._jobs.values()): self._advance(job)
-        self.sessions.sweep()
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #f4303e59
-@patch
-@receives(FILE_TRANSFER_PROTOCOL)
-def take(self:FtpServer, msg): # A FILE_TRANSFER_PROTOCOL
-    "Queue a request; drop it if too many are waiting"
-    peer = address(msg)
-    if msg.target_component!=self.component.source_component or 0 in peer: return
-    with self._changed:
-        each = sum(1 for p,*_ in self._requests if p==peer)
-        if self._closed or len(self._requests)>=self.most_waiting or each>=self.most_each: return
-        self._requests.append((peer, read_ftp(msg.payload), msg))
-        self._changed.notify_all()
-        if self._thread is None:
-            name = f'files of {type(self.component).__name__} {self.component.source_component}'
-            self._thread = clock.Thread(target=self._run, name=name, daemon=True)
-            self._thread.start()
