@@ -36,5 +36,6 @@ def findings():
 
 
 if __name__ == '__main__':
-    print(*(found := list(findings())), sep='\n')
+    found = list(findings())
+    print(*(found or ['they agree, and all files are there']), sep='\n')
     sys.exit(bool(found))
