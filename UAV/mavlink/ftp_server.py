@@ -40,6 +40,8 @@ class FtpServer(Part):
         self._changed,self._thread,self._closed = clock.Condition(),None,False
 
     def __repr__(self): return f'FtpServer: {self.files!r}, {len(self.sessions.open)} open'
+    def _is_burst(self, job:FtpJob)->bool: return job.key[1]==FtpOp.BURST_READ_FILE
+    def _when(self, job:FtpJob)->float: return self._paces[job.peer].due if self._is_burst(job) else 0.
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #f4303e59
 @patch
@@ -107,13 +109,6 @@ def _begin(self:FtpServer, job:FtpJob):
     job.frames = self.sessions.burst(job, pace.begin(job.session, job.request.offset, now))
     self._jobs[job.key] = job
 
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #c62a3336
-@patch
-def _is_burst(self:FtpServer, job:FtpJob)->bool: return job.key[1]==FtpOp.BURST_READ_FILE
-
-@patch
-def _when(self:FtpServer, job:FtpJob)->float: return self._paces[job.peer].due if self._is_burst(job) else 0.
-
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #6dd41f3f
 @patch
 def _advance(self:FtpServer, job:FtpJob):
@@ -173,12 +168,24 @@ class FtpPace:
 
     def __repr__(self): return f'FtpPace: {self.frames} frames, {self.rate:.0f} bytes/s'
 
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #056d0721
-@patch
-def _begin_anew(self:FtpPace):
-    "Reset to the first burst"
-    self.rate,self.frames,self.starting,self.crowded = self.begins,self.first,True,False
-    self.missed,self._judged = 0,self.sent      # frames requested again, of those after so many bytes
+    def _begin_anew(self):
+        "Reset to the first burst"
+        self.rate,self.frames,self.starting,self.crowded = self.begins,self.first,True,False
+        self.missed,self._judged = 0,self.sent      # frames requested again, of those after so many bytes
+
+    def pay(self, size:int, now:float):
+        "Account for a sent frame with `size` bytes of data"
+        self.sent,self._last = self.sent+size+27,now
+        slack = 0. if (self.starting or self.crowded) and self.rate<self.dense else self.slack
+        self.due = max(self.due, now-slack)+(size+27)/self.rate
+
+    def ended(self, session, offset:int):
+        "Store the end of a burst, sent up to `offset`"
+        if session in self._bursts: self._bursts[session] = self._bursts[session][0],offset,*self._bursts[session][2:]
+
+    def note_read(self, session):
+        "Count a single requested frame as missed, if it was in a burst"
+        if session in self._bursts: self.missed += 1
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #12126374
 @patch
@@ -192,20 +199,6 @@ def begin(self:FtpPace, session, offset:int, now:float)->int:
     elif session in self._bursts: self._measure(offset, now, *self._bursts[session])
     self._bursts[session] = offset,offset,now,self.sent
     return self.frames
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #9f2d42de
-@patch
-def pay(self:FtpPace, size:int, now:float):
-    "Account for a sent frame with `size` bytes of data"
-    self.sent,self._last = self.sent+size+27,now
-    slack = 0. if (self.starting or self.crowded) and self.rate<self.dense else self.slack
-    self.due = max(self.due, now-slack)+(size+27)/self.rate
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #5fce9647
-@patch
-def ended(self:FtpPace, session, offset:int):
-    "Store the end of a burst, sent up to `offset`"
-    if session in self._bursts: self._bursts[session] = self._bursts[session][0],offset,*self._bursts[session][2:]
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #b07d8bc2
 @patch
@@ -226,9 +219,3 @@ def _slow_down(self:FtpPace, share:float): # Fraction of sent frames that arrive
     "Reduce the rate after losses"
     if share<.7: self.starting,self.crowded = False,True
     self.rate = max(min(max(share, .5), .7)*self.rate, self.floor)
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #0c37c752
-@patch
-def note_read(self:FtpPace, session):
-    "Count a single requested frame as missed, if it was in a burst"
-    if session in self._bursts: self.missed += 1
