@@ -43,6 +43,21 @@ class FtpServer(Part):
     def _is_burst(self, job:FtpJob)->bool: return job.key[1]==FtpOp.BURST_READ_FILE
     def _when(self, job:FtpJob)->float: return self._paces[job.peer].due if self._is_burst(job) else 0.
 
+    def close(self):
+        "End the thread, and close all files; safe to call twice"
+        with self._changed:
+            self._closed,thread = True,self._thread
+            self._changed.notify_all()
+        if thread: thread.join(self.patience)
+        if thread and thread.is_alive(): return self.component.log.error('%s does not end: the disk hangs', thread.name)
+        self.sessions.end_all()
+
+    def _run(self):
+        while (requests := self._next()) is not None:
+            for request in requests: self._answer(*request)
+            for job in list(self._jobs.values()): self._advance(job)
+            self.sessions.sweep()
+
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #f4303e59
 @patch
 @receives(FILE_TRANSFER_PROTOCOL)
@@ -59,14 +74,6 @@ def take(self:FtpServer, msg): # A FILE_TRANSFER_PROTOCOL
             name = f'files of {type(self.component).__name__} {self.component.source_component}'
             self._thread = clock.Thread(target=self._run, name=name, daemon=True)
             self._thread.start()
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #3fe6e4bb
-@patch
-def _run(self:FtpServer):
-    while (requests := self._next()) is not None:
-        for request in requests: self._answer(*request)
-        for job in list(self._jobs.values()): self._advance(job)
-        self.sessions.sweep()
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #1a9e39d2
 @patch
@@ -139,17 +146,6 @@ def _send(self:FtpServer, peer:tuple, frame:FtpFrame)->bool:
         self.component.log.info('no answer to %s/%s: %s', *peer, e)
         return False
     return True
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #a2911028
-@patch
-def close(self:FtpServer):
-    "End the thread, and close all files; safe to call twice"
-    with self._changed:
-        self._closed,thread = True,self._thread
-        self._changed.notify_all()
-    if thread: thread.join(self.patience)
-    if thread and thread.is_alive(): return self.component.log.error('%s does not end: the disk hangs', thread.name)
-    self.sessions.end_all()
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #4d3c97c0
 class FtpPace:
