@@ -7,13 +7,10 @@ from pathlib import Path
 
 KEPT = ('property', 'cached_property', 'classmethod', 'staticmethod', 'setter', 'contextmanager', 'asynccontextmanager',
         'dataclass')
-SCOPES = ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef
 EXPLAINED = 'mavlink', 'cameras', 'gimbals', 'manager', 'wire', 'blocking'      # what people call; a program's docstrings are its help
-PARTS = ast.BinOp, ast.BitOr, ast.Subscript, ast.Name, ast.Load, ast.Constant, ast.Tuple      # of an expression for a type
 COMMENT = re.compile(r"""(?:[^#'"]|'[^']*'|"[^"]*")*#\s*(.*)""")      # what follows a parameter in its line
 CLASSES = {}        # those of the package, by name
 METHODS = {}        # their methods, by `CLASS.NAME`
-MADE = 'namedtuple', 'NewType', 'TypeVar'       # calls that make types
 HEAD = '''# Made by _stubs.py when the package was installed.
 from typing import Any, AsyncIterator, ClassVar, Iterator
 from typing_extensions import Self
@@ -44,7 +41,7 @@ def inside(function):
     waiting = list(function.body)
     while waiting:
         yield (node := waiting.pop())
-        if not isinstance(node, SCOPES): waiting += ast.iter_child_nodes(node)
+        if not is_function(node): waiting += ast.iter_child_nodes(node)
 
 
 def named(text): return ast.Name(text)
@@ -139,17 +136,11 @@ def typed(args, is_method):
     if is_method: positional[0].annotation = None
 
 
-def only_raises(function):
-    "Is it a `__getattr__` that ends with what is wrong?"
-    return function.name == '__getattr__' and isinstance(function.body[-1], ast.Raise)
-
-
 def returned(function):
     "What a call gives: as it is annotated, or what is certain"
     nodes,kind = list(inside(function)),function.returns
     values = [ast.unparse(n.value) for n in nodes if isinstance(n, ast.Return) and n.value]
     if any(isinstance(n, (ast.Yield, ast.YieldFrom)) for n in nodes):
-        if kind and name_of(getattr(kind, 'value', kind)).endswith(('Iterator', 'Iterable', 'Generator')): return kind
         name = 'AsyncIterator' if isinstance(function, ast.AsyncFunctionDef) else 'Iterator'
         return expression(f'{name}[{ast.unparse(kind) if kind else "Any"}]')
     if kind and ast.unparse(kind) == 'bytes | Path': return named('Any')        # which one depends on an argument
@@ -209,14 +200,6 @@ def stub_of(function, is_method=False):
     return made
 
 
-def is_type(value):
-    "Does an assignment make a type, or another name of one?"
-    if isinstance(value, ast.Call): return name_of(value) in MADE
-    names = [n.id for n in ast.walk(value) if isinstance(n, ast.Name)]
-    if not isinstance(value, (ast.BinOp, ast.Subscript)) or not all(isinstance(n, PARTS) for n in ast.walk(value)): return False
-    return all(name in vars(builtins) or name[0].isupper() and not name.isupper() for name in names)
-
-
 def names_in(node):
     "The names that an assignment gives to"
     nodes = [n for target in getattr(node, 'targets', ()) for n in ast.walk(target)]
@@ -234,7 +217,7 @@ def pairs_of(node):
 def attributes(functions):
     "`{name: type}` of what the methods of a class assign to `self`: a parameter's type where that is all"
     found = {}
-    for function in sorted(functions, key=lambda f: f.name != '__init__'):
+    for function in functions:
         typed(args := copy.deepcopy(function.args), True)
         kinds = {a.arg: a.annotation for a in args.args[1:]+args.kwonlyargs}
         if any(isinstance(n, ast.Call) and name_of(n) == 'store_attr' for n in inside(function)): found.update(kinds)
@@ -250,12 +233,12 @@ def annotated(name, kind, default=None): return ast.AnnAssign(ast.Name(name, ast
 
 
 def plain(node):
-    "An assignment in a module or class: its names, and no values but those of types and `__all__`"
+    "An assignment in a module or class: its names, and no values but that of `__all__`"
     if isinstance(node, ast.AnnAssign):
         by_name = isinstance(node.value, ast.Call) and any(k.arg=='kw_only' for k in node.value.keywords)
         default = node.value if by_name else node.value and ast.Constant(...)
         return [annotated(node.target.id, node.annotation, default)]
-    if is_type(node.value) or '__all__' in names_in(node): return [node]
+    if '__all__' in names_in(node): return [node]
     if isinstance(node.value, ast.Name) and node.value.id in CLASSES and isinstance(node.targets[0], ast.Name): return [node]  # a class, too
     if isinstance(node.value, ast.Call) and name_of(node.value) == 'property': return [getter(name) for name in names_in(node)]
     constant = isinstance(node.value, ast.Constant) and node.value.value not in (None, ...)
@@ -282,20 +265,19 @@ def class_stub(node, patches):
     marks = {name_of(mark) for mark in [*node.decorator_list, *node.bases]}
     has_fields,is_enum = marks & {'dataclass', 'NamedTuple'},any(mark.endswith(('Enum', 'Flag')) for mark in marks)
     every = [*filter(is_function, node.body), *patches]
-    functions = [f for f in every if is_public(f.name) and not only_raises(f)]
+    functions = [f for f in every if is_public(f.name)]
     doc = documentation(node)
     body = [ast.Expr(ast.Constant(doc))] if doc else []
     for n in node.body:
-        if isinstance(n, ast.ClassDef): body.append(class_stub(n, []))
-        elif is_enum and isinstance(n, ast.Assign): body.append(n)
+        if is_enum and isinstance(n, ast.Assign): body.append(n)
         elif isinstance(n, ast.Assign) and isinstance(n.value, ast.Call) and name_of(n.value) == 'TargetVerb':
             body.append(target_verb(n.targets[0].id, n.value))
         elif isinstance(n, ast.Assign) and has_fields: body += [annotated(name, named('ClassVar[Any]')) for name in names_in(n)]
         elif isinstance(n, (ast.Assign, ast.AnnAssign)): body += plain(n)
     there = {f.name for f in filter(is_function, [*functions, *body])} | {n.target.id for n in body if isinstance(n, ast.AnnAssign)}
     there |= inherited_parts(node)
-    for name,kind in {**attributes(every), **parts_of(node)}.items():                     # what is annotated in a dataclass is a field
-        if is_public(name) and name not in there: body.append(annotated(name, named('ClassVar[Any]') if has_fields else kind))
+    for name,kind in {**attributes(every), **parts_of(node)}.items():      # what is annotated in a dataclass is a field
+        if is_public(name) and name not in there: body.append(annotated(name, kind))
     body += [stub_of(f, True) for f in functions]
     bases,kept = [b for b in node.bases if name_of(b) != 'GetAttr'],[d for d in node.decorator_list if name_of(d) in KEPT]
     return ast.ClassDef(node.name, bases, node.keywords, body or [ast.Expr(ast.Constant(...))], kept)
@@ -341,13 +323,8 @@ def rooms_of(nodes):
     return {name: module for value in rooms for module,names in ast.literal_eval(value).items() for name in names.split()}
 
 
-def nearest(modules, here):
-    "Of the modules that define a class of one name that of the same folder, else the last"
-    return next((m for m in modules if m.rpartition('.')[0] == here.rpartition('.')[0]), modules[-1])
-
-
-def stub(tree, homes, here):
-    "The stub of the module `here`; `homes`: where each class of the package is defined"
+def stub(tree, homes):
+    "The stub of a module; `homes`: where each class of the package is defined"
     nodes,patches = list(top_of(tree.body)),{}
     for node in filter(is_function, nodes):
         for name in patched(node): patches.setdefault(name, []).append(node)
@@ -355,7 +332,7 @@ def stub(tree, homes, here):
     module = ast.Module([one for made in found.values() for one in made if not is_hidden(one)], [])
     used = {n.id for n in ast.walk(module) if isinstance(n, ast.Name)}
     if '__all__' in found: used |= offered(nodes)      # a door may import some when asked
-    where = {**{name: nearest(homes[name], here) for name in homes}, **rooms_of(nodes)}
+    where = {**homes, **rooms_of(nodes)}
     elsewhere = [f'from {where[name]} import {name} as {name}' for name in sorted(used & {*where}-{*found}) if name != 'mavutil']
     if 'mavutil' in rooms_of(nodes): elsewhere.append('from pymavlink import mavutil as mavutil')
     if rooms_of(nodes): module.body = [one for one in module.body if '__all__' not in names_in(one)]+ast.parse(f'__all__ = {sorted(offered(nodes))}').body
@@ -408,7 +385,7 @@ def blocking(texts, homes):
         new += [n for n in sorted(used & {*classes}-{*handles}) if n in bases or awaits(classes[n])]
     made = [ast.fix_missing_locations(Plain(handles, homes).visit(node)) for node in handles.values()]
     used = {n.id for node in made for n in ast.walk(node) if isinstance(n, ast.Name)}
-    imports = [f'from {homes[name][-1]} import {name} as {name}' for name in sorted(used & {*homes}-{'Blocking'})]
+    imports = [f'from {homes[name]} import {name} as {name}' for name in sorted(used & {*homes}-{'Blocking'})]
     ours = ast.parse(texts['UAV.blocking']).body
     mavcom = next(n for n in ours if isinstance(n, ast.ClassDef) and n.name == 'BlockingMAVCom')
     mavcom.bases,mavcom.body = [named('_MAVCom')],[n for n in mavcom.body if getattr(n, 'name', '') != '__init__']
@@ -424,17 +401,14 @@ def write(folder, to=None):
     paths = [path for path in sorted(folder.rglob('*.py')) if path.name != '_modidx.py']
     trees = {path: parsed(path.read_text(encoding='utf-8')) for path in paths}
     dotted = {path: '.'.join(path.relative_to(folder.parent).with_suffix('').parts) for path in paths}
-    homes = {}
-    for path,tree in trees.items():
-        for n in tree.body:
-            if isinstance(n, ast.ClassDef): homes.setdefault(n.name, []).append(dotted[path])
+    homes = {n.name: dotted[path] for path,tree in trees.items() for n in tree.body if isinstance(n, ast.ClassDef)}
     CLASSES.update({n.name: n for tree in trees.values() for n in tree.body if isinstance(n, ast.ClassDef)})
     METHODS.update({f'{n.name}.{f.name}': f for n in CLASSES.values() for f in filter(is_function, n.body)})
     functions = [f for tree in trees.values() for f in filter(is_function, tree.body)]
     METHODS.update({f'{name}.{f.name}': f for f in functions for name in patched(f)})
     made = [Path(to or folder)/path.relative_to(folder).with_suffix('.pyi') for path in paths]
     for old in {*Path(to or folder).rglob('*.pyi')}-{*made}: old.unlink()
-    texts = {dotted[path]: stub(trees[path], homes, dotted[path]) for path in paths}
+    texts = {dotted[path]: stub(trees[path], homes) for path in paths}
     if 'UAV.blocking' in texts: texts['UAV.blocking'] = blocking(texts, homes)
     for path,file in zip(paths, made): file.write_text(texts[dotted[path]], encoding='utf-8')
     return made

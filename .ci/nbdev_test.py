@@ -10,11 +10,10 @@ itself has a line `#| core: one`. As root on Linux a notebook has a network of i
 The first group is what runs without options: it needs nothing but the dev environment. `--rest` runs the second group: notebooks
 with a line `#| tests: all` and cells that begin with `#| slow`, `#| gst`, `#| browser`, … where these are installed. `--all` runs both.
 The last lines are how many passed, failed and were skipped, and why."""
-import ctypes, faulthandler, fcntl, gc, importlib, os, pkgutil, re, resource, signal, socket, struct, sys, tempfile, threading, time
+import ctypes, faulthandler, fcntl, gc, importlib, os, pkgutil, re, resource, signal, socket, struct, sys, threading, time
 from multiprocessing import get_context
 from multiprocessing.connection import wait
 from pathlib import Path
-from types import SimpleNamespace
 
 os.environ['OPENBLAS_NUM_THREADS'] = '1'       # its threads would begin with the imports below, before the forks
 os.environ.pop('PYTHONDONTWRITEBYTECODE', None)     # or each program that a test starts would compile the package anew
@@ -22,17 +21,10 @@ import nbdev.test
 from installed import NEEDS,in_browser,installed
 import av, cv2, hypothesis, matplotlib.pyplot, numpy, PIL.Image, pymavlink.dialects.v20.all, UAV  # noqa: F401  once here, and not in each process
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from tests import browser
 from UAV.testing import simulated
-drivers = [browser._Firefox]            # the classes whose objects are a running browser
-try: from selenium.webdriver.chromium.webdriver import ChromiumDriver
-except ImportError: pass                # there is no Chromium either
-else: drivers.append(ChromiumDriver)
 
-REAL = SimpleNamespace(**vars(time))    # the clock; a world swaps the names in each module, and not those in here
 LONGEST = 1200                          # s for one notebook; then it says where it hangs, and ends
-BROWSERS = 2                            # notebooks that have their browser open at a time
-BROWSING = BROWSERS+1                   # notebooks with browsers: one does the rest, or waits, while the others have theirs open
+BROWSERS = 2                            # notebooks with a browser at a time
 WORKERS = 2*(os.cpu_count() or 1)       # for half of its time a notebook waits; more make each one late, and all no faster
 CORES = sorted(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else []
 LONG = '''panel_in_jupyterlab panel_in_a_browser panel_settings panel_under_siege devices_conformance camera_conformance
@@ -43,39 +35,6 @@ PASSED,FAILED = 60,61           # what `child` ends with; a notebook that ends i
 GROUP,FLAGS,SEED = '',[],0      # from the command line: '', --rest or --all; cells to run; a seed of `None` is the real clock
 NETWORK = False                 # each notebook can have a network of its own
 results = {}                    # notebook: whether it passed, its seconds, and those of the processor
-
-
-class Turn:
-    "The browsers of `BROWSERS` notebooks at a time: who opens one more waits until those of another notebook have ended"
-    def __init__(self, path, waited):
-        self.path,self.waited,self.file,self.browsers = path,waited,None,0
-        for driver in drivers: self.watch(driver, driver.__init__, driver.quit)
-
-    def watch(self, driver, open, quit):
-        driver.__init__ = lambda self_,*args,**how: (self.take(), open(self_, *args, **how))[1]
-        driver.quit = lambda self_,*args,**how: (quit(self_, *args, **how), self.give())[0]
-
-    def take(self):
-        self.browsers += 1
-        if self.browsers > 1: return
-        began = REAL.monotonic()
-        while (file := self.free()) is None: REAL.sleep(.1)
-        self.file = file
-        self.waited.value += REAL.monotonic()-began
-        faulthandler.dump_traceback_later(LONGEST, exit=True, file=sys.__stderr__)      # anew
-
-    def free(self):
-        "One of the files of the turns, locked; `None` while others have them"
-        for n in range(BROWSERS):
-            file = open(f'{self.path}{n}', 'w')
-            try:
-                fcntl.flock(file, fcntl.LOCK_EX|fcntl.LOCK_NB)      # it ends with the process, too
-                return file
-            except BlockingIOError: file.close()
-
-    def give(self):
-        self.browsers = max(0, self.browsers-1)
-        if self.file and not self.browsers: self.file.close()
 
 
 def mark_of(notebook, mark):
@@ -131,12 +90,11 @@ def has_own_network():
     finally: os._exit(1)
 
 
-def child(test, notebook, options, turn, core, waited, used):
+def child(test, notebook, options, core, used):
     "Test one notebook in this process, and leave with `PASSED` or `FAILED`; threads it left are not waited for"
     os.setpgid(0, 0)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     faulthandler.dump_traceback_later(LONGEST, exit=True)
-    Turn(turn, waited)
     if core is not None: os.sched_setaffinity(0, [core])
     if isolates(notebook):
         os.environ['UAV_MACHINE_NETWORK'] = f'/proc/{os.getppid()}/ns/net'      # for pip: see `tests/programs.ipynb`
@@ -156,13 +114,13 @@ def core_for(notebook, busy):
     return min(CORES, key=taken.count)
 
 
-def start(test, notebook, options, turn, core):
-    "The process that tests `notebook`, when it was started, its seconds of waiting for a browser, and of the processor; its core"
+def start(test, notebook, options, core):
+    "The process that tests `notebook`, when it was started, its seconds of the processor, and its core"
     fork = get_context('fork')
-    waited,used = fork.Value('d', 0.),fork.Value('d', 0.)
-    process = fork.Process(target=child, args=(test, notebook, options, turn, core, waited, used))
+    used = fork.Value('d', 0.)
+    process = fork.Process(target=child, args=(test, notebook, options, core, used))
     process.start()
-    return process,notebook,time.time(),waited,used,core
+    return process,notebook,time.time(),used,core
 
 
 def end(process):
@@ -171,37 +129,36 @@ def end(process):
     except ProcessLookupError: process.kill()
 
 
-def finish(process, notebook, began, waited, used, core):
-    "Whether `notebook` passed, its seconds without those that it waited for a browser, and of the processor; its processes end with it"
+def finish(process, notebook, began, used, core):
+    "Whether `notebook` passed, its seconds, and those of the processor; its processes end with it"
     process.join()
     end(process)
     ended = process.exitcode
     if ended not in (PASSED, FAILED): print(f'{notebook.name}: its process ended with {ended}', file=sys.stderr, flush=True)
-    return ended == PASSED,time.time()-began-waited.value,used.value
+    return ended == PASSED,time.time()-began,used.value
 
 
 def run(test, waiting, workers, options):
-    "What `finish` says of each notebook of `waiting`, `workers` at a time, `BROWSING` with a browser among them at most"
+    "What `finish` says of each notebook of `waiting`, `workers` at a time, `BROWSERS` with a browser among them at most"
     busy = {}
-    with tempfile.TemporaryDirectory() as folder:
-        try:
-            while waiting or busy:
-                while len(busy) < workers:
-                    full = sum(in_browser(notebook) for _,notebook,*_ in busy.values()) >= BROWSING
-                    ready = next((notebook for notebook in waiting if not (full and in_browser(notebook))), None)
-                    if ready is None: break
-                    waiting.remove(ready)
-                    started = start(test, ready, options, f'{folder}/browser', core_for(ready, busy))
-                    busy[started[0].sentinel] = started
-                for sentinel in wait(list(busy)):
-                    started = busy.pop(sentinel)
-                    results[started[1]] = finish(*started)
-        finally:
-            for process,*_ in busy.values(): end(process)
+    try:
+        while waiting or busy:
+            while len(busy) < workers:
+                full = sum(in_browser(notebook) for _,notebook,*_ in busy.values()) >= BROWSERS
+                ready = next((notebook for notebook in waiting if not (full and in_browser(notebook))), None)
+                if ready is None: break
+                waiting.remove(ready)
+                started = start(test, ready, options, core_for(ready, busy))
+                busy[started[0].sentinel] = started
+            for sentinel in wait(list(busy)):
+                started = busy.pop(sentinel)
+                results[started[1]] = finish(*started)
+    finally:
+        for process,*_ in busy.values(): end(process)
 
 
 def order(notebook):
-    "Those of a browser take turns, so they begin first; then those that are known to be long, then by the size of their code"
+    "Few of a browser run at a time, so they begin first; then those that are known to be long, then by the size of their code"
     rank = LONG.index(notebook.stem) if notebook.stem in LONG else len(LONG)
     code = re.findall(r'"cell_type": "code".*?"source": \[(.*?)\]', notebook.read_text(encoding='utf-8'), re.S)
     return not in_browser(notebook),rank,-sum(map(len, code))

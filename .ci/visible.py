@@ -20,17 +20,11 @@ GIVEN = 'builtins = ["get_ipython", "display", "_"]'                # what a not
 PYTHON = dict(language_info=dict(name='python'))
 
 
-def is_visible(cell, flags):
-    "Whether a reader sees the source of `cell`, and can run it where `flags` are"
-    source = ''.join(cell['source'])
-    if cell['cell_type'] != 'code' or not source.strip() or re.search(HIDDEN, source, re.M): return False
-    return all(flag in flags for flag in NEEDS if re.search(rf'^#\s*\|\s*{flag}\b', source, re.M))
-
-
 def visible_cells(page, flags):
-    "Number and source of each cell of `page` that a reader sees, and can run where `flags` are"
-    cells = enumerate(json.loads(page.read_text(encoding='utf-8'))['cells'])
-    return [(n, ''.join(cell['source'])) for n,cell in cells if is_visible(cell, flags)]
+    "The source of each cell of `page`; empty where a reader does not see it, or cannot run it where `flags` are"
+    for cell in nbformat.read(page, as_version=4).cells:
+        can_run = all(flag in flags for flag in NEEDS if re.search(rf'^#\s*\|\s*{flag}\b', cell.source, re.M))
+        yield cell.source if cell.cell_type=='code' and can_run and not re.search(HIDDEN, cell.source, re.M) else ''
 
 
 def spelled_out(source):
@@ -43,33 +37,25 @@ def spelled_out(source):
 
 def missing(pages, flags):
     "`{page: errors}` of the cells that use what no visible cell before them made, as ruff finds them"
+    found = defaultdict(list)
     with tempfile.TemporaryDirectory() as folder:
-        copies = {}
         for n,page in enumerate(pages):
-            cells = [new_code_cell(spelled_out(source), id=f'c{k}') for k,source in visible_cells(page, flags)]
-            copies[f'{n}.ipynb'] = page,[cell.id[1:] for cell in cells]
+            cells = [new_code_cell(spelled_out(source)) for source in visible_cells(page, flags)]
             nbformat.write(new_notebook(cells=cells, metadata=PYTHON), f'{folder}/{n}.ipynb')
         ran = subprocess.run([sys.executable, '-m', 'ruff', 'check', '--isolated', '--no-cache', '--select', 'F821,F823,E9', '--config', GIVEN,
                               '--output-format', 'json', folder], capture_output=True, text=True)
     if ran.returncode>1: sys.exit(ran.stderr)
-    found = defaultdict(list)
-    for one in json.loads(ran.stdout):
-        page,cells = copies[Path(one['filename']).name]
-        found[page].append(f'cell {cells[one["cell"]-1]}: {one["message"]}')
+    for one in json.loads(ran.stdout): found[pages[int(Path(one['filename']).stem)]].append(f'cell {one["cell"]-1}: {one["message"]}')
     return found
 
 
 def in_kernel(page, flags):
-    "Run the visible cells of `page` in one Jupyter kernel, beside the page; `(cell, error)` of those that fail"
-    from nbclient import NotebookClient
-    cells = visible_cells(page, flags)
-    notebook = new_notebook(cells=[new_code_cell(source) for _,source in cells])
-    client = NotebookClient(notebook, timeout=LONGEST, allow_errors=True, resources=dict(metadata=dict(path=str(page.parent))))
-    with client.setup_kernel():
-        for k,(n,_) in enumerate(cells):
-            client.execute_cell(notebook.cells[k], k)
-            for out in notebook.cells[k].outputs:
-                if out['output_type'] == 'error': yield n,f"{out['ename']}: {out['evalue']}"
+    "What is wrong when the visible cells of `page` run in one Jupyter kernel, beside the page; empty when nothing is"
+    from nbclient import NotebookClient,exceptions
+    notebook = new_notebook(cells=[new_code_cell(source) for source in visible_cells(page, flags)])
+    try: NotebookClient(notebook, timeout=LONGEST, resources=dict(metadata=dict(path=str(page.parent)))).execute()
+    except exceptions.CellExecutionError as e: return [str(e)]
+    return []
 
 
 def main():
@@ -83,7 +69,7 @@ def main():
     lacking = missing(pages, flags)
     for page in pages:
         bad = lacking[page]
-        if args.kernel: bad += [f'cell {n}: {why}' for n,why in in_kernel(page, flags)]
+        if args.kernel: bad += in_kernel(page, flags)
         failed += bool(bad)
         if bad: print(f'FAILED  {page}', *bad, sep='\n        ', flush=True)
     print(f'{len(pages)-failed} pages can be copied{" and run" if args.kernel else ""}, {failed} cannot')

@@ -50,16 +50,6 @@ class VideoPart(Part):
         for stream in getattr(self.camera, 'streams', ()):
             if self._has_changed(stream): self.component._on_camera(VideoStatus(stream.stream_id))
 
-# %% ../../nbs/api/mavlink/05_camera_video.ipynb #57041279
-_outside = '192.0.2.1'      # in a network for documentation (RFC 5737): the default route leads there
-
-@patch
-def host_for(self:VideoPart, way:tuple|None=None, # `(channel, peer)` of the viewer; `None`: unknown
-            )->str:
-    "Return the host in stream URIs for a viewer"
-    own = way and ends(*way)[0] or own_host(_outside) or '127.0.0.1'
-    return self.host or own.partition('%')[0]           # the viewer's interface has another name
-
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #68b9e8f1
 def _unique_names(names)->list:
     "Return `names` cut to 31 bytes, none empty, no duplicates"
@@ -107,7 +97,9 @@ _measures = mavlink.VIDEO_STREAM_STATUS_FLAGS_THERMAL_RANGE_ENABLED
 def _state(self:VideoPart, stream)->tuple:
     "Return the fields of both messages: flags, rate, width, height, bitrate, rotation and field of view"
     f,hot = stream.format,self._is_thermal(stream)
-    flags = _running*bool(stream.running)|_thermal*hot|_measures*(hot and self.component.can('thermal_range'))
+    flags = _running if stream.running else 0
+    if hot: flags |= _thermal
+    if hot and self.component.can('thermal_range'): flags |= _measures
     return flags,f.rate,f.width,f.height,int(f.bitrate),0,self._hfov(stream)
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #782ab22a
@@ -139,6 +131,16 @@ def _video_stream_information(self:VideoPart, stream_id:int=0, *, msg=None):
     "Encode VIDEO_STREAM_INFORMATION of one stream or all (0), with a URI for the sender of `msg`"
     host = self.host_for(getattr(msg, 'came_by', None))
     return [self._encode_stream(s, host) for s in self._streams(stream_id)]
+
+# %% ../../nbs/api/mavlink/05_camera_video.ipynb #57041279
+_outside = '192.0.2.1'      # in a network for documentation (RFC 5737): the default route leads there
+
+@patch
+def host_for(self:VideoPart, way:tuple|None=None, # `(channel, peer)` of the viewer; `None`: unknown
+            )->str:
+    "Return the host in stream URIs for a viewer"
+    own = way and ends(*way)[0] or own_host(_outside) or '127.0.0.1'
+    return self.host or own.partition('%')[0]           # the viewer's interface has another name
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #48908357
 @patch

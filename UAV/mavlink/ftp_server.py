@@ -21,84 +21,7 @@ from ..wire.dialect import address
 _all_ = ['FILE_TRANSFER_PROTOCOL']
 
 # %% auto #0
-__all__ = ['FtpPace', 'FtpServer', 'FILE_TRANSFER_PROTOCOL']
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #4d3c97c0
-class FtpPace:
-    "The rate of all bursts to a peer"
-    first,few,most = 4,32,256           # frames of the first burst; at most at the start; at most later
-    seconds = 1.                        # duration of a burst
-    begins,dense = 40e3,300e3           # bytes/s of the first burst; with frames less than a millisecond apart
-    frame,slack = 266,.02               # bytes of a full frame; seconds that may be made up for, if no queue is full
-    forget = 30.                        # seconds without a burst after which the link is measured anew
-
-    def __init__(self, floor:float): # Minimal bytes/s
-        self.floor,self.sent = floor,0          # `sent`: bytes in all
-        self.due = self._last = 0.              # time of the next frame; of the last one
-        self._bursts = WeakKeyDictionary()      # by session: start, end, time, bytes sent before
-        self._begin_anew()
-
-    def __repr__(self): return f'FtpPace: {self.frames} frames, {self.rate:.0f} bytes/s'
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #056d0721
-@patch
-def _begin_anew(self:FtpPace):
-    "Reset to the first burst"
-    self.rate,self.frames,self.starting,self.crowded = self.begins,self.first,True,False
-    self.missed,self._judged = 0,self.sent      # frames requested again, of those after so many bytes
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #12126374
-@patch
-def begin(self:FtpPace, session, offset:int, now:float)->int:
-    "Begin a burst and return its number of frames"
-    if now-self.due>self.forget: self._begin_anew()
-    if self.missed:
-        share = 1-self.missed*self.frame/max(self.sent-self._judged, self.frame)
-        self.missed,self._judged = 0,self.sent
-        if share<.8: self._slow_down(share)
-    elif session in self._bursts: self._measure(offset, now, *self._bursts[session])
-    self._bursts[session] = offset,offset,now,self.sent
-    return self.frames
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #9f2d42de
-@patch
-def pay(self:FtpPace, size:int, now:float):
-    "Account for a sent frame with `size` bytes of data"
-    self.sent,self._last = self.sent+size+27,now
-    slack = 0. if (self.starting or self.crowded) and self.rate<self.dense else self.slack
-    self.due = max(self.due, now-slack)+(size+27)/self.rate
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #5fce9647
-@patch
-def ended(self:FtpPace, session, offset:int):
-    "Store the end of a burst, sent up to `offset`"
-    if session in self._bursts: self._bursts[session] = self._bursts[session][0],offset,*self._bursts[session][2:]
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #b07d8bc2
-@patch
-def _measure(self:FtpPace, offset:int, now:float, start:int, end:int, when:float, sent:int):
-    "Set the rate by the last burst, which has arrived if the next one begins at its end"
-    if start<end==offset:
-        since,most = (self._last,4*self.rate) if self.starting else (when,math.inf)     # without our own pauses
-        measured = (self.sent-sent)/max(now-since, 1e-4)
-        self.starting = self.starting and measured>self.rate
-        self.rate = max(min(1.25*measured, most), self.floor)
-        frames = max(self.rate*self.seconds/self.frame, self.first)
-        self.frames = int(min(frames, 2*self.frames, self.few if self.starting else self.most))
-    elif start<=offset<end: self._slow_down((offset-start)/(end-start))
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #8fe0034c
-@patch
-def _slow_down(self:FtpPace, share:float): # Fraction of sent frames that arrived
-    "Reduce the rate after losses"
-    if share<.7: self.starting,self.crowded = False,True
-    self.rate = max(min(max(share, .5), .7)*self.rate, self.floor)
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #0c37c752
-@patch
-def note_read(self:FtpPace, session):
-    "Count a single requested frame as missed, if it was in a burst"
-    if session in self._bursts: self.missed += 1
+__all__ = ['FtpServer', 'FtpPace', 'FILE_TRANSFER_PROTOCOL']
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #63f4eee9
 class FtpServer(Part):
@@ -117,48 +40,55 @@ class FtpServer(Part):
         self._changed,self._thread,self._closed = clock.Condition(),None,False
 
     def __repr__(self): return f'FtpServer: {self.files!r}, {len(self.sessions.open)} open'
+    def _is_burst(self, job:FtpJob)->bool: return job.key[1]==FtpOp.BURST_READ_FILE
+    def _when(self, job:FtpJob)->float: return self._paces[job.peer].due if self._is_burst(job) else 0.
 
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #a2911028
+    def close(self):
+        "End the thread, and close all files; safe to call twice"
+        with self._changed:
+            self._closed,thread = True,self._thread
+            self._changed.notify_all()
+        if thread: thread.join(self.patience)
+        if thread and thread.is_alive(): return self.component.log.error('%s does not end: the disk hangs', thread.name)
+        self.sessions.end_all()
+
+    def _run(self):
+        while (requests := self._next()) is not None:
+            for request in requests: self._answer(*request)
+            for job in list(self._jobs.values()): self._advance(job)
+            self.sessions.sweep()
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #f4303e59
 @patch
-def close(self:FtpServer):
-    "End the thread, and close all files; safe to call twice"
+@receives(FILE_TRANSFER_PROTOCOL)
+def take(self:FtpServer, msg): # A FILE_TRANSFER_PROTOCOL
+    "Queue a request; drop it if too many are waiting"
+    peer = address(msg)
+    if msg.target_component!=self.component.source_component or 0 in peer: return
     with self._changed:
-        self._closed,thread = True,self._thread
+        each = sum(1 for p,*_ in self._requests if p==peer)
+        if self._closed or len(self._requests)>=self.most_waiting or each>=self.most_each: return
+        self._requests.append((peer, read_ftp(msg.payload), msg))
         self._changed.notify_all()
-    if thread: thread.join(self.patience)
-    if thread and thread.is_alive(): return self.component.log.error('%s does not end: the disk hangs', thread.name)
-    self.sessions.end_all()
+        if self._thread is None:
+            name = f'files of {type(self.component).__name__} {self.component.source_component}'
+            self._thread = clock.Thread(target=self._run, name=name, daemon=True)
+            self._thread.start()
 
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #3acf50be
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #1a9e39d2
 @patch
-def _send(self:FtpServer, peer:tuple, frame:FtpFrame)->bool:
-    "Send an answer; false if the link is gone"
-    try: self.component.send_message(self.component.mav.file_transfer_protocol_encode(0, *peer, frame.pack()), peer)
-    except Exception as e:
-        self.component.log.info('no answer to %s/%s: %s', *peer, e)
-        return False
-    return True
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #c62a3336
-@patch
-def _is_burst(self:FtpServer, job:FtpJob)->bool: return job.key[1]==FtpOp.BURST_READ_FILE
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #51051768
-@patch
-def _when(self:FtpServer, job:FtpJob)->float: return self._paces[job.peer].due if self._is_burst(job) else 0.
-
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #472d595e
-@patch
-def _begin(self:FtpServer, job:FtpJob):
-    "Start a job; it replaces one with the same key"
-    if not self._is_burst(job):
-        if job.key in self._jobs: self._jobs[job.key].request = job.request     # repeated request
-        else: self._jobs[job.key],job.frames = job,self.sessions.checksum(job)
-        return
-    pace,now = self._paces.setdefault(job.peer, FtpPace(self.component.pace)),clock.monotonic()
-    job.session = self.sessions.open[job.peer,job.request.session]
-    job.frames = self.sessions.burst(job, pace.begin(job.session, job.request.offset, now))
-    self._jobs[job.key] = job
+def _next(self:FtpServer)->tuple|None:
+    "Wait for work and return a tuple of one request, or of none if a job is due; `None` at the end"
+    end = clock.monotonic()+self.linger
+    with self._changed:
+        while not self._closed:
+            now,due = clock.monotonic(),min(map(self._when, self._jobs.values()), default=math.inf)
+            if self._requests: return (self._requests.popleft(),)
+            if due<=now: return ()
+            if now>=end: break
+            self._changed.wait(min(due, end)-now)
+        if self.sessions.open and not self._closed: return ()
+        self._thread = None
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #560f1b90
 @patch
@@ -172,6 +102,19 @@ def _answer(self:FtpServer, peer:tuple, request:FtpFrame, msg):
         self._paces[peer].note_read(self.sessions.open.get((peer,request.session)))
     if isinstance(found, FtpJob): self._begin(found)
     elif found: self._send(peer, found)
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #472d595e
+@patch
+def _begin(self:FtpServer, job:FtpJob):
+    "Start a job; it replaces one with the same key"
+    if not self._is_burst(job):
+        if job.key in self._jobs: self._jobs[job.key].request = job.request     # repeated request
+        else: self._jobs[job.key],job.frames = job,self.sessions.checksum(job)
+        return
+    pace,now = self._paces.setdefault(job.peer, FtpPace(self.component.pace)),clock.monotonic()
+    job.session = self.sessions.open[job.peer,job.request.session]
+    job.frames = self.sessions.burst(job, pace.begin(job.session, job.request.offset, now))
+    self._jobs[job.key] = job
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #6dd41f3f
 @patch
@@ -194,42 +137,81 @@ def _advance(self:FtpServer, job:FtpJob):
     for peer in list(self._paces)[:-self.most_waiting]:
         if peer not in busy: del self._paces[peer]
 
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #1a9e39d2
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #3acf50be
 @patch
-def _next(self:FtpServer)->tuple|None:
-    "Wait for work and return a tuple of one request, or of none if a job is due; `None` at the end"
-    end = clock.monotonic()+self.linger
-    with self._changed:
-        while not self._closed:
-            now,due = clock.monotonic(),min(map(self._when, self._jobs.values()), default=math.inf)
-            if self._requests: return (self._requests.popleft(),)
-            if due<=now: return ()
-            if now>=end: break
-            self._changed.wait(min(due, end)-now)
-        if self.sessions.open and not self._closed: return ()
-        self._thread = None
+def _send(self:FtpServer, peer:tuple, frame:FtpFrame)->bool:
+    "Send an answer; false if the link is gone"
+    try: self.component.send_message(self.component.mav.file_transfer_protocol_encode(0, *peer, frame.pack()), peer)
+    except Exception as e:
+        self.component.log.info('no answer to %s/%s: %s', *peer, e)
+        return False
+    return True
 
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #3fe6e4bb
-@patch
-def _run(self:FtpServer):
-    while (requests := self._next()) is not None:
-        for request in requests: self._answer(*request)
-        for job in list(self._jobs.values()): self._advance(job)
-        self.sessions.sweep()
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #4d3c97c0
+class FtpPace:
+    "The rate of all bursts to a peer"
+    first,few,most = 4,32,256           # frames of the first burst; at most at the start; at most later
+    seconds = 1.                        # duration of a burst
+    begins,dense = 40e3,300e3           # bytes/s of the first burst; with frames less than a millisecond apart
+    frame,slack = 266,.02               # bytes of a full frame; seconds that may be made up for, if no queue is full
+    forget = 30.                        # seconds without a burst after which the link is measured anew
 
-# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #f4303e59
+    def __init__(self, floor:float): # Minimal bytes/s
+        self.floor,self.sent = floor,0          # `sent`: bytes in all
+        self.due = self._last = 0.              # time of the next frame; of the last one
+        self._bursts = WeakKeyDictionary()      # by session: start, end, time, bytes sent before
+        self._begin_anew()
+
+    def __repr__(self): return f'FtpPace: {self.frames} frames, {self.rate:.0f} bytes/s'
+
+    def _begin_anew(self):
+        "Reset to the first burst"
+        self.rate,self.frames,self.starting,self.crowded = self.begins,self.first,True,False
+        self.missed,self._judged = 0,self.sent      # frames requested again, of those after so many bytes
+
+    def pay(self, size:int, now:float):
+        "Account for a sent frame with `size` bytes of data"
+        self.sent,self._last = self.sent+size+27,now
+        slack = 0. if (self.starting or self.crowded) and self.rate<self.dense else self.slack
+        self.due = max(self.due, now-slack)+(size+27)/self.rate
+
+    def ended(self, session, offset:int):
+        "Store the end of a burst, sent up to `offset`"
+        if session in self._bursts: self._bursts[session] = self._bursts[session][0],offset,*self._bursts[session][2:]
+
+    def note_read(self, session):
+        "Count a single requested frame as missed, if it was in a burst"
+        if session in self._bursts: self.missed += 1
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #12126374
 @patch
-@receives(FILE_TRANSFER_PROTOCOL)
-def take(self:FtpServer, msg): # A FILE_TRANSFER_PROTOCOL
-    "Queue a request; drop it if too many are waiting"
-    peer = address(msg)
-    if msg.target_component!=self.component.source_component or 0 in peer: return
-    with self._changed:
-        each = sum(1 for p,*_ in self._requests if p==peer)
-        if self._closed or len(self._requests)>=self.most_waiting or each>=self.most_each: return
-        self._requests.append((peer, read_ftp(msg.payload), msg))
-        self._changed.notify_all()
-        if self._thread is None:
-            name = f'files of {type(self.component).__name__} {self.component.source_component}'
-            self._thread = clock.Thread(target=self._run, name=name, daemon=True)
-            self._thread.start()
+def begin(self:FtpPace, session, offset:int, now:float)->int:
+    "Begin a burst and return its number of frames"
+    if now-self.due>self.forget: self._begin_anew()
+    if self.missed:
+        share = 1-self.missed*self.frame/max(self.sent-self._judged, self.frame)
+        self.missed,self._judged = 0,self.sent
+        if share<.8: self._slow_down(share)
+    elif session in self._bursts: self._measure(offset, now, *self._bursts[session])
+    self._bursts[session] = offset,offset,now,self.sent
+    return self.frames
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #b07d8bc2
+@patch
+def _measure(self:FtpPace, offset:int, now:float, start:int, end:int, when:float, sent:int):
+    "Set the rate by the last burst, which has arrived if the next one begins at its end"
+    if start<end==offset:
+        since,most = (self._last,4*self.rate) if self.starting else (when,math.inf)     # without our own pauses
+        measured = (self.sent-sent)/max(now-since, 1e-4)
+        self.starting = self.starting and measured>self.rate
+        self.rate = max(min(1.25*measured, most), self.floor)
+        frames = max(self.rate*self.seconds/self.frame, self.first)
+        self.frames = int(min(frames, 2*self.frames, self.few if self.starting else self.most))
+    elif start<=offset<end: self._slow_down((offset-start)/(end-start))
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #8fe0034c
+@patch
+def _slow_down(self:FtpPace, share:float): # Fraction of sent frames that arrived
+    "Reduce the rate after losses"
+    if share<.7: self.starting,self.crowded = False,True
+    self.rate = max(min(max(share, .5), .7)*self.rate, self.floor)

@@ -536,10 +536,12 @@ def _ts_parts(packet:bytes)->tuple:
     "`(PID, begins, filled, payload, counter)` of a TS packet"
     pid,begins = int.from_bytes(packet[1:3], 'big')&0x1fff,bool(packet[1]&64)
     start,filled = 4,False
-    if packet[3]&32:                                        # an adaptation field
+    if packet[3]&32:                                        # an adaptation field: its size, then flags
         size,flags = packet[4],packet[5] if packet[4] else 0
         start += 1+size
-        filled = size==0 or size>1+6*bool(flags&16)+6*bool(flags&8)+bool(flags&4) and not flags&3
+        # flags, PCR, OPCR and splice countdown
+        known = 1 + (6 if flags&16 else 0) + (6 if flags&8 else 0) + (1 if flags&4 else 0)
+        filled = size==0 or size>known and not flags&3      # with private data or an extension nobody knows
     return pid,begins,filled,packet[start:] if packet[3]&16 else b'',packet[3]&15
 
 # %% ../../nbs/api/video/03_receivers.ipynb #ade4fa96

@@ -141,7 +141,9 @@ class TSMuxer:
 # %% ../../nbs/api/video/02_senders.ipynb #d2348ffb
 class TSSender(UDPSink):
     "Sends MPEG-TS over UDP to one address or multicast group"
-    kind,size,burst,pause = 'mpegts',7*188,32,.001      # bytes in a datagram; datagrams in one go, and s after them
+    kind = 'mpegts'
+    size = 7*188            # bytes in a datagram
+    burst,pause = 32,.001   # datagrams in one go, and s after them
     @delegates(UDPSink.__init__)
     def __init__(self, host:str, port:int, **kwargs): # As for `UDPSink`
         super().__init__(host, port, **kwargs)
@@ -164,7 +166,8 @@ class _TSClient(Sink):
     most,patience,buffer = 30,5.,1<<17      # units that wait; s for one unit; bytes that the system keeps for it
     def __init__(self, sock:socket.socket, name:str, left, host:str=''):
         super().__init__(name)
-        self.sock,self._left,self._muxer,self.host = sock,left,TSMuxer(),host
+        self.sock,self.host,self._left = sock,host,left
+        self._muxer = TSMuxer()
         sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, self.buffer)
         sock.settimeout(self.patience)

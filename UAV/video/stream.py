@@ -72,7 +72,8 @@ class VideoStream(Closes):
 def _port(kind:str, port:int|None)->int:
     "Return where it sends to, or listens; raises `ValueError`"
     if port is None: return default_ports[kind]
-    if port in range(kind in senders, 1<<16): return port           # only a server may have a free one, 0
+    least = 1 if kind in senders else 0         # only a server may have a free one, 0
+    if port in range(least, 1<<16): return port
     raise ValueError(f'{port} is no port for {kind!r}')
 
 # %% ../../nbs/api/video/07_stream.ipynb #493d3e90
@@ -143,7 +144,8 @@ def _open(self:VideoStream):
 def _stop(self:VideoStream, rests:bool=False):
     "Hold them back"
     if not self.running: return
-    self.running,sink,self.sink = False,self.sink,None
+    sink,self.sink = self.sink,None
+    self.running = False
     if self.kind=='rtsp': return self.server.rest(self.path, self.start) if rests else self.server.remove(self.path)
     if self.kind in senders: self.encoder.remove(sink)
     sink.close()
