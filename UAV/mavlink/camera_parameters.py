@@ -30,7 +30,7 @@ class SettingsPart(Part):
         super().__init__(component)
         self.camera = component.camera
         self._wanted,self._lock = {},clock.Lock()       # pending values by name
-        self._defined,self._told = (None,0),None    # content and version of the file; its last announcement
+        self._defined,self._announced = (None,0),None   # content and version of the file; as it was announced last
         self._edition = secrets.randbelow(0xffff)   # added to the version of the content
         self._given,self._gone = {},set()           # edition last given to each client; those that were lost since
 
@@ -42,8 +42,8 @@ class SettingsPart(Part):
     def beat(self):
         "Announce a changed definition to all"
         content = self.serve_definition()[1],(self._defined[0] or ())[:2]
-        before,self._told = self._told,content
-        if before in (None,self._told): return
+        before,self._announced = self._announced,content
+        if before in (None, content): return
         for msg in self.component._encode_requested(CAMERA_INFORMATION): self.component.send_message(msg)
 
 # %% ../../nbs/api/mavlink/09_camera_parameters.ipynb #a62d2066
