@@ -129,23 +129,6 @@ def look(self:Page,
     scheme = dict(name='prefers-color-scheme', value='dark' if dark else 'light')
     self.cdp('Emulation.setEmulatedMedia', features=[scheme])
 
-# %% browser.ipynb #1e260e42
-@patch
-def open(self:Browser,
-    url:str, # Of the page
-    size:tuple=laptop, # See `Page.look`
-    dark:bool=False, # See `Page.look`
-    touch:bool=False, # See `Page.look`
-)->Page:
-    "A page with `url`, in a window of its own"
-    self.driver.switch_to.new_window('window')
-    self.front = self.driver.current_window_handle
-    page = (_FirefoxPage if self.which=='firefox' else Page)(self, self.front)
-    self.pages.append(page)
-    page.look(size, dark, touch)
-    page.driver.get(url)
-    return page
-
 # %% browser.ipynb #11d067db
 _until = '''const [milliseconds, done] = arguments, end = performance.now()+milliseconds
     const look = async () => {
@@ -178,6 +161,26 @@ def until(self:Page,
         time.sleep(.02)
     self.slowest = max(self.slowest, time.monotonic()-began)
     return answer
+
+# %% browser.ipynb #1e260e42
+@patch
+def open(self:Browser,
+    url:str, # Of the page
+    size:tuple=laptop, # See `Page.look`
+    dark:bool=False, # See `Page.look`
+    touch:bool=False, # See `Page.look`
+)->Page:
+    "A page with `url`, in a window of its own"
+    self.driver.switch_to.new_window('window')
+    self.front = self.driver.current_window_handle
+    page = (_FirefoxPage if self.which=='firefox' else Page)(self, self.front)
+    self.pages.append(page)
+    page.look(size, dark, touch)
+    page.driver.get(url)
+    scheme = url.partition(':')[0]      # the page before has another, and may still be there when `get` returns
+    page.until(f'document.readyState=="complete" && location.protocol=="{scheme}:"', what='the page is loaded')
+    page.slowest = 0.
+    return page
 
 # %% browser.ipynb #c9119503
 @patch
