@@ -33,6 +33,7 @@ class TrackingPart(Part):
         super().__init__(component)
         self.camera = component.camera
         self._followers = {}    # receivers of the status: at our rate (True), or at their own (False)
+        self._ends = 0          # how often tracking has ended
 
     @property
     def flags(self)->frozenset:
@@ -112,8 +113,9 @@ def _camera_fov_status(self:TrackingPart):
 def _camera_track_point(self:TrackingPart, x:float, y:float, radius:float=0., camera_id:int=0, *, msg):
     "Handle MAV_CMD_CAMERA_TRACK_POINT, in fractions of the picture"
     self.component.for_us(camera_id)
+    ends = self._ends
     self.component.need('camera_track_point')(x, y, radius)
-    self._show_tracking(address(msg))
+    self._show_tracking(address(msg), ends)
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #547242ff
 @patch
@@ -122,8 +124,9 @@ def _camera_track_rectangle(self:TrackingPart, left:float, top:float, right:floa
                             camera_id:int=0, *, msg):
     "Handle MAV_CMD_CAMERA_TRACK_RECTANGLE, in fractions of the picture"
     self.component.for_us(camera_id)
+    ends = self._ends
     self.component.need('camera_track_rectangle')(left, top, right, bottom)
-    self._show_tracking(address(msg))
+    self._show_tracking(address(msg), ends)
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #c5d0d063
 @patch
@@ -163,18 +166,20 @@ def _camera_tracking_image_status(self:TrackingPart, *, msg=None):
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #6a3b32c6
 @patch
-def _show_tracking(self:TrackingPart, asker:tuple):
+def _show_tracking(self:TrackingPart, asker:tuple, ends:int): # `_ends` before the command
     "Stream the status to `asker`, unless it has set an interval of its own"
     own = self._followers.get(asker, True) is False
     if own or self.component.sending.interval(asker, CAMERA_TRACKING_IMAGE_STATUS)>0: return
     try: self.component._start_stream(CAMERA_TRACKING_IMAGE_STATUS, self.interval, asker=asker)
     except (Denied,Busy) as e: return self.component.log.info('no tracking status for %s/%s: %s', *asker, e)
     self._followers[asker] = True
-    if self._tracking().status=='idle': self._end_statuses()        # a STOP came on another link meanwhile
+    overtaken = self._ends!=ends and self._tracking().status=='idle'    # by a STOP on another link
+    if overtaken: self._end_statuses()
 
 @patch
 def _end_statuses(self:TrackingPart):
     "Stop the streams of the status that we started"
+    self._ends += 1
     followers,self._followers = self._followers,{}
     for asker in [asker for asker,shown in followers.items() if shown]:
         self.component.sending.stop(asker, CAMERA_TRACKING_IMAGE_STATUS)
@@ -193,7 +198,7 @@ def interval_set(self:TrackingPart, asker:tuple, # `(system, component)`
     "Store the interval of the tracking status that `asker` has set"
     self._followers.pop(asker, None)
     if interval>0 and len(self._followers)<self.component.most_peers: self._followers[asker] = False
-    elif not interval and self._tracking().status!='idle': self._show_tracking(asker)
+    elif not interval and self._tracking().status!='idle': self._show_tracking(asker, self._ends)
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #f21be848
 @patch
