@@ -996,8 +996,6 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                 'UAV/cameras/storage.py'),
                                      'UAV.cameras.storage.Storage.save': ( 'api/cameras/storage.html#storage.save',
                                                                            'UAV/cameras/storage.py'),
-                                     'UAV.cameras.storage.Storage.space': ( 'api/cameras/storage.html#storage.space',
-                                                                            'UAV/cameras/storage.py'),
                                      'UAV.cameras.storage.Storage.temporary': ( 'api/cameras/storage.html#storage.temporary',
                                                                                 'UAV/cameras/storage.py'),
                                      'UAV.cameras.storage._FileSizes': ('api/cameras/storage.html#_filesizes', 'UAV/cameras/storage.py'),

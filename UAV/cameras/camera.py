@@ -268,7 +268,7 @@ def settings(self:Camera)->CameraSettings:
 @patch
 def capture_status(self:Camera)->CaptureStatus:
     "The camera's state"
-    (_,_,available),recorder = self.storages.photo.space(),self.filming.recorder
+    available,recorder = self.storages.photo.information().available,self.filming.recorder
     return CaptureStatus(*self.captures.state, self.storages.next_index, available, recorder is not None,
                          recorder.seconds if recorder is not None else 0., self.trigger.distance)
 

@@ -175,43 +175,36 @@ def check_room(self:Storage, size:int|None=None): # Bytes; `None`: as large as t
     "Raise `StorageError` (closed, gone, read-only, another's), `StorageFull` unless `size` fits, `CameraBusy` (format)"
     self.check_closed()
     if self.formatting: raise CameraBusy(f'storage {self.name!r} is being formatted')
-    _,_,available = self.space()
-    needed = max(self._sizes.largest if size is None else size, 1)
-    if available*MiB < needed or self._format_log.exists(): raise self._why_not()
+    now,needed = self.information(),max(self._sizes.largest if size is None else size, 1)
+    if now.status != 'ready' or now.available*MiB < needed: raise self._why_not(now)
     if self._folder_lock.here: return
     try: self._folder_lock.renew()
     except OSError as e: raise self._error(e) from e
 
 @patch
-def _why_not(self:Storage)->StorageError:
+def _why_not(self:Storage, now:StorageInformation)->StorageError:
     "The reason that it takes no picture"
-    status = self.information().status
-    if status == 'ready' and self.is_writable(): return StorageFull(f'storage {self.name!r} is full')
-    why = dict(empty='gone: its folder is not there', ready='read-only').get(status, status)
+    has_space = now.available or self.is_writable()
+    if now.status == 'ready' and has_space: return StorageFull(f'storage {self.name!r} is full')
+    why = dict(empty='gone: its folder is not there', ready='read-only').get(now.status, now.status)
     return StorageError(f'storage {self.name!r} is {why}')
 
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #af2ca83f
 @patch
-def space(self:Storage)->tuple:
-    "MiB in all, used, and that may still be written; 0 when the folder is gone"
+def information(self:Storage)->StorageInformation:
+    "How full the storage is, MiB; 'empty' when its folder is gone, 'unformatted' when a format could not be finished"
+    what = dict(storage_id=self.storage_id, name=self.name, kind=self.kind)
     try:
         total,used,free = shutil.disk_usage(self.folder)
         free -= self.reserve*MiB
         if self.quota is not None:
             total,used = self.quota*MiB,self._sizes.there()+sum(map(_file_size, self.recordings))
             free = min(free, total-used)
-    except OSError: return 0.,0.,0.
-    return total/MiB,used/MiB,max(free, 0)/MiB if self.is_writable() else 0.
-
-@patch
-def information(self:Storage)->StorageInformation:
-    "How full the storage is, MiB; 'empty' when its folder is gone, 'unformatted' when a format could not be finished"
+    except OSError: return StorageInformation(status='empty', **what)
+    if not self.is_writable(): free = 0
     status = 'unformatted' if self._format_log.exists() and not self.formatting else 'ready'
-    if not os.path.isdir(self.folder): status = 'empty'
-    total,used,available = self.space()
-    return StorageInformation(self.storage_id, status=status, total=total, used=used, available=available,
-                              name=self.name, kind=self.kind)
+    return StorageInformation(status=status, total=total/MiB, used=used/MiB, available=max(free, 0)/MiB, **what)
 
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #d48aa293

@@ -670,7 +670,7 @@ def _find_spaces(self:_OnvifClient, configuration):
     token = escape(configuration.get('token', ''))
     answer = self._ask_optional(f'<tptz:GetConfigurationOptions><tptz:ConfigurationToken>{token}'
                                 '</tptz:ConfigurationToken></tptz:GetConfigurationOptions>')
-    if not len(answer): answer = self.ask('<tptz:GetNodes/>')
+    if answer.tag=='none': answer = self.ask('<tptz:GetNodes/>')     # refused
     self.spaces = {kind: _spaces(answer, f'{name}Space') for kind,name in kinds.items()}
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #139c2725

@@ -416,7 +416,8 @@ def _announce_settings(self:CameraServer, event:CameraSettings):
 
 @patch
 @announced(StorageInformation)
-def _announce_storage(self:CameraServer, event:StorageInformation): return self._encode_storage(event)
+def _announce_storage(self:CameraServer, event:StorageInformation)->list:
+    return self._storage_information(event.storage_id)
 
 @patch
 @announced(DeviceStatus)

@@ -98,11 +98,8 @@ def link(self:MAVCom)->Link:
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #3e3be001
 class Member:
     "What a `MAVCom` calls on its components; a subclass has a `source_component` number and the methods that it needs"
-    _closed = False
-    def set_mav_connection(self, mav_com):
-        "Called when it is added, before it gets messages"
-        self.mav_com = mav_com
-
+    mav_com,_closed = None,False    # the `MAVCom` that it is on, when `set_mav_connection` stores it
+    def set_mav_connection(self, mav_com): "Called when it is added, before it gets messages"
     def deliver(self, msg): "Called with each message for it, on the link's reader thread"
     def beat(self): "Send its heartbeat"
 
@@ -122,7 +119,7 @@ def _check_component(component, com, twins=()):
     if not hasattr(component, '_beat_soon'):           # no `Member`
         raise TypeError(f'{component!r} is no component: write CameraServer(camera=…), or GimbalServer(gimbal=…); '
                         f'a class of your own continues Component, or Member')
-    number,other = component.source_component,vars(component).get('mav_com')
+    number,other = component.source_component,component.mav_com
     if other not in (None,com) and not component._closed:
         raise ValueError(f'{name} {number} is on {other!r} already; make a second one for this MAVCom')
     for c in (com, *twins):
@@ -143,7 +140,8 @@ def add_component(self:MAVCom, component):
         self.here.add((self.source_system, number))
     try: component.set_mav_connection(self)
     except BaseException:
-        component.close()           # what it has begun ends
+        try: component.close()      # what it has begun ends
+        except Exception: self.log.exception('%r does not close', component)
         self.remove_component(component)
         raise
     self.deliver_to(component)
