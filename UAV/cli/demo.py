@@ -30,7 +30,8 @@ def take_pictures(video:str=None, # Video file, device or URL to use as the came
     try:
         with or_exit('uav-demo'), CV2Camera(video, folder=out) if video else SimCamera(folder=out) as camera:
             images = asyncio.run(_demo(camera, count))
-            print(f'{len(images)} new pictures are in {out}, all of them on {_save_sheet(out, images)}\n{_next}')
+            new = sum(m.capture_result==1 for m in images)
+            print(f'{new} new pictures are in {out}, all of them on {_save_sheet(out, images)}\n{_next}')
     except KeyboardInterrupt:
         complain('uav-demo', f'stopped; the pictures taken so far are in {out}')
         raise

@@ -22,6 +22,37 @@ from ..wire.dialect import Ack, MAVError
 # %% auto #0
 __all__ = ['GimbalRow']
 
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #c4feabb3
+class _History:
+    "The attitudes of the last seconds, as quaternions; times in monotonic s"
+    def __init__(self, seconds:float=10.):
+        self.seconds,self._kept,self._lock = seconds,deque(),clock.Lock()
+
+    def add(self, time:float, q:tuple):
+        "Store an attitude, if it is later than the last one"
+        with self._lock:
+            if self._kept and time<=self._kept[-1][0]: return
+            self._kept.append((time, q))
+            while self._kept[0][0]<time-self.seconds: self._kept.popleft()
+
+    def at(self, time:float)->tuple|None:
+        "Return the attitude at `time`, or the nearest; `None` without any"
+        with self._lock: kept = list(self._kept)
+        later = next((n for n,(t,_) in enumerate(kept) if t>=time), len(kept))
+        if later in (0, len(kept)): return kept[min(later, len(kept)-1)][1] if kept else None
+        (t0,p),(t1,q) = kept[later-1:later+1]
+        return _between(p, q, (time-t0)/(t1-t0))
+
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #ba93704f
+def _between(p:tuple, q:tuple, share:float)->tuple:
+    "Interpolate between the unit quaternions `p` (share 0) and `q` (share 1)"
+    w,*axis = product(inverse(p), q)
+    length = math.hypot(*axis)
+    if length<1e-9: return q
+    half = math.atan2(length, abs(w))
+    size = math.copysign(math.sin(half*share), w)/length
+    return product(p, (math.cos(half*share), *(a*size for a in axis)))
+
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #bad4c4fb
 class GimbalRow(Row):
     "State and buttons of one gimbal"
@@ -44,7 +75,7 @@ class GimbalRow(Row):
     @property
     def lost(self)->str:
         "Reason why the gimbal is lost, or ''"
-        com = self.client.client.mav_com
+        com = self.gui.gimbal_client.mav_com
         if self.gimbal[:2] not in com.remotes: return f'{self.id} was not heard'
         return com.lost(self.gimbal[:2]) or com.lost(self.client.device[:2])
 
@@ -81,25 +112,27 @@ async def listen(self:GimbalRow):
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #e1e054dd
 @patch
 async def run(self:GimbalRow):
-    "Learn and listen, again after each silence, until cancelled"
+    "Request all and listen, again after each silence, until cancelled"
     while True:
         try:
             await self.request_all()
             await self.listen()
         except MAVError as e: self.missing = str(e)
         self.client.forget()
+        self.history,self.frame = _History(),''
         await asyncio.sleep(1)
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #42533ffd
 @patch
 def status(self:GimbalRow)->dict:
     "Return all that a viewer shows, as plain values"
-    lost,remote = self.lost,self.client.client.remotes.get(self.gimbal[:2])
+    lost,remote = self.lost,self.gui.gimbal_client.remotes.get(self.gimbal[:2])
     age = int(clock.monotonic()-remote.heard) if remote and remote.heard else None
     return dict(id=self.id, name=text_of(self.client.name), state='lost' if lost else 'alive', age=age,
         why=lost or self.missing, can=list(self.client.can), limits=self.limits(), **self.pointing(), **self.owner(),
         turning=self.helm.held is not None, buttons=self.buttons())
 
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #674e43cf
 @patch
 def limits(self:GimbalRow)->dict:
     "Return the limits of pitch and yaw, degrees; `None` if unknown or there is no such axis"
@@ -107,6 +140,7 @@ def limits(self:GimbalRow)->dict:
     ends = {axis:axis_limits(info, axis) if info and getattr(info, axis) else () for axis in ('pitch','yaw')}
     return {axis:list(both) if both and all(map(known, both)) else None for axis,both in ends.items()}
 
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #a55c894f
 @patch
 def pointing(self:GimbalRow)->dict:
     "Return its direction, degrees, `heading` from north, and its mode"
@@ -115,11 +149,12 @@ def pointing(self:GimbalRow)->dict:
     return dict({name:round(angle, 1) for name,angle in angles.items()}, lock=now.lock, mode=now.mode,
                 failures=list(now.failures))
 
+# %% ../../nbs/api/manager/04_gimbal_row.ipynb #5c720d77
 @patch
 def owner(self:GimbalRow)->dict:
     "Return the client in control, and whether it is us"
     primary = self.client.status and self.client.status.primary
-    return dict(owner=primary and '{}/{}'.format(*primary), ours=primary==self.client.client.us,
+    return dict(owner=primary and '{}/{}'.format(*primary), ours=primary==self.gui.gimbal_client.us,
                 owner_name=_owner_in_words(self.client))
 
 # %% ../../nbs/api/manager/04_gimbal_row.ipynb #014a9c79
@@ -236,34 +271,3 @@ async def give(self:GimbalRow)->str:
     "Return control, if it is ours"
     await self.helm.give()
     return f'{self.client.status}'
-
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #c4feabb3
-class _History:
-    "The attitudes of the last seconds, as quaternions; times in monotonic s"
-    def __init__(self, seconds:float=10.):
-        self.seconds,self._kept,self._lock = seconds,deque(),clock.Lock()
-
-    def add(self, time:float, q:tuple):
-        "Store an attitude, if it is later than the last one"
-        with self._lock:
-            if self._kept and time<=self._kept[-1][0]: return
-            self._kept.append((time, q))
-            while self._kept[0][0]<time-self.seconds: self._kept.popleft()
-
-    def at(self, time:float)->tuple|None:
-        "Return the attitude at `time`, or the nearest; `None` without any"
-        with self._lock: kept = list(self._kept)
-        later = next((n for n,(t,_) in enumerate(kept) if t>=time), len(kept))
-        if later in (0, len(kept)): return kept[min(later, len(kept)-1)][1] if kept else None
-        (t0,p),(t1,q) = kept[later-1:later+1]
-        return _between(p, q, (time-t0)/(t1-t0))
-
-# %% ../../nbs/api/manager/04_gimbal_row.ipynb #ba93704f
-def _between(p:tuple, q:tuple, share:float)->tuple:
-    "Interpolate between the unit quaternions `p` (share 0) and `q` (share 1)"
-    w,*axis = product(inverse(p), q)
-    length = math.hypot(*axis)
-    if length<1e-9: return q
-    half = math.atan2(length, abs(w))
-    size = math.copysign(math.sin(half*share), w)/length
-    return product(p, (math.cos(half*share), *(a*size for a in axis)))

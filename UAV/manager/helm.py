@@ -164,7 +164,7 @@ async def _stop(self:Helm, lock:bool):
     client = self.client
     if client.held_by_other: return
     client.send_rates(0., 0., lock)
-    nothing = int(100*clock.monotonic())%10_000*1e-6     # degrees a second: a new value each 10 ms
+    nothing = int(100*clock.monotonic())%10_000*1e-6     # degrees a second: a new value each 10 ms, for 100 s
     (await client.set_rates(pitch=nothing, lock=lock)).check()
 
 # %% ../../nbs/api/manager/02_helm.ipynb #b81f60ba
