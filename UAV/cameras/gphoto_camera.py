@@ -24,7 +24,7 @@ __all__ = ['GPhotoCamera']
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #80690847
 class GPhotoCamera(Camera):
     "A camera body on USB, through gphoto2; raises `CameraError` when there is none"
-    first_retry,longest_back_off = .5,10.     # s between attempts to find a body that is gone, doubled each time
+    first_retry,longest_back_off = .5,10.     # s between attempts to find a body that is gone; doubled
     second_file = 3.                    # s that the second file of RAW+JPEG may come after the first
     min_interval = .5
     def __init__(self, port:str|None=None, # Such as 'usb:001,004', which changes with each plugging in; `None`: any
@@ -195,13 +195,15 @@ def _gphoto2():
 @patch
 def _run(self:_Body):
     "Run the jobs, and check for the body, until `close`"
-    wait,longest_back_off = self.retries
+    first_retry,longest_back_off = self.retries
+    wait = first_retry
     while True:
-        if self.camera is None: wait = self.retries[0] if self._open() else min(2*wait, longest_back_off)
+        if self.camera is None and self._open(): wait = first_retry
         self.tried.set()
         try: job = self.jobs.get(timeout=self.poll if self.camera else wait)
         except clock.Empty:
             if self.camera: self._serve(lambda camera: camera.wait_for_event(0), Future())
+            else: wait = min(2*wait, longest_back_off)
             continue
         if job is None: break
         self._serve(*job)
@@ -235,13 +237,14 @@ _no_body = ('is it on, and on USB? `gphoto2 --auto-detect` lists what there is. 
 
 def _is_gone(code:int)->bool:
     "True if after this error of libgphoto2 the body has to be opened again"
-    return code in (-3,-7,-10) or -100<code<=-20        # no memory, I/O, a timeout; the errors of ports
+    return code in (-3,-7,-10) or -100<code<=-20        # GP_ERROR_NO_MEMORY, _IO, _TIMEOUT; those of ports
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #473d212b
 @patch
 def _serve(self:_Body, f, done:Future):
     "Do a job; an error may mean that the body is gone"
     if not done.set_running_or_notify_cancel(): return
+    if self.camera is None: return done.set_exception(CameraError(self.fault))      # it went with the job before
     try: done.set_result(f(self.camera))
     except self.gp.GPhoto2Error as e:
         if _is_gone(e.code):

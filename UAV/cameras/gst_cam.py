@@ -272,12 +272,12 @@ def _after(self:_Keeper, problem:str|None, wait:float)->float:
     if self.closing.is_set(): return 0.
     if pipeline.arrived and pipeline.film: return min(first, .05)
     self._note(problem)
-    return first if pipeline.arrived else min(2*wait, self.owner.longest_back_off)
+    return first if pipeline.arrived else min(max(2*wait, first), self.owner.longest_back_off)
 
 # %% ../../nbs/api/cameras/15_gst_cam.ipynb #5ae5dbf4
 @patch
 def _run(self:_Keeper):
-    wait = self.owner.first_retry
+    wait = 0.
     while not self.closing.is_set():
         self.pipeline = GSTPipeline(self.line, self.name)
         wait = self._after(self._live(self.pipeline), wait)

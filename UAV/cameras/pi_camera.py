@@ -216,7 +216,7 @@ def _settings(controls:dict, metadata:dict)->list:
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #24c70a22
 @patch
 def apply_parameter(self:PiCamera, name:str, value)->dict|None:
-    "Set it in the camera; raises `CameraError` when no frame shows it"
+    "Set it in the camera; raises `CameraError` when no frame comes"
     if name in _switches: return self._turn_switch(name, value)
     if name not in _sliders: return None                    # a subclass's own
     switch,auto = next((n, positions['Auto'][0]) for n,(_,_,positions,moves) in _switches.items() if name in moves)

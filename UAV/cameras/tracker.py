@@ -92,7 +92,7 @@ def _cut_out(image, middle, size):
 # %% ../../nbs/api/cameras/06_tracker.ipynb #2ba6420e
 @lru_cache(maxsize=1)
 def _grid()->ns:
-    "Options for all targets"
+    "Masks, window and wanted response, the same for all targets"
     y,x = np.mgrid[:side,:side]-side//2
     half,away = side/context/2,np.maximum(abs(x), abs(y))
     window = np.outer(np.hanning(side), np.hanning(side)).astype(np.float32)
@@ -225,7 +225,7 @@ def fit(self:Follower, image)->bool:
 # %% ../../nbs/api/cameras/06_tracker.ipynb #398fa33d
 @patch
 def judge(self:Follower, image):
-    "Return whether the found place shows the target"
+    "Lower the confidence to the likeness of what is at the found place"
     self.confidence = min(1., self.confidence, self.portrait.likeness(self._square(image)))
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #c822fcbf

@@ -137,8 +137,8 @@ def start(self:Trigger, distance:float, # m
 @patch
 def tick(self:Trigger):
     "Poll where the camera is, and take a picture if one is due"
-    rule,place = self.rule,self.place()
-    if rule is None: return
+    place = self.place()
+    if (rule := self.rule) is None: return      # perhaps it was stopped while the camera gave its place
     waits = self.status.state=='waiting'
     if place is None: return None if waits else self.announce('waiting', 'no position: no pictures by distance')
     due = rule.feed(self.clock(), *place)
@@ -155,6 +155,7 @@ def _shoot(self:Trigger, rule:DistanceTrigger):
     try: camera.image_start_capture()
     except CameraBusy: return self._busy(rule)
     except Exception as e: return self.stop(f'no pictures by distance: {e}')
+    if self.rule is not rule: return            # stopped meanwhile
     rule.taken()
     self.shot,self.status = now,TriggerStatus(status.distance, status.state, status.count+1)
 
@@ -162,7 +163,7 @@ def _shoot(self:Trigger, rule:DistanceTrigger):
 @patch
 def _busy(self:Trigger, rule:DistanceTrigger):
     "Leave the picture due; announce once when it comes much too late"
-    if self._complained or rule.flown<self.too_late*rule.distance: return
+    if self._complained or self.rule is not rule or rule.flown<self.too_late*rule.distance: return
     self._complained = True
     self.announce('on', f'too fast for a picture every {rule.distance:g} m')
 
@@ -288,9 +289,8 @@ def _run(self:CaptureQueue):
     "The capture thread: one job after the other"
     while job := self._next_job():
         try: self._do(job)
-        except BaseException:
-            self.camera.log.exception('%r goes on, after', self)
-            self._finish(job)
+        except BaseException: self.camera.log.exception('%r goes on, after', self)
+        finally: self._finish(job)
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a5222
 @patch
@@ -322,7 +322,6 @@ def _do(self:CaptureQueue, job):
         self.announce_state((False, job.interval))
         slot = _next_slot(slot, clock.monotonic()-t0, job.interval)
         job.stop.wait(max(0, t0+slot*job.interval-clock.monotonic()))
-    self._finish(job)                    # it was stopped
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #5c0a53f1
 @patch

@@ -148,7 +148,7 @@ def _measure(unit)->tuple|None:
 @patch
 def _run(self:URLCamera):
     "Receive, and connect again, until `close`"
-    wait = self.first_retry
+    wait = 0.
     while not self._closing.is_set():
         number = self._encoder._number
         try: self._receive()
@@ -157,7 +157,8 @@ def _run(self:URLCamera):
         except Exception as e:
             self.log.exception('%r', self)
             self._note(str(e) or type(e).__name__)
-        wait = self.first_retry if self._encoder._number>number else min(2*wait, self.longest_back_off)
+        if self._encoder._number>number: wait = 0.          # it had worked
+        wait = min(max(2*wait, self.first_retry), self.longest_back_off)
         self._closing.wait(wait)
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #74e05aa3
