@@ -130,7 +130,7 @@ def picture(self:Camera, index:int, # From 0
 # %% ../../nbs/api/cameras/09_camera.ipynb #01b8f48a
 @patch
 def close(self:Camera):
-    "Stop, wait for a running picture (`patience` at most), and release the storage; may be called twice"
+    "Stop, wait for accepted pictures (`patience` each at most), and release the storage; may be called twice"
     done = self.captures.close(self.patience)
     for part in (self.tracking,self.filming): part.close()
     if not (self.frames.close(1.) and done): self.log.error('read() does not come back; closed without it')

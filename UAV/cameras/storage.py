@@ -397,13 +397,12 @@ def _write_files(files:dict):
 # %% ../../nbs/api/cameras/02_storage.ipynb #eecd3a41
 def _append_line(path:Path, line:bytes):
     "Add a line to a file completely or not at all; raises `OSError`"
-    with path.open('ab') as f:
+    with path.open('ab', buffering=0) as f:         # a buffer would write the rest when it's closed
         end = f.tell()
         try:
-            f.write(line)
-            f.flush()
+            while line: line = line[f.write(line):]
         except OSError:
-            f.truncate(end)
+            with suppress(OSError): f.truncate(end)
             raise
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #f8b11afe
@@ -542,7 +541,7 @@ def _file_size(path:Path)->int:
 # %% ../../nbs/api/cameras/02_storage.ipynb #463709b7
 @patch
 def format(self:Storage, cancelled=lambda: False): # Says whether it is to end without having deleted anything
-    "Delete our pictures, our recordings and the log; indexes start again at 0. Raises `StorageError`, `TakenBack`"
+    "Delete our pictures, recordings and log; indexes begin at 0. Raises `StorageError`, `CameraBusy`, `TakenBack`"
     self.check_closed()
     if self.formatting: raise CameraBusy(f'storage {self.name!r} is being formatted')
     self.formatting = True
