@@ -153,6 +153,12 @@ class LogEntry:
         return self.msg_id==mavlink.MAVLINK_MSG_ID_COMMAND_LONG and self.message.confirmation>0
 
     @property
+    def shot(self)->int:
+        "The number of a single picture, which a camera takes once however often it's sent; 0: none"
+        is_shot = self.is_command and self.message.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE
+        return self.message.param4 if is_shot and self.message.param3==1 else 0
+
+    @property
     def command_name(self)->str:
         "Of the MAV_CMD that this asks for, or answers"
         return enum_name('MAV_CMD', self.message.command, 'MAV_CMD_')
@@ -242,7 +248,7 @@ def load(cls:MessageLog, file, # A `.tlog`
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #6c2e4997
 class _Exchange:
-    "A command, its retransmissions, and the acks to it"
+    "A command, its copies, and the acks to it"
     def __init__(self, first:LogEntry):
         self.sends,self.acks = [first],[]
         self.command,self.source,self.target = first.message.command,first.source,first.target
@@ -260,7 +266,9 @@ class _Exchange:
         return sum(a.message.result!=mavlink.MAV_RESULT_IN_PROGRESS and source in (None,a.source) for a in self.acks)
 
     def is_repeated_by(self, e:LogEntry)->bool:
-        return e.is_retransmission and (self.source,self.target)==(e.source,e.target)
+        "True if `e` is sent again: a COMMAND_LONG with a `confirmation`, or a shot with the number that it has here"
+        is_copy = e.is_retransmission or 0<self.sends[0].shot==e.shot
+        return is_copy and (self.source,self.target)==(e.source,e.target)
 
     def may_have_answer(self, e:LogEntry)->bool:
         "Is the ack `e` from the one that was asked, to the one that asked? 0 stands for all"
