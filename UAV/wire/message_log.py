@@ -153,15 +153,16 @@ class LogEntry:
         return self.msg_id==mavlink.MAVLINK_MSG_ID_COMMAND_LONG and self.message.confirmation>0
 
     @property
-    def shot(self)->int:
-        "The number of a single picture, which a camera takes once however often it's sent; 0: none"
-        is_shot = self.is_command and self.message.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE
-        return self.message.param4 if is_shot and self.message.param3==1 else 0
-
-    @property
     def command_name(self)->str:
         "Of the MAV_CMD that this asks for, or answers"
         return enum_name('MAV_CMD', self.message.command, 'MAV_CMD_')
+
+# %% ../../nbs/api/wire/07_message_log.ipynb #e15b9936
+@patch(as_prop=True)
+def shot(self:LogEntry)->int:
+    "The number of a single picture, which a camera takes once however often it's sent; 0: none"
+    is_shot = self.is_command and self.message.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE
+    return self.message.param4 if is_shot and self.message.param3==1 else 0
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #7fae64fd
 # commands whose first parameter is a message id
