@@ -248,6 +248,8 @@ def load(cls:MessageLog, file, # A `.tlog`
     return loaded
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #6c2e4997
+_same_shot = 45. # s; later the number is another shot's, as for our camera server: some clients call each shot 1
+
 class _Exchange:
     "A command, its copies, and the acks to it"
     def __init__(self, first:LogEntry):
@@ -268,8 +270,9 @@ class _Exchange:
 
     def is_repeated_by(self, e:LogEntry)->bool:
         "True if `e` is sent again: a COMMAND_LONG with a `confirmation`, or a shot with the number that it has here"
-        is_copy = e.is_retransmission or 0<self.sends[0].shot==e.shot
-        return is_copy and (self.source,self.target)==(e.source,e.target)
+        first = self.sends[0]
+        is_same_shot = 0<first.shot==e.shot and e.time-first.time<_same_shot
+        return (e.is_retransmission or is_same_shot) and (self.source,self.target)==(e.source,e.target)
 
     def may_have_answer(self, e:LogEntry)->bool:
         "Is the ack `e` from the one that was asked, to the one that asked? 0 stands for all"
