@@ -341,7 +341,7 @@ def _set(p):
     return f'{one.name}={value:g}'
 
 # %% ../../nbs/api/check/05_settings.ipynb #9732c94f
-@requirement('parameters.unknown', 'One that is not there is VALUE_UNSUPPORTED, not silence',
+@requirement('parameters.unknown', 'One that is not there is VALUE_UNSUPPORTED or FAILED, not silence',
              'common.xml PARAM_ACK_VALUE_UNSUPPORTED')
 def _unknown(p):
     _list_params(p)

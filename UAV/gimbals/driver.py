@@ -125,7 +125,7 @@ class DeviceLine(Closes):
 
     def send(self, data:bytes, # A whole frame
             )->bool:
-        "Send it at once or not at all; returns whether it was sent"
+        "Send it at once, without waiting; returns whether all of it was taken"
         with self._lock:
             if not self.up: return False
             sent,why = 0,'the other side takes nothing'
@@ -323,7 +323,9 @@ class SerialPort(_Port):
         from serial import Serial
         self._end = Serial(self.path, self.baudrate, timeout=0, write_timeout=.1)
 
-    def write(self, data:bytes)->int: return self._end.write(data)
+    def write(self, data:bytes)->int: # pyserial's own write waits when the line is full
+        return os.write(self._end.fileno(), data) if os.name=='posix' else self._end.write(data)
+
     def read(self)->bytes: return self._end.read(4096)
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #34a52f18

@@ -157,6 +157,13 @@ class LogEntry:
         "Of the MAV_CMD that this asks for, or answers"
         return enum_name('MAV_CMD', self.message.command, 'MAV_CMD_')
 
+# %% ../../nbs/api/wire/07_message_log.ipynb #e15b9936
+@patch(as_prop=True)
+def shot(self:LogEntry)->int:
+    "The number of a single picture, which a camera takes once however often it's sent; 0: none"
+    is_shot = self.is_command and self.message.command==mavlink.MAV_CMD_IMAGE_START_CAPTURE
+    return self.message.param4 if is_shot and self.message.param3==1 else 0
+
 # %% ../../nbs/api/wire/07_message_log.ipynb #7fae64fd
 # commands whose first parameter is a message id
 _of_messages = mavlink.MAV_CMD_REQUEST_MESSAGE,mavlink.MAV_CMD_SET_MESSAGE_INTERVAL
@@ -241,8 +248,10 @@ def load(cls:MessageLog, file, # A `.tlog`
     return loaded
 
 # %% ../../nbs/api/wire/07_message_log.ipynb #6c2e4997
+_same_shot = 45. # s; later the number is another shot's, as for our camera server: some clients call each shot 1
+
 class _Exchange:
-    "A command, its retransmissions, and the acks to it"
+    "A command, its copies, and the acks to it"
     def __init__(self, first:LogEntry):
         self.sends,self.acks = [first],[]
         self.command,self.source,self.target = first.message.command,first.source,first.target
@@ -260,7 +269,10 @@ class _Exchange:
         return sum(a.message.result!=mavlink.MAV_RESULT_IN_PROGRESS and source in (None,a.source) for a in self.acks)
 
     def is_repeated_by(self, e:LogEntry)->bool:
-        return e.is_retransmission and (self.source,self.target)==(e.source,e.target)
+        "True if `e` is sent again: a COMMAND_LONG with a `confirmation`, or a shot with the number that it has here"
+        first = self.sends[0]
+        is_same_shot = 0<first.shot==e.shot and e.time-first.time<_same_shot
+        return (e.is_retransmission or is_same_shot) and (self.source,self.target)==(e.source,e.target)
 
     def may_have_answer(self, e:LogEntry)->bool:
         "Is the ack `e` from the one that was asked, to the one that asked? 0 stands for all"
