@@ -7386,6 +7386,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                               'UAV/wire/message_log.py'),
                                       'UAV.wire.message_log.LogEntry.says': ( 'api/wire/message_log.html#logentry.says',
                                                                               'UAV/wire/message_log.py'),
+                                      'UAV.wire.message_log.LogEntry.shot': ( 'api/wire/message_log.html#logentry.shot',
+                                                                              'UAV/wire/message_log.py'),
                                       'UAV.wire.message_log.LogEntry.target': ( 'api/wire/message_log.html#logentry.target',
                                                                                 'UAV/wire/message_log.py'),
                                       'UAV.wire.message_log.MessageLog': ( 'api/wire/message_log.html#messagelog',
