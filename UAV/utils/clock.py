@@ -67,7 +67,7 @@ class Seen:
         self.clock,self._noted,self._lock = direct(clock),{},RLock()
 
     def __len__(self): return len(self._noted)
-    def __repr__(self): return f'Seen: {len(self)} in the last {self.window:g} s'
+    def __repr__(self): return f'Seen: {len(self)}, each for {self.window:g} s'
 
     def note(self, key, value=True):
         "Remember `key`, with a `value`"

@@ -37,7 +37,9 @@ class Value:
         if type(self) is not type(other): return NotImplemented
         return all(a == b or not (known(a) or known(b)) for a,b in zip(vars(self).values(), vars(other).values()))
 
-    def __hash__(self): return hash(repr(self))
+    def __hash__(self):
+        values = (getattr(self, f.name) for f in fields(self))
+        return hash((type(self), *(v for v in values if isinstance(v, (Real,str)) and known(v))))
 
 # %% ../../nbs/api/utils/00_values.ipynb #00066716
 def inside(what:str, value:float, low:float=-math.inf, high:float=math.inf)->float:
@@ -46,6 +48,7 @@ def inside(what:str, value:float, low:float=-math.inf, high:float=math.inf)->flo
     except OverflowError: number = NAN          # a whole number that is too large for a float
     if low <= number <= high and abs(number) != math.inf: return number
     limits = f' from {low:g} to {high:g}' if high < math.inf else ''
+    if low > -math.inf and not limits: limits = f' of at least {low:g}'
     raise ValueError(f'{what} must be a number{limits}, not {value}')
 
 # %% ../../nbs/api/utils/00_values.ipynb #5c0a4e10

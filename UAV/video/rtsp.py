@@ -345,7 +345,7 @@ class _Transport:
     pair:tuple # For RTP, and for RTCP
 
     def header(self, ports:tuple, ssrc:int)->str:
-        "Return the `_Transport` header of our answer"
+        "Return the Transport header of our answer"
         first,second = self.pair
         if self.tcp: return f'RTP/AVP/TCP;unicast;interleaved={first}-{second};ssrc={ssrc:08X};mode="PLAY"'
         server = f'server_port={ports[0]}-{ports[1]}'

@@ -66,7 +66,7 @@ class VideoStream(Closes):
                 self.server.add(path, self.encoder)
                 self.path = path
                 return
-        raise ValueError(f'the path {self.path} is taken, and a hundred more')
+        raise ValueError(f'the path {self.path} is taken, and so are those with _2 to _99')
 
 # %% ../../nbs/api/video/07_stream.ipynb #ce98a247
 def _port(kind:str, port:int|None)->int:

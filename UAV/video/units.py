@@ -347,7 +347,7 @@ class Codec:
 # %% ../../nbs/api/video/00_units.ipynb #068a3747
 @cache
 def _works(name:str)->bool:
-    "True if it encodes pictures on this machine, and makes the fourth of six a key frame; tried once"
+    "True if it encodes pictures on this machine, and a second key frame when it's asked to; tried once"
     format = VideoFormat(next((c for c,names in _candidates.items() if name in names), 'h264'))
     black = SimpleNamespace(image=np.zeros((format.height,format.width,3), np.uint8), number=0, time_utc=0.)
     try:
