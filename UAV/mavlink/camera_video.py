@@ -14,7 +14,7 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_
     MAVLINK_MSG_ID_CAMERA_THERMAL_RANGE as CAMERA_THERMAL_RANGE,
     MAVLINK_MSG_ID_VIDEO_STREAM_INFORMATION as VIDEO_STREAM_INFORMATION,
     MAVLINK_MSG_ID_VIDEO_STREAM_STATUS as VIDEO_STREAM_STATUS)
-from ..cameras.values import CameraBusy, CameraError, CaptureStatus, RecordingEnded, VideoStatus
+from ..cameras.values import CaptureStatus, RecordingEnded, VideoStatus
 from ..video.senders import is_group
 from ..utils.clock import time_since_boot_ms
 from ..wire.dialect import address, enum_name
@@ -286,11 +286,7 @@ def _video_start_capture(self:VideoPart, stream_id:int=0, rate:float=0., camera_
     self.component.for_us(camera_id)
     start = self.component.need('video_start_capture')
     if not 0<=rate<=1000: raise Denied(f'rate is {rate} Hz')
-    try: start(stream_id)
-    except CameraBusy: raise            # temporary
-    except CameraError as e:
-        self.component.say(mavlink.MAV_SEVERITY_WARNING, f'No recording: {e}')
-        raise
+    start(stream_id)            # the server sends the reason of a failure as text
     if not rate: return
     self._reports = True
     try: self.component._start_stream(CAMERA_CAPTURE_STATUS, 1e6/rate, _recording, asker=address(msg))

@@ -24,7 +24,7 @@ from ..wire.dialect import Ack, address, enum_name, MAVError, message_name
 from ..wire.frames import pack
 
 # %% auto #0
-__all__ = ['everyone', 'Component', 'Stream', 'Streams', 'StatusText', 'Texts', 'Health', 'DeviceServer', 'verb', 'sends',
+__all__ = ['everyone', 'Stream', 'Streams', 'Component', 'StatusText', 'Texts', 'Health', 'DeviceServer', 'verb', 'sends',
            'verbs', 'MAVLink', 'mavlink', 'LogLevels']
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #b1d0d43c
@@ -36,204 +36,6 @@ def __getattr__(name):
     if name!='mavutil': raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     from pymavlink import mavutil
     return mavutil
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #928cb8ca
-class Component(BaseComponent):
-    "A component that sends messages on request, and requests them from others"
-    min_interval = 20_000       # shortest interval of a stream in µs
-    pace = 2880.                # bytes/s of long answers: half the capacity of a 57,600 baud radio
-
-    def __init__(self, source_component:int, # Our component id (MAV_COMP_ID)
-                 mav_type:int, # Our MAV_TYPE
-                 loglevel:int=LogLevels.INFO):
-        super().__init__(source_component, mav_type, loglevel)
-        self.timers = Timers(f'timers of {type(self).__name__} {source_component}')     # for requests to a device
-        self.sending = self.add_part(Streams(self))
-        self.target_system = self.target_component = None
-        self._text_id = 0           # of our last text in pieces
-
-    @property
-    def messages(self)->dict:
-        "Messages sent on request, `{message id: Handler}`"
-        return self.tables['message']
-
-    def set_target(self, target_system:int, target_component:int):
-        "Set the default target"
-        for number in (target_system,target_component): _check_target(number)
-        self.target_system,self.target_component = target_system,target_component
-
-    def target(self, target_system:int|None=None, target_component:int|None=None)->tuple:
-        "Return `(system, component)` to address; raises `MAVError` if there is none"
-        system = self.target_system if target_system is None else target_system
-        comp = self.target_component if target_component is None else target_component
-        for number in (system,comp): _check_target(number)
-        if None not in (system,comp): return system,comp
-        raise MAVError('no target: name target_system and target_component, or call set_target first')
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #a38a301f
-@patch
-def _encode_requested(self:Component, msg_id:int, values=(), msg=None):
-    "Return the messages that answer a request `msg` for `msg_id` with parameters `values`; raises `Unsupported`"
-    if msg_id not in self.messages: raise Unsupported(f'no message {msg_id}')
-    handler = self.messages[msg_id]
-    found = handler(list(values), msg)
-    if found is None or isinstance(found, (str,bytes)):
-        raise TypeError(f'{handler.name} returned {found!r}, not a message')
-    return [found] if isinstance(found, mavlink.MAVLink_message) else found
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #e637dbb9
-everyone = 2        # `response_target`, parameter 7 of a request; 0 (our choice) and 1: the requester
-
-@patch
-def _send_requested(self:Component, msg_id:int, values, msg, to_all:bool=False):
-    "Answer the request `msg` with message `msg_id`; raises `Busy` during a long answer to its sender"
-    self.sending.answer(address(msg), msg_id, self._encode_requested(msg_id, values, msg), to_all)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #9cb0fad2
-@patch
-@command(mavlink.MAV_CMD_REQUEST_MESSAGE)
-def _request_message(self:Component, msg_id:int, p2:float=None, p3:float=None, p4:float=None, p5:float=None,
-                     p6:float=None, response_target:float=0, *, msg):
-    "Answer MAV_CMD_REQUEST_MESSAGE"
-    self._send_requested(msg_id, (p2, p3, p4, p5, p6), msg, response_target==everyone)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #f6682d39
-@patch
-async def request_message(self:Component,
-    msg_id:int, # MAVLINK_MSG_ID
-    params=None, # Parameters 2 to 6 of the request, 0 by default
-    target_system:int|None=None,
-    target_component:int|None=None,
-    timeout:float|None=None, # Seconds to wait for the message after each ack; `None`: 0.5 s, or two timeouts
-    fits=None, # Returns true for the right message, if there are several of a kind
-):
-    "Request a message with MAV_CMD_REQUEST_MESSAGE; returns it, or `None`"
-    if timeout is not None: check_seconds('timeout', timeout)
-    target,params = self.target(target_system, target_component),[msg_id, *(params or [])]
-    msg,ack = await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, params, msg_id, target, timeout, fits=fits)
-    self._warn_unheard(msg_id, ack)
-    return msg
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #d99d3cb5
-@patch
-async def _request(self:Component, command_id:int, params, msg_id:int, target:tuple,
-                   timeout:float|None=None, tries:int|None=None, fits=None, retries:int|None=None):
-    "Send a command that requests message `msg_id`, and return `(message or None, ack)`"
-    us = self.source_system,self.source_component
-    def is_answer(m): return comes_from(m, *target) and accepts(m, *us) and (fits is None or fits(m))
-    with self.expecting(msg_id, is_answer, target) as wanted:
-        try: ack = await self._ask_until(wanted, command_id, params, target, timeout, tries, retries)
-        except Lost as e: ack = Ack(None, None, command_id, str(e))
-        if not wanted.there and ack.lost: self.log.warning('no %s: %s', message_name(msg_id), ack.lost)
-        msg = None if isinstance(wanted.value, Exception) else wanted.value
-        return msg,ack
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #e04fe5a7
-@patch
-async def _ask_until(self:Component, wanted, command_id:int, params, target:tuple, timeout, tries, retries)->Ack:
-    "Repeat the request until the message `wanted` has come, or is refused"
-    began,asked = clock.monotonic(),0
-    while True:
-        ack = await self.send_command(*target, command_id, params, retries=retries, until=wanted)
-        asked += 1
-        if wanted.there or not ack: return ack
-        await wanted.wait(timeout or max(.5, 2*self._rto(target)))
-        if wanted.there or asked==tries or clock.monotonic()>began+self.patience: return ack
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #13436704
-@patch
-def _rto(self:Component, target:tuple)->float:
-    "Return the retransmission timeout for `target` in seconds"
-    remote = self.remotes.get(target)
-    return remote.round_trip.rto if remote else first_rto
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #a840784a
-@patch
-def _warn_unheard(self:Component, msg_id:int, ack:Ack):
-    "Log the components seen, if the target of `ack` never was"
-    if ack.heard: self.log.warning('no %s: %r', message_name(msg_id), ack)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #e97d8697
-@patch
-def _start_stream(self:Component, msg_id:int, interval:float, *values, asker:tuple|None=None, to_all:bool=False):
-    "Send a message every `interval` µs to `asker` or all; raises `Unsupported`, `Denied` for a long one, `Busy`"
-    self.sending.start(asker, msg_id, max(interval, self.min_interval), values, to_all)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #39c08d58
-@patch
-@command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
-def _set_message_interval(self:Component, msg_id:int, interval:float, index:float=None, p4:float=None, p5:float=None,
-                          p6:float=None, response_target:float=0, *, msg):
-    "Answer MAV_CMD_SET_MESSAGE_INTERVAL"
-    if msg_id not in self.messages: raise Unsupported(f'no message {msg_id}')
-    if not (interval==-1 or 0<=interval<=0x7fffffff): raise Denied(f'interval is {interval} µs')
-    values = (index,) if index and self.messages[msg_id].params else ()
-    if interval<=0: return self.sending.stop(address(msg), msg_id, *values)
-    self._start_stream(msg_id, interval, *values, asker=address(msg), to_all=response_target==everyone)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #0c8be6d0
-@patch
-@message(mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL)
-def _message_interval(self:Component, msg_id:int, *, msg=None):
-    "Encode MESSAGE_INTERVAL of `msg_id` for the sender of `msg`: µs, -1 if it is off, 0 if unsupported"
-    if not 0<=msg_id<=0xffff: raise Unsupported(f'no message {msg_id}')
-    period = self.sending.interval(address(msg) if msg else None, msg_id)
-    return self.mav.message_interval_encode(msg_id, min(int(period), 0x7fffffff) if msg_id in self.messages else 0)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #748f7dca
-@patch
-@command(mavlink.MAV_CMD_GET_MESSAGE_INTERVAL)
-def _get_message_interval(self:Component, msg_id:int, *, msg):
-    "Answer MAV_CMD_GET_MESSAGE_INTERVAL"
-    self._send_requested(mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL, (msg_id,), msg)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #f282688d
-@patch
-@message(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
-def _heartbeat(self:Component): "Our HEARTBEAT"; return self._encode_heartbeat()
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #be3a5cab
-@patch
-async def request_message_stream(self:Component, target_system:int|None=None, target_component:int|None=None,
-                                 msg_id:int=mavlink.MAVLINK_MSG_ID_BATTERY_STATUS, # MAVLINK_MSG_ID
-                                 interval:float=1_000_000, # µs; -1 stops the stream
-                                 response_target:int=0): # Parameter 7 of MAV_CMD_SET_MESSAGE_INTERVAL
-    "Request a stream of messages; returns the first one, or `None`"
-    target = self.target(target_system, target_component)
-    params = [msg_id, interval, 0, 0, 0, 0, response_target]
-    if interval<=0: await self.send_command(*target, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, params)
-    else: return (await self._request(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, params, msg_id, target))[0]
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #d289d124
-@patch
-def set_message_callback_cond(self:Component, msg_id:int, target_system:int|None=None, target_component:int|None=None):
-    "Expect the next message `msg_id` from this sender; `None` and 0 match any"
-    return self.expecting(msg_id, lambda m: comes_from(m, target_system, target_component))
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #1fd39e6d
-@patch
-async def wait_message_callback(self:Component, cond, timeout:float=1, remove_after:bool=True):
-    "Wait for the message of `cond`, or return `None`; `remove_after=False` allows to wait again"
-    try: return await cond.wait(timeout)
-    finally: self._expectations.remove(cond) if remove_after else cond.renew()
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #09f6c95c
-@patch
-async def message_callback_cond(self:Component, msg_id:int, target_system:int|None=None, target_component:int|None=None,
-                                timeout:float=1):
-    "Wait for the next message `msg_id` from this sender, or return `None`"
-    cond = self.set_message_callback_cond(msg_id, target_system, target_component)
-    return await self.wait_message_callback(cond, timeout)
-
-# %% ../../nbs/api/mavlink/04_component.ipynb #35c6cb70
-@patch
-def list_commands(self:Component):
-    "Print the supported commands and messages, by their names in `mavlink`"
-    lines = [f'{type(self).__name__} {self.source_component} answers the commands']
-    lines += [f'  {i:5} {enum_name("MAV_CMD", i)}' for i in sorted(self.commands)]
-    lines += ['and sends on request the messages']
-    lines += [f'  {i:5} {message_name(i)}' for i in sorted(self.messages)]
-    sys.stdout.write('\n'.join(lines)+'\n')
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #6e19bbae
 class Stream:
@@ -445,6 +247,204 @@ def _send_next(self:Streams):
     if msg is None: return self._end_answer(asker, pending)
     self._credit -= len(pack(msg, self.component.mav))
     self.component.send_message(msg, to)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #928cb8ca
+class Component(BaseComponent):
+    "A component that sends messages on request, and requests them from others"
+    min_interval = 20_000       # shortest interval of a stream in µs
+    pace = 2880.                # bytes/s of long answers: half the capacity of a 57,600 baud radio
+
+    def __init__(self, source_component:int, # Our component id (MAV_COMP_ID)
+                 mav_type:int, # Our MAV_TYPE
+                 loglevel:int=LogLevels.INFO):
+        super().__init__(source_component, mav_type, loglevel)
+        self.timers = Timers(f'timers of {type(self).__name__} {source_component}')     # for requests to a device
+        self.sending = self.add_part(Streams(self))
+        self.target_system = self.target_component = None
+        self._text_id = 0           # of our last text in pieces
+
+    @property
+    def messages(self)->dict:
+        "Messages sent on request, `{message id: Handler}`"
+        return self.tables['message']
+
+    def set_target(self, target_system:int, target_component:int):
+        "Set the default target"
+        for number in (target_system,target_component): _check_target(number)
+        self.target_system,self.target_component = target_system,target_component
+
+    def target(self, target_system:int|None=None, target_component:int|None=None)->tuple:
+        "Return `(system, component)` to address; raises `MAVError` if there is none"
+        system = self.target_system if target_system is None else target_system
+        comp = self.target_component if target_component is None else target_component
+        for number in (system,comp): _check_target(number)
+        if None not in (system,comp): return system,comp
+        raise MAVError('no target: name target_system and target_component, or call set_target first')
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #a38a301f
+@patch
+def _encode_requested(self:Component, msg_id:int, values=(), msg=None):
+    "Return the messages that answer a request `msg` for `msg_id` with parameters `values`; raises `Unsupported`"
+    if msg_id not in self.messages: raise Unsupported(f'no message {msg_id}')
+    handler = self.messages[msg_id]
+    found = handler(list(values), msg)
+    if found is None or isinstance(found, (str,bytes)):
+        raise TypeError(f'{handler.name} returned {found!r}, not a message')
+    return [found] if isinstance(found, mavlink.MAVLink_message) else found
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #e637dbb9
+everyone = 2        # `response_target`, parameter 7 of a request; 0 (our choice) and 1: the requester
+
+@patch
+def _send_requested(self:Component, msg_id:int, values, msg, to_all:bool=False):
+    "Answer the request `msg` with message `msg_id`; raises `Busy` during a long answer to its sender"
+    self.sending.answer(address(msg), msg_id, self._encode_requested(msg_id, values, msg), to_all)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #9cb0fad2
+@patch
+@command(mavlink.MAV_CMD_REQUEST_MESSAGE)
+def _request_message(self:Component, msg_id:int, p2:float=None, p3:float=None, p4:float=None, p5:float=None,
+                     p6:float=None, response_target:float=0, *, msg):
+    "Answer MAV_CMD_REQUEST_MESSAGE"
+    self._send_requested(msg_id, (p2, p3, p4, p5, p6), msg, response_target==everyone)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #f6682d39
+@patch
+async def request_message(self:Component,
+    msg_id:int, # MAVLINK_MSG_ID
+    params=None, # Parameters 2 to 6 of the request, 0 by default
+    target_system:int|None=None,
+    target_component:int|None=None,
+    timeout:float|None=None, # Seconds to wait for the message after each ack; `None`: 0.5 s, or two timeouts
+    fits=None, # Returns true for the right message, if there are several of a kind
+):
+    "Request a message with MAV_CMD_REQUEST_MESSAGE; returns it, or `None`"
+    if timeout is not None: check_seconds('timeout', timeout)
+    target,params = self.target(target_system, target_component),[msg_id, *(params or [])]
+    msg,ack = await self._request(mavlink.MAV_CMD_REQUEST_MESSAGE, params, msg_id, target, timeout, fits=fits)
+    self._warn_unheard(msg_id, ack)
+    return msg
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #d99d3cb5
+@patch
+async def _request(self:Component, command_id:int, params, msg_id:int, target:tuple,
+                   timeout:float|None=None, tries:int|None=None, fits=None, retries:int|None=None):
+    "Send a command that requests message `msg_id`, and return `(message or None, ack)`"
+    us = self.source_system,self.source_component
+    def is_answer(m): return comes_from(m, *target) and accepts(m, *us) and (fits is None or fits(m))
+    with self.expecting(msg_id, is_answer, target) as wanted:
+        try: ack = await self._ask_until(wanted, command_id, params, target, timeout, tries, retries)
+        except Lost as e: ack = Ack(None, None, command_id, str(e))
+        if not wanted.there and ack.lost: self.log.warning('no %s: %s', message_name(msg_id), ack.lost)
+        msg = None if isinstance(wanted.value, Exception) else wanted.value
+        return msg,ack
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #e04fe5a7
+@patch
+async def _ask_until(self:Component, wanted, command_id:int, params, target:tuple, timeout, tries, retries)->Ack:
+    "Repeat the request until the message `wanted` has come, or is refused"
+    began,asked = clock.monotonic(),0
+    while True:
+        ack = await self.send_command(*target, command_id, params, retries=retries, until=wanted)
+        asked += 1
+        if wanted.there or not ack: return ack
+        await wanted.wait(timeout or max(.5, 2*self._rto(target)))
+        if wanted.there or asked==tries or clock.monotonic()>began+self.patience: return ack
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #13436704
+@patch
+def _rto(self:Component, target:tuple)->float:
+    "Return the retransmission timeout for `target` in seconds"
+    remote = self.remotes.get(target)
+    return remote.round_trip.rto if remote else first_rto
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #a840784a
+@patch
+def _warn_unheard(self:Component, msg_id:int, ack:Ack):
+    "Log the components seen, if the target of `ack` never was"
+    if ack.heard: self.log.warning('no %s: %r', message_name(msg_id), ack)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #e97d8697
+@patch
+def _start_stream(self:Component, msg_id:int, interval:float, *values, asker:tuple|None=None, to_all:bool=False):
+    "Send a message every `interval` µs to `asker` or all; raises `Unsupported`, `Denied` for a long one, `Busy`"
+    self.sending.start(asker, msg_id, max(interval, self.min_interval), values, to_all)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #39c08d58
+@patch
+@command(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
+def _set_message_interval(self:Component, msg_id:int, interval:float, index:float=None, p4:float=None, p5:float=None,
+                          p6:float=None, response_target:float=0, *, msg):
+    "Answer MAV_CMD_SET_MESSAGE_INTERVAL"
+    if msg_id not in self.messages: raise Unsupported(f'no message {msg_id}')
+    if not (interval==-1 or 0<=interval<=0x7fffffff): raise Denied(f'interval is {interval} µs')
+    values = (index,) if index and self.messages[msg_id].params else ()
+    if interval<=0: return self.sending.stop(address(msg), msg_id, *values)
+    self._start_stream(msg_id, interval, *values, asker=address(msg), to_all=response_target==everyone)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #0c8be6d0
+@patch
+@message(mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL)
+def _message_interval(self:Component, msg_id:int, *, msg=None):
+    "Encode MESSAGE_INTERVAL of `msg_id` for the sender of `msg`: µs, -1 if it is off, 0 if unsupported"
+    if not 0<=msg_id<=0xffff: raise Unsupported(f'no message {msg_id}')
+    period = self.sending.interval(address(msg) if msg else None, msg_id)
+    return self.mav.message_interval_encode(msg_id, min(int(period), 0x7fffffff) if msg_id in self.messages else 0)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #748f7dca
+@patch
+@command(mavlink.MAV_CMD_GET_MESSAGE_INTERVAL)
+def _get_message_interval(self:Component, msg_id:int, *, msg):
+    "Answer MAV_CMD_GET_MESSAGE_INTERVAL"
+    self._send_requested(mavlink.MAVLINK_MSG_ID_MESSAGE_INTERVAL, (msg_id,), msg)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #f282688d
+@patch
+@message(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
+def _heartbeat(self:Component): "Our HEARTBEAT"; return self._encode_heartbeat()
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #be3a5cab
+@patch
+async def request_message_stream(self:Component, target_system:int|None=None, target_component:int|None=None,
+                                 msg_id:int=mavlink.MAVLINK_MSG_ID_BATTERY_STATUS, # MAVLINK_MSG_ID
+                                 interval:float=1_000_000, # µs; -1 stops the stream
+                                 response_target:int=0): # Parameter 7 of MAV_CMD_SET_MESSAGE_INTERVAL
+    "Request a stream of messages; returns the first one, or `None`"
+    target = self.target(target_system, target_component)
+    params = [msg_id, interval, 0, 0, 0, 0, response_target]
+    if interval<=0: await self.send_command(*target, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, params)
+    else: return (await self._request(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, params, msg_id, target))[0]
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #d289d124
+@patch
+def set_message_callback_cond(self:Component, msg_id:int, target_system:int|None=None, target_component:int|None=None):
+    "Expect the next message `msg_id` from this sender; `None` and 0 match any"
+    return self.expecting(msg_id, lambda m: comes_from(m, target_system, target_component))
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #1fd39e6d
+@patch
+async def wait_message_callback(self:Component, cond, timeout:float=1, remove_after:bool=True):
+    "Wait for the message of `cond`, or return `None`; `remove_after=False` allows to wait again"
+    try: return await cond.wait(timeout)
+    finally: self._expectations.remove(cond) if remove_after else cond.renew()
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #09f6c95c
+@patch
+async def message_callback_cond(self:Component, msg_id:int, target_system:int|None=None, target_component:int|None=None,
+                                timeout:float=1):
+    "Wait for the next message `msg_id` from this sender, or return `None`"
+    cond = self.set_message_callback_cond(msg_id, target_system, target_component)
+    return await self.wait_message_callback(cond, timeout)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #35c6cb70
+@patch
+def list_commands(self:Component):
+    "Print the supported commands and messages, by their names in `mavlink`"
+    lines = [f'{type(self).__name__} {self.source_component} answers the commands']
+    lines += [f'  {i:5} {enum_name("MAV_CMD", i)}' for i in sorted(self.commands)]
+    lines += ['and sends on request the messages']
+    lines += [f'  {i:5} {message_name(i)}' for i in sorted(self.messages)]
+    sys.stdout.write('\n'.join(lines)+'\n')
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #a5b41827
 @patch
