@@ -4099,6 +4099,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                                         'UAV/mavlink/camera_tracking.py'),
                                              'UAV.mavlink.camera_tracking._flag': ( 'api/mavlink/camera_tracking.html#_flag',
                                                                                     'UAV/mavlink/camera_tracking.py'),
+                                             'UAV.mavlink.camera_tracking._on_ground': ( 'api/mavlink/camera_tracking.html#_on_ground',
+                                                                                         'UAV/mavlink/camera_tracking.py'),
                                              'UAV.mavlink.camera_tracking.as_int32': ( 'api/mavlink/camera_tracking.html#as_int32',
                                                                                        'UAV/mavlink/camera_tracking.py'),
                                              'UAV.mavlink.camera_tracking.field_of_view': ( 'api/mavlink/camera_tracking.html#field_of_view',

@@ -32,7 +32,7 @@ class TrackingPart(Part):
     def __init__(self, component): # The `CameraServer`
         super().__init__(component)
         self.camera = component.camera
-        self._followers = {}    # receivers of the status: at our rate (True), or at their own (False)
+        self._ours,self._theirs = set(),set()       # receivers of the status at our rate, and at their own
         self._ends = 0          # how often tracking has ended
 
     @property
@@ -55,16 +55,22 @@ def field_of_view(camera, # A Camera, or an object with `information`
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #2aa0add3
 earth_radius = 6371e3       # m
 
+def _on_ground(pose:Pose, ray:tuple)->tuple:
+    "Return latitude, longitude and altitude where `ray` (north, east, down) meets the ground; `inf` in the sky"
+    north,east,down = ray
+    height = pose.relative_alt
+    if not all(map(known, (*ray, height))) or height<0: return NAN,NAN,NAN
+    horizon = math.sqrt(2*earth_radius*height)
+    if down<=0 or math.hypot(north, east)*height>horizon*down: return (math.inf,)*3
+    there = pose.moved(north*height/down, east*height/down, -height)
+    return there.lat,there.lon,there.alt
+
 def image_center(pose:Pose, # The camera's pose
                 )->tuple:
     "Return latitude, longitude and altitude (m above sea level) of the picture's centre; `inf` in the sky"
-    height = pose.relative_alt
-    if not all(map(known, (pose.pitch, pose.yaw, height))) or height<0: return NAN,NAN,NAN
-    away = height/math.tan(math.radians(-pose.pitch)) if pose.pitch<0 else math.inf
-    if away>math.sqrt(2*earth_radius*height): return (math.inf,)*3          # beyond the horizon
-    yaw = math.radians(pose.yaw)
-    there = pose.moved(away*math.cos(yaw), away*math.sin(yaw), -height)
-    return there.lat,there.lon,there.alt
+    pitch,yaw = math.radians(pose.pitch),math.radians(pose.yaw)
+    return _on_ground(pose, (math.cos(pitch)*math.cos(yaw), math.cos(pitch)*math.sin(yaw), -math.sin(pitch)))
+
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #fa49f2da
 def footprint(pose:Pose, # The camera's pose
@@ -73,12 +79,9 @@ def footprint(pose:Pose, # The camera's pose
     "Return `(lat, lon)` of the corners: top left, top right, bottom right, bottom left; `inf` in the sky"
     right,up = (math.tan(math.radians(angle)/2) for angle in fov)
     if not all(map(known, (pose.roll, pose.pitch, pose.yaw))): return [(NAN,NAN)]*4
-    def on_ground(x, y):
-        north,east,down = turned(pose.q, (1.,x,y))
-        if down<=0: return math.inf,math.inf
-        there = pose.moved(north*pose.relative_alt/down, east*pose.relative_alt/down)
-        return there.lat,there.lon
-    return [on_ground(x, y) for x,y in ((-right,-up), (right,-up), (right,up), (-right,up))]
+    corners = (-right,-up), (right,-up), (right,up), (-right,up)
+    return [_on_ground(pose, turned(pose.q, (1.,*corner)))[:2] for corner in corners]
+
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #0caaf17d
 not_known,sky = 0x7fffffff,-0x80000000      # INT32_MAX and INT32_MIN, by CAMERA_FOV_STATUS
@@ -168,11 +171,10 @@ def _camera_tracking_image_status(self:TrackingPart, *, msg=None):
 @patch
 def _show_tracking(self:TrackingPart, asker:tuple, ends:int): # `_ends` before the command
     "Stream the status to `asker`, unless it has set an interval of its own"
-    own = self._followers.get(asker, True) is False
-    if own or self.component.sending.interval(asker, CAMERA_TRACKING_IMAGE_STATUS)>0: return
+    if asker in self._theirs or self.component.sending.interval(asker, CAMERA_TRACKING_IMAGE_STATUS)>0: return
     try: self.component._start_stream(CAMERA_TRACKING_IMAGE_STATUS, self.interval, asker=asker)
     except (Denied,Busy) as e: return self.component.log.info('no tracking status for %s/%s: %s', *asker, e)
-    self._followers[asker] = True
+    self._ours.add(asker)
     overtaken = self._ends!=ends and self._tracking().status=='idle'    # by a STOP on another link
     if overtaken: self._end_statuses()
 
@@ -180,9 +182,8 @@ def _show_tracking(self:TrackingPart, asker:tuple, ends:int): # `_ends` before t
 def _end_statuses(self:TrackingPart):
     "Stop the streams of the status that we started"
     self._ends += 1
-    followers,self._followers = self._followers,{}
-    for asker in [asker for asker,shown in followers.items() if shown]:
-        self.component.sending.stop(asker, CAMERA_TRACKING_IMAGE_STATUS)
+    ours,self._ours,self._theirs = self._ours,set(),set()
+    for asker in list(ours): self.component.sending.stop(asker, CAMERA_TRACKING_IMAGE_STATUS)
 
 @patch
 @announced(TrackingStatus)
@@ -196,8 +197,8 @@ def _tracking_changed(self:TrackingPart, event:TrackingStatus)->list:
 def interval_set(self:TrackingPart, asker:tuple, # `(system, component)`
                  interval:float): # µs; 0: the default, -1: none until the next start
     "Store the interval of the tracking status that `asker` has set"
-    self._followers.pop(asker, None)
-    if interval>0 and len(self._followers)<self.component.most_peers: self._followers[asker] = False
+    for askers in (self._ours, self._theirs): askers.discard(asker)
+    if interval>0 and len(self._ours)+len(self._theirs)<self.component.most_peers: self._theirs.add(asker)
     elif not interval and self._tracking().status!='idle': self._show_tracking(asker, self._ends)
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #f21be848
