@@ -299,7 +299,7 @@ async def _sum(self:FtpFile)->int:
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #b1f19c18
 @patch
 async def fetch_checked(self:FtpFile, progress=None):
-    "Fetch the whole file and compare the checksum; raises `FtpError`, also if it is wrong twice"
+    "Fetch the whole file and compare the checksum; raises `FtpError`, also if it is wrong three times"
     for attempt in range(3):
         await self.fetch(progress)
         self.sink.truncate(self.parts.size)

@@ -667,6 +667,10 @@ def order_by_arrival(self:RemotePictures):
             log.order_by_arrival([m for who,m in came.items() if who not in taken][:log.left])
         taken |= {*map(_identity, log.notices.values())}
 
+def _waits(capture:Capture)->bool:
+    "True if it wants more pictures than have come; it may take these meanwhile, on another thread"
+    with capture.log._lock: return capture.log.left+capture.owed>len(capture.log.ready())
+
 @patch
 def _logs_for(self:RemotePictures, msg, kept:PictureLog)->list:
     "Return the logs that get a notice: all; without numbers only the first capture that waits"
@@ -677,7 +681,7 @@ def _logs_for(self:RemotePictures, msg, kept:PictureLog)->list:
     if msg.image_index<0 or unnumbered: self.order_by_arrival()
     elif last is None or msg.image_index!=last.image_index: self.unnumbered = False
     if not self.unnumbered: return [kept, *followers, *(c.log for c in captures)]
-    waiting = [c.log for c in captures if c.log.left+c.owed>len(c.log.ready())]
+    waiting = [c.log for c in captures if _waits(c)]
     return [kept, *followers, *(waiting[:1] if new else [])]
 
 # %% ../../nbs/api/mavlink/13_capture.ipynb #f33ec68f

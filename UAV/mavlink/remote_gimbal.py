@@ -485,8 +485,9 @@ async def _get_heading(self:RemoteGimbal):
 async def current_attitude(self:RemoteGimbal, heading:bool=False)->GimbalAttitude|None:
     "Return a fresh attitude, with the vehicle's `heading`; requests a stream if needed. `None` without answer"
     if not self.is_fresh: await self._get(GIMBAL_DEVICE_ATTITUDE_STATUS, lambda: self.is_fresh)
+    is_fresh = self.is_fresh            # the heading may take a while
     if heading: await self._get_heading()
-    return self.attitude
+    return self.attitude if is_fresh else None
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #9c0f2d04
 @patch

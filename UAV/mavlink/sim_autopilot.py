@@ -83,7 +83,7 @@ def _attitude(self:SimAutopilot):
     return self.mav.attitude_encode(time_since_boot_ms(), *_radians(s.roll, s.pitch, s.yaw, 0., 0., s.yaw_rate))
 
 # %% ../../nbs/api/mavlink/24_sim_autopilot.ipynb #6130f2db
-def _scaled(value:float, scale:float, unknown:int=0)->int: return round(value*scale) if known(value) else unknown
+def _scaled(value:float, scale:float)->int: return round(value*scale) if known(value) else 0
 
 @patch
 @message(GLOBAL_POSITION_INT)
@@ -92,8 +92,9 @@ def _global_position_int(self:SimAutopilot):
     s = self.vehicle.state()
     if not all(map(known, (s.lat, s.lon, s.alt, s.relative_alt))): return []
     velocity = [_scaled(v, 100) for v in s.velocity]
+    heading = round(100*s.yaw)%36000 if known(s.yaw) else 0xffff
     return self.mav.global_position_int_encode(time_since_boot_ms(), round(s.lat*1e7), round(s.lon*1e7),
-        round(s.alt*1e3), round(s.relative_alt*1e3), *velocity, _scaled(s.yaw%360, 100, 0xffff)%36000)
+        round(s.alt*1e3), round(s.relative_alt*1e3), *velocity, heading)
 
 # %% ../../nbs/api/mavlink/24_sim_autopilot.ipynb #ce9caa99
 @patch
