@@ -28,7 +28,7 @@ def known(value)->bool:
 
 # %% ../../nbs/api/utils/00_values.ipynb #5c0a4e07
 class Value:
-    "Base of the dataclasses below: shows what is known, and an unknown equals an unknown"
+    "Base of dataclasses of values: shows what is known, and an unknown equals an unknown"
     def __repr__(self):
         values = {f.name: getattr(self, f.name) for f in fields(self)}
         return f'{type(self).__name__}({", ".join(f"{k}={v!r}" for k,v in values.items() if known(v) and v != "")})'
