@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
-import asyncio, inspect, sys
+import asyncio, inspect, signal, sys
 
 from .cli.start import end_as_with_ctrl_c
 from .utils.values import UAVError
@@ -19,8 +19,9 @@ __all__ = ['run']
 def run(main:Callable[..., Any]): # Called with the command-line arguments; a coroutine is awaited
     "Run the `main` of a script; an error of this package, Ctrl-C, SIGTERM or SIGHUP ends it with one line"
     program = Path(sys.argv[0]).name
+    before = {n:signal.getsignal(n) for name in ('SIGTERM','SIGHUP') if (n := getattr(signal, name, None))}
     try: signals = end_as_with_ctrl_c()
-    except ValueError: signals = []         # only the main thread may have handlers
+    except ValueError: signals,before = [],{}       # only the main thread may have handlers
     try:
         done = main(*sys.argv[1:])
         if inspect.iscoroutine(done): asyncio.run(done)
@@ -28,3 +29,6 @@ def run(main:Callable[..., Any]): # Called with the command-line arguments; a co
     except KeyboardInterrupt:
         print(f'{program}: stopped', file=sys.stderr)
         sys.exit(0 if signals else 128+2)       # 130: a shell's exit status for SIGINT
+    finally:                # after a signal ours stay, so that a second one doesn't disturb the end
+        for number,handler in before.items() if not signals else ():
+            if handler is not None: signal.signal(number, handler)      # `None`: one of C code

@@ -154,7 +154,7 @@ def _shoot(self:Trigger, rule:DistanceTrigger):
     if is_capturing or now-self.shot<camera.min_interval: return self._busy(rule)
     try: camera.image_start_capture()
     except CameraBusy: return self._busy(rule)
-    except Exception as e: return self.stop(f'no pictures by distance: {e}')
+    except Exception as e: return self.stop(f'no pictures by distance: {e}') if self.rule is rule else None
     if self.rule is not rule: return            # stopped meanwhile
     rule.taken()
     self.shot,self.status = now,TriggerStatus(status.distance, status.state, status.count+1)

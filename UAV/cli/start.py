@@ -18,8 +18,11 @@ __all__ = ['uav_demo', 'uav_camera', 'uav_gimbal', 'uav_camera_check', 'uav_gui'
 # %% ../../nbs/api/cli/00_start.ipynb #581eb2c1
 def end_as_with_ctrl_c():
     "Make SIGTERM and SIGHUP raise `KeyboardInterrupt`; return a list that gets their numbers"
-    came,last = [],[-9.]
+    came,last,ours = [],[-9.],os.getpid()
     def end(number, frame):
+        if os.getpid()!=ours:       # a forked child ends as if we weren't here
+            signal.signal(number, signal.SIG_DFL)
+            return os.kill(os.getpid(), number)
         again,last[0] = clock.monotonic()-last[0]<2,clock.monotonic()
         if again: return
         came.append(number)

@@ -671,6 +671,7 @@ def _find_spaces(self:_OnvifClient, configuration):
     answer = self._ask_optional(f'<tptz:GetConfigurationOptions><tptz:ConfigurationToken>{token}'
                                 '</tptz:ConfigurationToken></tptz:GetConfigurationOptions>')
     if answer.tag=='none': answer = self.ask('<tptz:GetNodes/>')     # refused
+    elif not len(answer): answer = self._ask_optional('<tptz:GetNodes/>')
     self.spaces = {kind: _spaces(answer, f'{name}Space') for kind,name in kinds.items()}
 
 # %% ../../nbs/api/gimbals/10_onvif.ipynb #139c2725

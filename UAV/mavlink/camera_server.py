@@ -30,7 +30,7 @@ from .vehicle import Geotagger, Survey
 from ..utils import clock
 from ..utils.clock import Seen, time_since_boot_ms
 from ..utils.values import NAN
-from ..wire.dialect import address, enum_name, enum_value
+from ..wire.dialect import address, CommandError, enum_name, enum_value
 
 # %% auto #0
 __all__ = ['storage_media', 'FakeCamera', 'CameraServer', 'media_of', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS',
@@ -417,7 +417,8 @@ def _announce_settings(self:CameraServer, event:CameraSettings):
 @patch
 @announced(StorageInformation)
 def _announce_storage(self:CameraServer, event:StorageInformation)->list:
-    return self._storage_information(event.storage_id)
+    try: return self._storage_information(event.storage_id)
+    except CommandError: return [self._encode_storage(event)]       # it isn't listed any more
 
 @patch
 @announced(DeviceStatus)

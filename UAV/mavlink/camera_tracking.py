@@ -68,6 +68,7 @@ def _on_ground(pose:Pose, ray:tuple)->tuple:
 def image_center(pose:Pose, # The camera's pose
                 )->tuple:
     "Return latitude, longitude and altitude (m above sea level) of the picture's centre; `inf` in the sky"
+    if not (known(pose.pitch) and known(pose.yaw)): return NAN,NAN,NAN
     pitch,yaw = math.radians(pose.pitch),math.radians(pose.yaw)
     return _on_ground(pose, (math.cos(pitch)*math.cos(yaw), math.cos(pitch)*math.sin(yaw), -math.sin(pitch)))
 
@@ -197,9 +198,10 @@ def _tracking_changed(self:TrackingPart, event:TrackingStatus)->list:
 def interval_set(self:TrackingPart, asker:tuple, # `(system, component)`
                  interval:float): # µs; 0: the default, -1: none until the next start
     "Store the interval of the tracking status that `asker` has set"
+    ends = self._ends
     for askers in (self._ours, self._theirs): askers.discard(asker)
     if interval>0 and len(self._ours)+len(self._theirs)<self.component.most_peers: self._theirs.add(asker)
-    elif not interval and self._tracking().status!='idle': self._show_tracking(asker, self._ends)
+    elif not interval and self._tracking().status!='idle': self._show_tracking(asker, ends)
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #f21be848
 @patch

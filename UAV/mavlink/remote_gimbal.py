@@ -487,7 +487,7 @@ async def current_attitude(self:RemoteGimbal, heading:bool=False)->GimbalAttitud
     if not self.is_fresh: await self._get(GIMBAL_DEVICE_ATTITUDE_STATUS, lambda: self.is_fresh)
     is_fresh = self.is_fresh            # the heading may take a while
     if heading: await self._get_heading()
-    return self.attitude if is_fresh else None
+    return self.attitude if is_fresh or self.is_fresh else None
 
 # %% ../../nbs/api/mavlink/20_remote_gimbal.ipynb #9c0f2d04
 @patch

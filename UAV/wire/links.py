@@ -249,8 +249,7 @@ def _tcp_outbox(sock:socket.socket)->_Backlog:
     "An outbox for a connection, which is made to send at once and to notice a pulled cable"
     sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     sock.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
-    # while sent bytes wait for their ack, no keep-alive is sent: that's what the user timeout, ms, is for
-    for option,value in dict(TCP_KEEPIDLE=4, TCP_KEEPINTVL=2, TCP_KEEPCNT=3, TCP_USER_TIMEOUT=10_000).items():
+    for option,value in dict(TCP_KEEPIDLE=4, TCP_KEEPINTVL=2, TCP_KEEPCNT=3).items():
         if hasattr(socket, option): sock.setsockopt(socket.IPPROTO_TCP, getattr(socket, option), value)
     return _Backlog(sock, lambda data: sock.send(data, getattr(socket,'MSG_DONTWAIT',0)))
 
