@@ -4,26 +4,31 @@
 
 # %% ../nbs/api/02_blocking.ipynb #b6029221
 from __future__ import annotations
+from concurrent.futures import Future
 from contextlib import suppress
-from functools import cache, wraps
-from types import FunctionType, MethodType
-import asyncio, atexit, inspect
+from functools import cache, partial, wraps
+from types import CoroutineType, FunctionType, MethodType
+import asyncio, atexit, inspect, math, selectors, signal, sys, threading
 
+from fastcore.basics import patch
 import UAV
 from .logging import get_logger
+from .utils import clock
 from .utils.threads import Opened, ForkError
-from .utils.sockets import LoopClosed, LoopThread
+from .utils.sockets import LoopThread
 from .wire.dialect import LinkError
+from .wire.links import UDPLink
 from .utils.values import UAVError
 
+
 # %% auto #0
-__all__ = ['MAVCom', 'capture_together', 'ask_all', 'Blocking', 'BlockingMAVCom']
+__all__ = ['MAVCom', 'capture_together', 'ask_all', 'Blocking', 'BlockingMAVCom', 'LoopClosed', 'SharedLoop']
 
 # %% ../nbs/api/02_blocking.ipynb #c00b3d7d
 class Blocking:
     "A handle whose methods wait for their results"
     def __init__(self, target, # The async handle
-                 loop:LoopThread): # Runs its coroutines
+                 loop:SharedLoop): # Runs its coroutines
         vars(self).update(_target=target, _loop=loop)
 
     def __getattr__(self, name):
@@ -45,17 +50,29 @@ class BlockingMAVCom(Blocking):
     def __init__(self, *args, **kwargs):
         try: target = UAV.MAVCom(*map(_bare, args), **kwargs)
         except UAVError as e: raise _short(e)
-        super().__init__(target, LoopThread('blocking'))
+        super().__init__(target, SharedLoop('blocking'))
         _open.add(self)
+        _catch_interrupts()
+        self._loop.run(_read_in_loop(target)).result()
 
     def close(self):
         "Close the links and end the thread; safe to call twice"
         try: self._loop.close()                     # first, so what still runs can clean up over the link
         finally: self._target.close()
         _open.discard(self)
+        _catch_interrupts()
 
     def __enter__(self): return self
     def __exit__(self, *error): self.close()
+
+async def _read_in_loop(com):
+    "Read UDP links in the running loop; the others keep their threads"
+    loop = asyncio.get_running_loop()
+    for channel in com.channels:
+        if not isinstance(channel.link, UDPLink): continue
+        channel.read_in_loop(loop)
+        loop.readers[channel.link.sock] = partial(channel.take_all, 1)
+
 
 # %% ../nbs/api/02_blocking.ipynb #6a301359
 _all_ = ["MAVCom"]
@@ -74,18 +91,203 @@ _in_a_loop = ("an event loop runs in this thread, and waiting would stop it: wri
               "`await`, or call this in a thread of its own, with `asyncio.to_thread`")
 _gone = 'this MAVCom is closed: open another one'
 
-def _check(loop:LoopThread):
+def _check(loop:SharedLoop):
     "Raise `RuntimeError` where an event loop runs, `LinkError` when ours doesn't, `ForkError` in a forked process"
     if asyncio._get_running_loop() is not None: raise RuntimeError(_in_a_loop)
     if loop.orphaned: raise ForkError('this MAVCom was opened before the fork: open one after the fork')
     if loop.closed: raise LinkError(_gone)
 
 # %% ../nbs/api/02_blocking.ipynb #dfc50d78
-def _wait(loop:LoopThread, start):
-    "Await the coroutine that `start()` returns, on the thread of `loop`, and return its result"
-    _check(loop)
-    try: return loop.wait(start)
-    except LoopClosed: raise LinkError(_gone) from None
+def _wait(awaitable, loop:SharedLoop):
+    "Await it in `loop`, and return its result; close a coroutine that couldn't start"
+    try:
+        _check(loop)
+        return loop.wait(awaitable)
+    except (ForkError, LinkError, LoopClosed) as e:
+        if type(awaitable) is CoroutineType and not awaitable.cr_running: awaitable.close()
+        if not isinstance(e, LoopClosed): raise
+    raise LinkError(_gone)
+
+
+# %% ../nbs/api/02_blocking.ipynb #10090002
+class _ReadingLoop(asyncio.SelectorEventLoop):
+    "An event loop in which a coroutine that waits for an answer reads the sockets itself"
+    def __init__(self):
+        self.selector,self.task = selectors.DefaultSelector(),None
+        self.readers = {}       # by socket: takes one datagram
+        super().__init__(self.selector)
+
+    def read_for(self, future, # Set by a callback of a reader, or by anybody
+                 timeout:float|None)->float|None: # s
+        "Read until `future` is set or there's something else to do; return what is left of `timeout`"
+        end = math.inf if timeout is None else clock.monotonic()+timeout
+        while not (future.done() or self._ready or self._scheduled):
+            for key,_ in self.selector.select(timeout):
+                if key.fileobj not in self.readers: return timeout      # of the loop itself: another thread wakes it
+                self.readers[key.fileobj]()
+            if timeout is not None and (timeout := max(0., end-clock.monotonic()))==0.: break
+        return timeout
+
+
+# %% ../nbs/api/02_blocking.ipynb #10090003
+@patch
+def begin(self:_ReadingLoop, coroutine):
+    "Make `task` of it, and run its first step at once, without a turn of the loop"
+    steps = []
+    self.call_soon = lambda step, *, context=None: steps.append((step, context))      # in place of the method
+    try: self.task = self.create_task(coroutine)
+    finally: del self.call_soon
+    hooks = sys.get_asyncgen_hooks()
+    sys.set_asyncgen_hooks(firstiter=self._asyncgen_firstiter_hook, finalizer=self._asyncgen_finalizer_hook)
+    asyncio._set_running_loop(self)
+    try:
+        for step,context in steps: context.run(step)
+    finally:
+        asyncio._set_running_loop(None)
+        sys.set_asyncgen_hooks(*hooks)
+    return self.task
+
+
+# %% ../nbs/api/02_blocking.ipynb #10090004
+class LoopClosed(RuntimeError): "The loop was closed, or is about to be"
+
+class SharedLoop(LoopThread):
+    "An asyncio loop that a waiting caller runs, the leader; a thread runs it while nobody calls"
+    rest = .01          # s after a call in which the thread leaves the loop to the next one
+    patience = 5.       # s that an interrupted coroutine has for its clean-up
+    def __init__(self, name:str): # Of the thread
+        self._calling = clock.Lock()            # held by the caller who leads
+        self.leader = None                      # its thread's identifier
+        self._until,self.interrupted = math.inf,False       # when it gives its task up, monotonic s
+        self._bell,self._sleeps = clock.Event(),False       # the bell ends a pause, or sleep, of the thread
+        self._followers = self._calls = 0
+        super().__init__(name, _ReadingLoop())
+
+    def wait(self, awaitable): # Awaited in the loop
+        "Wait for its result; raises `LoopClosed`, also when `close` comes before the result"
+        if not self._calling.acquire(False): return self._follow(awaitable)
+        self.leader = clock.get_ident()         # first, so that the thread doesn't take the lead again
+        self._calls += 1
+        try:
+            if not self._lead.acquire(False):
+                self.loop.call_soon_threadsafe(self.loop.stop)
+                self._lead.acquire()
+            try: return self._run(awaitable)
+            finally: self._lead.release()
+        finally:
+            self.leader,self.interrupted,self._until = None,False,math.inf
+            self._calling.release()
+            if self._sleeps or self._followers or self._ending: self._ring()
+
+    def _ring(self): self._bell.set()
+
+
+# %% ../nbs/api/02_blocking.ipynb #10090005
+async def _await(awaitable): return await awaitable
+
+@patch
+def _run(self:SharedLoop, awaitable):
+    "Run the loop until the result is there"
+    if self._ending: raise LoopClosed(f'{self!r}')
+    task = self.loop.begin(awaitable if type(awaitable) is CoroutineType else _await(awaitable))
+    if not task.done(): self._finish(task)
+    if self.interrupted: raise KeyboardInterrupt
+    try: return task.result()
+    except asyncio.CancelledError: raise LoopClosed('the loop was closed') from None
+
+@patch
+def _finish(self:SharedLoop, task):
+    "Run the loop until a task is done, or given up"
+    task.add_done_callback(lambda task: self.loop.stop())
+    if self.interrupted: self.interrupt()
+    try:
+        while not task.done() and clock.monotonic()<self._until: self.loop.run_forever()
+    except BaseException:                       # raised by a signal handler of the program
+        if not task.done() and self._until==math.inf:
+            self.interrupt()
+            self._finish(task)
+        raise
+
+@patch
+def interrupt(self:SharedLoop):
+    "Cancel the leader's task; it has `patience` seconds to clean up"
+    self.interrupted,self._until = True,clock.monotonic()+self.patience
+    if self.loop.task: self.loop.task.cancel()
+    self.loop.call_soon_threadsafe(self.loop.call_later, self.patience, self.loop.stop)
+
+
+# %% ../nbs/api/02_blocking.ipynb #10090006
+@patch
+def _follow(self:SharedLoop, awaitable):
+    "Wait while the leader, or the thread, runs it"
+    result,ended,tasks = Future(),clock.Event(),[]
+    def cancel(): tasks[0].cancel() if tasks else ended.set()
+    def begin():
+        tasks.append(self.loop.create_task(_await(awaitable)))
+        tasks[0].add_done_callback(lambda task: _hand_over(task, result, ended))
+
+    with self._lock:
+        if self._ending: raise LoopClosed(f'{self!r}')
+        self._followers += 1
+        self.loop.call_soon_threadsafe(begin)
+    try:
+        self._ring()
+        return result.result()
+    except BaseException:
+        if not result.done() and not self._ending:
+            self.loop.call_soon_threadsafe(cancel)
+            ended.wait(self.patience)
+        raise
+    finally:
+        with self._lock: self._followers -= 1
+
+
+# %% ../nbs/api/02_blocking.ipynb #5e5dad30
+def _hand_over(task, result:Future, ended:clock.Event):
+    "Pass on what came of a task"
+    if task.cancelled(): result.set_exception(LoopClosed('the loop was closed'))
+    elif task.exception() is not None: result.set_exception(task.exception())
+    else: result.set_result(task.result())
+    ended.set()
+
+# %% ../nbs/api/02_blocking.ipynb #10090007
+@patch
+def _serve(self:SharedLoop):
+    "The thread: run the loop while nobody calls"
+    while not self._ended:
+        with self._lead: self.loop.run_forever()
+        self._pause()
+
+@patch
+def _pause(self:SharedLoop):
+    "Wait until no call has come for `rest` s, or until somebody waits whom no caller serves"
+    while not self._ended:
+        calls = self._calls
+        self._bell.wait(self.rest)
+        self._bell.clear()
+        if self.leader is not None:             # sleep until the end of its call, and rest again
+            self._sleeps,calls = True,None
+            if self.leader is not None: self._bell.wait()
+            self._sleeps = False
+            self._bell.clear()
+        if self.leader is None and (self._followers or self._ending or calls==self._calls): return
+
+
+# %% ../nbs/api/02_blocking.ipynb #10090008
+def _on_interrupt(number, frame):
+    "Cancel the call that the main thread waits for; raise `KeyboardInterrupt` if there's none, or the second time"
+    me = clock.get_ident()
+    for com in _open:
+        loop = vars(com)['_loop']
+        if loop.leader==me and not loop.interrupted: return loop.interrupt()
+    signal.default_int_handler(number, frame)
+
+def _catch_interrupts():
+    "Have Ctrl-C cancel a call, as `asyncio.run` does, while a `MAVCom` is open, unless the program has its own handler"
+    if threading.current_thread() is not threading.main_thread(): return
+    before,handler = (signal.default_int_handler,_on_interrupt) if list(_open) else (_on_interrupt,signal.default_int_handler)
+    if signal.getsignal(signal.SIGINT) is before: signal.signal(signal.SIGINT, handler)
+
 
 # %% ../nbs/api/02_blocking.ipynb #ba7bf717
 log = get_logger('blocking')
@@ -119,33 +321,33 @@ def _has_async(kind:type)->bool:
     return waits or hasattr(kind, '__aiter__') or hasattr(kind, '__aenter__')
 
 # %% ../nbs/api/02_blocking.ipynb #e3fcee6e
+_plain = {int, float, str, bool, bytes, type(None)}
+
 def _bare(value):
     "Return an argument without wrappers, as a handle takes it"
+    kind = type(value)
+    if kind in _plain: return value
     if isinstance(value, Blocking): return vars(value)['_target']
-    if type(value) in (list,tuple): return type(value)(map(_bare, value))
+    if kind in (list,tuple) and not _plain.issuperset(map(type, value)): return kind(map(_bare, value))
     return value
 
-# %% ../nbs/api/02_blocking.ipynb #d737b596
-def _awaited(coroutine, loop:LoopThread):
-    "Return the result of a coroutine; close one that couldn't start"
-    try: return _wait(loop, lambda: coroutine)
-    except LinkError:
-        coroutine.close()
-        raise
 
 # %% ../nbs/api/02_blocking.ipynb #0b39e332
-def _wrapped(value, loop:LoopThread):
+def _wrapped(value, loop:SharedLoop):
     "Return a result with wrappers, for programs without `async`"
-    if isinstance(value, (FunctionType,MethodType)): return _call(value, loop)
-    if inspect.iscoroutine(value): return _wrapped(_awaited(value, loop), loop)
+    kind = type(value)
+    if kind in _plain: return value
+    if kind is CoroutineType: return _wrapped(_wait(value, loop), loop)
+    if kind in (FunctionType,MethodType): return _call(value, loop)
     if isinstance(value, (list,tuple)) and any(_has_async(type(v)) for v in value):
         many = [_wrapped(v, loop) for v in value]
         return many if isinstance(value, list) else tuple(many)
-    if type(value) is dict: return {k: _wrapped(v, loop) for k,v in value.items()}
-    return _kind(type(value))(value, loop) if _has_async(type(value)) else value
+    if kind is dict: return {k: _wrapped(v, loop) for k,v in value.items()}
+    return _kind(kind)(value, loop) if _has_async(kind) else value
+
 
 # %% ../nbs/api/02_blocking.ipynb #356be79c
-def _call(f, loop:LoopThread):
+def _call(f, loop:SharedLoop):
     "Return `f` as a function that waits for its result"
     @wraps(f)
     def call(*args, **kwargs):
@@ -155,12 +357,17 @@ def _call(f, loop:LoopThread):
     return call
 
 # %% ../nbs/api/02_blocking.ipynb #f9558874
-def _forward(name:str):
-    "Return a method that calls the handle's special method `name`"
-    def method(self, *args):
-        try: return _wrapped(getattr(self._target, name)(*map(_bare, args)), self._loop)
+def _forward(name:str, f=None):
+    "Return a method that calls the handle's method `name`; `f` is its class's function"
+    waits = inspect.iscoroutinefunction(f)
+    def method(self, *args, **kwargs):
+        loop = self._loop
+        if not waits: _check(loop)              # else when it's awaited
+        if kwargs: kwargs = {k: _bare(v) for k,v in kwargs.items()}
+        try: return _wrapped(getattr(self._target, name)(*map(_bare, args), **kwargs), loop)
         except UAVError as e: raise _short(e)
-    return method
+    return wraps(f)(method) if f else method
+
 
 # %% ../nbs/api/02_blocking.ipynb #cc726b59
 def _iterate(self):
@@ -168,22 +375,22 @@ def _iterate(self):
     items = aiter(self._target)
     try:
         while True:
-            try: item = _wait(self._loop, items.__anext__)
+            try: item = _wait(items.__anext__(), self._loop)
             except StopAsyncIteration: return
             except UAVError as e: raise _short(e)
             yield _wrapped(item, self._loop)
     finally:
-        with suppress(LinkError): hasattr(items, 'aclose') and _wait(self._loop, items.aclose)
+        with suppress(LinkError): hasattr(items, 'aclose') and _wait(items.aclose(), self._loop)
 
 # %% ../nbs/api/02_blocking.ipynb #4f6bf9d3
 def _enter(self):
     "Open it for a `with`"
-    try: return _wrapped(_wait(self._loop, self._target.__aenter__), self._loop)
+    try: return _wrapped(_wait(self._target.__aenter__(), self._loop), self._loop)
     except UAVError as e: raise _short(e)
 
 def _exit(self, *error):
     "Close it"
-    try: return _wait(self._loop, lambda: self._target.__aexit__(*error))
+    try: return _wait(self._target.__aexit__(*error), self._loop)
     except UAVError as e: raise _short(e)
 
 # %% ../nbs/api/02_blocking.ipynb #feea58c4
@@ -192,8 +399,10 @@ _special = '__call__ __contains__ __enter__ __exit__ __getitem__ __iter__ __len_
 @cache
 def _kind(kind:type)->type:
     "Return the class of wrappers for handles of class `kind`"
-    has = {name for c in kind.__mro__[:-1] for name in vars(c)}
+    has = {name: value for c in reversed(kind.__mro__[:-1]) for name,value in vars(c).items()}
+    functions = {name: f for name,f in has.items() if type(f) is FunctionType and not name.startswith('__')}
     body = {name: _forward(name) for name in _special if name in has}
+    body.update((name, _forward(name, f)) for name,f in functions.items())     # quicker than `__getattr__`
     if '__aiter__' in has: body['__iter__'] = _iterate
     if '__aenter__' in has and '__enter__' not in has: body.update(__enter__=_enter, __exit__=_exit)
     return type(kind.__name__, (Blocking,), dict(body, __doc__=kind.__doc__))

@@ -98,6 +98,15 @@ def uav_client(port, connection='udpout', component=1, server=False, loop_reads=
     if not loop.run_until_complete(station.wait_heartbeat(target_system=1, target_component=component, timeout=10)): sys.exit('our server does not beat')
     obey(loop, run=awaited(loop, lambda: station.send_command(1, component, RELAY, [0, 1])))
 
+def uav_blocking(port, component=1):
+    "Our client for programs without `async`"
+    from UAV.blocking import MAVCom
+    from UAV.mavlink import Component, mavlink
+    com = MAVCom(f'udpout:127.0.0.1:{port}', source_system=GROUND[0])
+    station = com.add_component(Component(GROUND[1], mavlink.MAV_TYPE_GCS))
+    if not station.wait_heartbeat(target_system=1, target_component=component, timeout=10): sys.exit('our server does not beat')
+    obey(run=batches(lambda: station.send_command(1, component, RELAY, [0, 1])))
+
 # pymavlink ----------------------------------------------------------------------------------------------------------------------------
 
 def beat(mav):

@@ -20,7 +20,7 @@ from ..utils import clock
 from ..utils.clock import time_UTC_usec
 from ..utils.threads import timers, Worker
 from ..wire.dialect import Ack, address, command_cancel, enum_name, LinkError, timesync
-from ..wire.frames import pack
+from ..wire.frames import Outgoing, pack
 
 # %% auto #0
 __all__ = ['BaseComponent', 'Sender', 'Part', 'TimeSync']
@@ -169,15 +169,16 @@ def flush(self:Sender, timeout:float=1.): # s that another thread may take which
     with self._sent: self._sent.wait_for(lambda: not self._sending, timeout)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #32117c9c
-def _encode_command(command:Command):
+_long,_int,_command_ack = (getattr(mavlink, f'MAVLink_command_{name}_message') for name in ('long','int','ack'))
+
+def _encode_command(command:Command)->Outgoing:
     "Encode a COMMAND_LONG, or a COMMAND_INT if `command` has a `frame`; raises `ValueError` if it does not fit"
     command_id,*target = command.key
     p = *map(float, command.params),*[0.]*(7-len(command.params))
-    if command.frame is None:
-        return mavlink.MAVLink_command_long_message(*target, command_id, min(command.copies-1, 255), *p)
+    if command.frame is None: return Outgoing(_long, *p, command_id, *target, min(command.copies-1, 255))
     if any(map(math.isinf, p[4:6])): raise ValueError(f'parameters 5 and 6 of a COMMAND_INT are integers, not {p[4:6]}')
     x,y = (0x7fffffff if math.isnan(v) else int(v) for v in p[4:6])
-    return mavlink.MAVLink_command_int_message(*target, command.frame, command_id, 0, 0, *p[:4], x, y, p[6])
+    return Outgoing(_int, *p[:4], x, y, p[6], command_id, *target, command.frame, 0, 0)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #a11e0011
 class Part:
@@ -380,7 +381,9 @@ def deliver(self:BaseComponent, msg):
 @patch
 def count_message(self:BaseComponent, msg):
     "Count `msg` in `message_cnts[system][MESSAGE_NAME]`"
-    of,name = self.message_cnts.setdefault(msg.get_srcSystem(), {}),msg.get_type()
+    system,name = msg.get_srcSystem(),msg.get_type()
+    of = self.message_cnts.get(system)
+    if of is None: of = self.message_cnts.setdefault(system, {})
     of[name] = of.get(name, 0)+1
     self.num_msgs_rcvd += 1
 
@@ -534,7 +537,7 @@ def send_ack(self:BaseComponent, msg, # The command
     if ack_result!=mavlink.MAV_RESULT_IN_PROGRESS: self.served.answered(msg, Outcome(ack_result, value))
     if self.log.isEnabledFor(LogLevels.DEBUG):
         self._log_ack('→', to, msg.command, ack_result, getattr(msg, 'came_at', None))
-    self.sender.send(mavlink.MAVLink_command_ack_message(msg.command, ack_result, progress, value, *to), to, now=True)
+    self.sender.send(Outgoing(_command_ack, msg.command, ack_result, progress, value, *to), to, now=True)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #f58e1698
 @patch
@@ -632,11 +635,17 @@ def _check_command(self:BaseComponent, command_id:int, params, timeout:float|Non
     if timeout := timeout or self.command_timeout: check_seconds(given, timeout)
     check_seconds('patience', self.patience)
     if len(params)>7: raise ValueError(f'a command has seven parameters, not {len(params)}')
+    if not _numbers.issuperset(map(type, params)): _check_numbers(params)
+    for what,p in zip(_asks[command_id], params) if command_id in _asks else ():
+        if not math.isfinite(p): raise ValueError(f'{what} must be a number, not {p}')
+
+_numbers = {int, float}         # most are
+
+def _check_numbers(params):
+    "Raise `ValueError` for a parameter that is no number"
     for n,p in enumerate(params, 1):
         if hasattr(p, '__float__') or hasattr(p, '__index__'): continue
         raise ValueError(f'parameter {n} is a number, not {p!r}')
-    for what,p in zip(_asks.get(command_id, ()), params):
-        if not math.isfinite(p): raise ValueError(f'{what} must be a number, not {p}')
 
 _asks = {mavlink.MAV_CMD_REQUEST_MESSAGE:('the message id',), mavlink.MAV_CMD_GET_MESSAGE_INTERVAL:('the message id',),
          mavlink.MAV_CMD_SET_MESSAGE_INTERVAL:('the message id','the interval')}

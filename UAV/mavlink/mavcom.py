@@ -747,9 +747,9 @@ def read_in_loop(self:Channel, loop):
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #6cef9bb5
 @patch
-def take_all(self:Channel):
-    "Take the received datagrams, at most 64 at a time"
-    for _ in range(64):
+def take_all(self:Channel, most:int=64):
+    "Take the received datagrams, at most so many"
+    for _ in range(most):
         try: data,peer = self.link.sock.recvfrom(65535)
         except BlockingIOError: return
         except ConnectionError: continue    # no program listens there (ICMP port unreachable)

@@ -376,7 +376,7 @@ class Answer:
     "A value that coroutines wait for and any thread may set, once"
     def __init__(self):
         self.value,self.there = None,False
-        self._waiting,self._lock = [],clock.Lock()      # `(future, thread)` of each waiting coroutine
+        self._waiting,self._lock = [],clock.Lock()      # a future of each waiting coroutine
 
     def set(self, value)->bool:
         "Set the value; false if one was set before. An exception is raised by `wait`"
@@ -384,7 +384,7 @@ class Answer:
             if self.there: return False
             self.value,self.there,waiting = value,True,self._waiting
             self._waiting = []
-        for future,thread in waiting: _wake(future, thread)
+        for future in waiting: _wake(future)
         return True
 
     async def wait(self, timeout:float|None=None): # Seconds; `None` waits forever
@@ -394,21 +394,30 @@ class Answer:
         future = loop.create_future()
         with self._lock:
             there = self.there
-            if not there: self._waiting.append((future, clock.get_ident()))
-        if not there:
-            timer = timeout is not None and loop.call_later(timeout, _woken, future)
-            try: await future
-            finally:
-                timer and timer.cancel()
-                with self._lock: self._waiting = [w for w in self._waiting if w[0] is not future]
+            if not there: self._waiting.append(future)
+        try:
+            # a loop of `UAV.blocking` reads the link itself, as long as it has nothing else to do
+            if not there and hasattr(loop, 'read_for'): timeout = loop.read_for(future, timeout)
+            if not (there or future.done()): await _until(future, timeout)
+        finally:
+            if not self.there:
+                with self._lock: self._waiting = [other for other in self._waiting if other is not future]
         if isinstance(self.value, Exception): raise self.value
         return self.value
 
+async def _until(future, timeout:float|None):
+    "Wait until `future` is set, or the time is over"
+    timer = None if timeout is None else future.get_loop().call_later(timeout, _woken, future)
+    try: await future
+    finally: timer and timer.cancel()
+
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #9557b964
-def _wake(future, thread:int):
-    "Wake the coroutine that waits for `future` on a loop in `thread`; called from any thread"
-    if thread==clock.get_ident(): return _woken(future)
-    try: future.get_loop().call_soon_threadsafe(_woken, future)
+def _wake(future):
+    "Wake the coroutine that waits for `future`; called from any thread"
+    import asyncio
+    loop = future.get_loop()
+    if asyncio._get_running_loop() is loop: return _woken(future)
+    try: loop.call_soon_threadsafe(_woken, future)
     except RuntimeError: pass           # the loop was closed while we waited
 
 def _woken(future):
@@ -558,7 +567,7 @@ def _check_target(number):
 def check_seconds(name:str, # Name of the argument or attribute
                   seconds):
     "Raise `TypeError` if it is no number, `ValueError` if it is negative or NaN"
-    if not isinstance(seconds, Real): raise TypeError(f'{name} is a number of seconds, not {seconds!r}')
+    if not isinstance(seconds, (int,float,Real)): raise TypeError(f'{name} is a number of seconds, not {seconds!r}')
     if not seconds>=0: raise ValueError(f'{name} is a number of seconds from 0 on, not {seconds}')
 
 def check_count(count):

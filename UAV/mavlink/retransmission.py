@@ -186,10 +186,9 @@ def offer(self:Commands, ack, # A COMMAND_ACK for us
          )->Command|None:
     "Return the command that `ack` answers, or `None`; a final ack ends it"
     source,now = address(ack),self.clock()
-    targets = source,(source[0],0),(0,source[1]),(0,0)      # 0 in a target fits any
     with self._outbox:
-        lines = (self._lines.get((ack.command,*target)) for target in targets)
-        line = next((line for line in lines if line and line.on_wire), None)
+        line = self._lines.get((ack.command,*source))
+        if line is None or line.on_wire is None: line = self._broadcast(ack.command, source)
         if line is None: return
         command = line.on_wire
         if ack.result==mavlink.MAV_RESULT_IN_PROGRESS:      # the work has begun: wait longer, but not forever
@@ -205,6 +204,15 @@ def offer(self:Commands, ack, # A COMMAND_ACK for us
             if command.copies==1 and not command.in_progress: self._sample(line, source, now-command.first)
             self._end(line, ack, clean=command.copies==1 and command.held is None)
         return command
+
+# %% ../../nbs/api/mavlink/01_retransmission.ipynb #b40adca5
+@patch
+def _broadcast(self:Commands, command_id:int, source:tuple)->_Line|None:
+    "Return the line of a command on the wire that `source` may answer, as 0 in its target fits any"
+    targets = (source[0],0),(0,source[1]),(0,0)
+    lines = (self._lines.get((command_id,*target)) for target in targets)
+    return next((line for line in lines if line and line.on_wire), None)
+
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #734fb3c3
 noise = .005 # s of jitter by threads and sockets: no ack is held for that

@@ -11,11 +11,11 @@ import asyncio, errno, ipaddress, re, selectors, socket
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from . import clock
-from .threads import _begin_thread, Closes, timers
+from .threads import _begin_thread, Closes, Opened, timers
 
 # %% auto #0
 __all__ = ['log', 'Loop', 'listen_tcp', 'get_web', 'Deadline', 'web_path', 'ask_web', 'url_host', 'host_in', 'plain_host',
-           'is_loopback', 'LoopThread', 'LoopClosed', 'set_within']
+           'is_loopback', 'LoopThread', 'set_within']
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #0dce5f49
 log = get_logger('sockets')
@@ -264,13 +264,22 @@ def is_loopback(host:str, # An address, or a name
 # %% ../../nbs/api/utils/01_sockets.ipynb #b66fbad3
 class LoopThread(Closes):
     "An asyncio loop in a thread, until `close`"
-    inside = property(lambda self: clock.current_thread() is self._thread, doc="Are we called from this thread?")
+    inside = property(lambda self: asyncio._get_running_loop() is self.loop, doc="Are we called by what runs in it?")
     closed = property(lambda self: self.loop.is_closed(), doc="Has `close` been called?")
-    orphaned = property(lambda self: self.loop.is_running() and not self._thread.is_alive(),
-        doc="Are we in a forked process? Its thread has stayed behind")
-    def __init__(self, name:str='loop'): # Of the thread
-        self.loop,self._lock,self._ending = asyncio.new_event_loop(),clock.Lock(),False
-        self._thread = _begin_thread(self.loop.run_forever, name)
+    orphaned = False        # True in a forked process: the thread has stayed behind
+    def __init__(self, name:str='loop', # Of the thread
+                 loop=None): # asyncio's; `None`: a new one
+        self.loop = loop or asyncio.new_event_loop()
+        self._lock,self._ending,self._ended = clock.Lock(),False,False      # `close` has begun; nothing runs any more
+        self._lead = clock.Lock()           # held by the thread that runs the loop
+        self._thread = _begin_thread(self._serve, name)
+        _loops.add(self)
+
+    def _serve(self):
+        "The thread: run the loop until it's stopped"
+        with self._lead: self.loop.run_forever()
+
+    def _ring(self): "Called when there's something to do, in case the thread doesn't run the loop"
 
     def __repr__(self):
         state = 'closed' if self.closed else 'closes' if self._ending else 'runs'
@@ -280,7 +289,10 @@ class LoopThread(Closes):
            )->Future:
         "Start it there; raises `RuntimeError` when the loop is closed, or closes"
         with self._lock:
-            if not self._ending: return asyncio.run_coroutine_threadsafe(coro, self.loop)
+            if not self._ending:
+                future = asyncio.run_coroutine_threadsafe(coro, self.loop)
+                self._ring()
+                return future
         coro.close()
         raise RuntimeError(f'{self!r}')
 
@@ -288,37 +300,9 @@ class LoopThread(Closes):
         "Return its result, for a caller on any loop"
         return await (coro if self.inside else asyncio.wrap_future(self.run(coro)))
 
-# %% ../../nbs/api/utils/01_sockets.ipynb #8e3902d0
-class LoopClosed(RuntimeError): "The loop's thread has ended, or is about to"
+def _orphan(loop:LoopThread): loop.orphaned = not loop.closed
 
-@patch
-def wait(self:LoopThread, start): # A function, called there, which gives something to await
-    "Wait for its result; raises `LoopClosed`, also when `close` comes before the result"
-    result,ended,tasks = Future(),clock.Event(),[]
-    async def run(): return await start()
-    def cancel(): tasks[0].cancel() if tasks else ended.set()
-    def begin():
-        tasks.append(self.loop.create_task(run()))
-        tasks[0].add_done_callback(lambda task: _hand_over(task, result, ended))
-
-    try:
-        with self._lock:
-            if self._ending: raise LoopClosed(f'{self!r}')
-            self.loop.call_soon_threadsafe(begin)
-        return result.result()
-    except BaseException:
-        if not result.done() and not self._ending:
-            self.loop.call_soon_threadsafe(cancel)
-            ended.wait(5)       # s
-        raise
-
-# %% ../../nbs/api/utils/01_sockets.ipynb #5e5dad30
-def _hand_over(task, result:Future, ended:clock.Event):
-    "Pass on what came of a task"
-    if task.cancelled(): result.set_exception(LoopClosed('the loop was closed'))
-    elif task.exception() is not None: result.set_exception(task.exception())
-    else: result.set_result(task.result())
-    ended.set()
+_loops = Opened(_orphan)
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #fab8f416
 @patch
@@ -335,12 +319,16 @@ def close(self:LoopThread, timeout:float=5.): # Seconds until what does not end 
     if self.closed or self.inside or self.orphaned: return
     with self._lock: first,self._ending = not self._ending,True
     if not first: return self._thread.join(timeout)      # another thread closes it
-    if not self.loop.is_running() and not self._thread.is_alive(): return self.loop.close()
-    try: asyncio.run_coroutine_threadsafe(self._cancel_all(), self.loop).result(timeout)
+    if not self._thread.is_alive() and self._lead.acquire(False): return self.loop.close()      # it has broken down
+    cancelled = asyncio.run_coroutine_threadsafe(self._cancel_all(), self.loop)
+    self._ring()
+    try: cancelled.result(timeout)
     except TooLate: pass
+    self._ended = True
+    self._ring()
     self.loop.call_soon_threadsafe(self.loop.stop)
     self._thread.join(timeout)
-    if not self._thread.is_alive(): self.loop.close()
+    if self._lead.acquire(timeout=timeout): self.loop.close()
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #abaeacdc
 async def set_within(event:asyncio.Event, # Set by others, or by the timer

@@ -19,6 +19,7 @@ __all__ = ['crc_extras', 'command_cancel', 'timesync', 'protocol_version', 'Ack'
 # %% ../../nbs/api/wire/00_dialect.ipynb #44ed4632
 class Ack(int):
     "1 if a command was accepted, else 0, with its sender and reason"
+    target,lost,heard = None,'',''     # of one without an answer
     def __new__(cls, result:int|None, # MAV_RESULT; `None`: no answer
                 source:tuple|None=None, # `(system, component)` that answered
                 command:int|None=None, # MAV_CMD that was asked
@@ -28,9 +29,8 @@ class Ack(int):
                 heard:str='', # Who was heard, when the target never was
                 copies:int=1): # How often the command was sent: a refusal may be the answer to a copy
         self = super().__new__(cls, result==mavlink.MAV_RESULT_ACCEPTED)
-        self.result,self.param,self.copies = result,param,copies
-        self.command,self.target,self.source = command,target,source
-        self.lost,self.heard = lost,heard
+        self.result,self.source,self.command,self.param,self.copies = result,source,command,param,copies
+        if result is None: self.target,self.lost,self.heard = target,lost,heard
         return self
 
     @property

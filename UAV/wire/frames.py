@@ -16,7 +16,7 @@ from ..utils import clock
 from .dialect import crc_extras
 
 # %% auto #0
-__all__ = ['FrameReader', 'Wanted', 'promised', 'crc', 'decode', 'good_length', 'target', 'pack', 'Sources']
+__all__ = ['FrameReader', 'Wanted', 'promised', 'crc', 'decode', 'good_length', 'target', 'Outgoing', 'pack', 'Sources']
 
 # %% ../../nbs/api/wire/01_frames.ipynb #643a5fcb
 class FrameReader:
@@ -94,7 +94,6 @@ _constructor = '''def build(frame, head, seq, sender):
     msg,header,n = new(cls),new(Header),frame[1]
     payload = frame[head:head+n]
     {fields}, = unpack(payload if n=={size} else payload.ljust({size}, zero)[:{size}])
-    {constants}
     msg._header,msg._msgbuf,msg._payload,msg._crc = header,frame,payload,frame[head+n]|frame[head+n+1]<<8
     header.msgId,header.mlen,header.seq,header.incompat_flags,header.compat_flags = {msg_id},n,seq,0,0
     header.srcSystem,header.srcComponent = sender
@@ -111,10 +110,8 @@ def _text(cls)->tuple:
     "`(text, constants)`: a constructor of `cls` as Python text, and what is the same for all its messages"
     sample,changing = cls(*[0]*len(cls.fieldnames)),{*cls.fieldnames, '_header', '_msgbuf', '_payload', '_crc'}
     constants = {name:value for name,value in vars(sample).items() if name not in changing}
-    text = _constructor.format(
-        fields=','.join(f'msg.{name}' for name in cls.ordered_fieldnames), size=cls.unpacker.size, msg_id=cls.id,
-        constants='\n    '.join(f'msg.{name} = {name}' for name in constants))
-    return text,constants
+    fields = ','.join(f'msg.{name}' for name in cls.ordered_fieldnames)
+    return _constructor.format(fields=fields, size=cls.unpacker.size, msg_id=cls.id),constants
 
 # %% ../../nbs/api/wire/01_frames.ipynb #9f7e4777
 def _is_plain(cls)->bool:
@@ -135,6 +132,7 @@ def _builder(cls):
     "A function of `(frame, head, seq, sender)` that makes the message in a frame, whose payload begins at `head`"
     if not _is_plain(cls): return _slow_builder(cls)
     text,names = _text(cls)
+    for name,value in names.items(): setattr(cls, name, value)
     names.update(cls=cls, new=object.__new__, Header=mavlink.MAVLink_header)
     names.update(unpack=cls.unpacker.unpack, zero=b'\0', mark=_mark)
     exec(text, names)
@@ -223,17 +221,31 @@ def _fields(cls):
     if not _is_plain(cls) or len(cls.orders)==1: return ()
     return cls.unpacker.pack,attrgetter(*cls.ordered_fieldnames),cls.id,crc_extras[cls.id]
 
+# %% ../../nbs/api/wire/01_frames.ipynb #0u790001
+class Outgoing:
+    "A message with numbers only, to be sent: its values alone, in the order of the wire"
+    __slots__ = 'cls','values'
+    def __init__(self, cls, # pymavlink's class of the message
+                 *values): # Of its fields, in the order of `cls.ordered_fieldnames`
+        self.cls,self.values = cls,values
+
+    def get_msgId(self)->int: return self.cls.id
+    def get_type(self)->str: return self.cls.msgname
+    def __repr__(self): return repr(self.cls(**dict(zip(self.cls.ordered_fieldnames, self.values))))
+
+
 # %% ../../nbs/api/wire/01_frames.ipynb #b99dd358
 def pack(msg, # A pymavlink message
          mav, # The sender's encoder: its `seq`, `srcSystem` and `srcComponent` go into the frame
         )->bytes:
     "`msg` as a MAVLink 2 frame; raises `struct.error` when a field does not fit"
-    fields = _fields(type(msg))
+    cls = type(msg)
+    values = msg.values if (is_bare := cls is Outgoing) else None
+    fields = _fields(msg.cls if is_bare else cls)
     if not fields: return bytes(msg.pack(mav))
-    to_bytes,values,msg_id,extra = fields
-    payload = to_bytes(*values(msg)).rstrip(b'\0') or b'\0'
-    sender = mav.seq,mav.srcSystem,mav.srcComponent
-    frame = _head.pack(0xfd, len(payload), 0, 0, *sender, msg_id&0xffff, msg_id>>16)+payload
+    to_bytes,values_of,msg_id,extra = fields
+    payload = to_bytes(*(values or values_of(msg))).rstrip(b'\0') or b'\0'
+    frame = _head.pack(0xfd, len(payload), 0, 0, mav.seq, mav.srcSystem, mav.srcComponent, msg_id&0xffff, msg_id>>16)+payload
     return frame+crc(frame[1:]+extra).to_bytes(2,'little')
 
 # %% ../../nbs/api/wire/01_frames.ipynb #38d440ca
