@@ -7258,6 +7258,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                  'UAV.wire.frames.FrameReader.feed': ('api/wire/frames.html#framereader.feed', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames.FrameReader.restart': ('api/wire/frames.html#framereader.restart', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames.Outgoing': ('api/wire/frames.html#outgoing', 'UAV/wire/frames.py'),
+                                 'UAV.wire.frames.Outgoing.__getattr__': ( 'api/wire/frames.html#outgoing.__getattr__',
+                                                                           'UAV/wire/frames.py'),
                                  'UAV.wire.frames.Outgoing.__init__': ('api/wire/frames.html#outgoing.__init__', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames.Outgoing.__repr__': ('api/wire/frames.html#outgoing.__repr__', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames.Outgoing.get_msgId': ('api/wire/frames.html#outgoing.get_msgid', 'UAV/wire/frames.py'),

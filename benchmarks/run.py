@@ -148,7 +148,7 @@ THEIRS = {'pymavlink loop': ('loop_client','loop_server'), 'pymavlink tight': ('
           'MAVSDK asyncio to UAV': ('mavsdk_asyncio','uav_server'), 'MAVSDK asyncio to pymavlink tight': ('mavsdk_asyncio','tight_server'),
           'MAVSDK blocking to pymavlink tight': ('mavsdk_blocking','tight_server'), 'hand-over alone': ('handover_client','handover_server')}
 OURS = {'UAV': ('uav_client','uav_server'), 'UAV to pymavlink tight': ('uav_client','tight_server'), 'pymavlink tight to UAV': ('tight_client','uav_server'),
-        'UAV, one process': ('uav_client',)}
+        'UAV, one process': ('uav_client',), 'UAV blocking': ('uav_blocking','uav_server')}
 
 def command_pairs(before):
     "All that send a command: theirs, ours, ours before, and ours inside `async with` where a tree has that"
@@ -176,11 +176,15 @@ def command(quick, before):
             got = round_trips(pairs, 5 if quick else 25, 50 if quick else 200, where)
             detail[where] = {name: middle(r) for name,r in got.items()}
             sdk = min((n for n in got if n.startswith('MAVSDK asyncio')), key=lambda n: detail[where][n]['p50'], default=None)     # with the server that suits it best
-            def add(name, ours, theirs, target, stretch, peer=None):
-                if ours in got and theirs in got: rows.append(compare(name, where, peer or theirs, 'µs', got[ours], got[theirs], target, stretch, before=got.get(f'{ours} before')))
+            def add(name, ours, theirs, target, stretch, peer=None, key='p50'):
+                if ours in got and theirs in got:
+                    rows.append(compare(name, where, peer or theirs, 'µs', got[ours], got[theirs], target, stretch, key, got.get(f'{ours} before')))
             for name,ours,loop,mavsdk in COMMAND_ROWS:
                 add(name, ours, 'pymavlink loop', *loop)
                 add(name, ours, sdk, *mavsdk, peer='MAVSDK asyncio')
+            add('blocking command', 'UAV blocking', 'pymavlink loop', 1.2, 1.)
+            add('blocking command', 'UAV blocking', 'MAVSDK blocking to pymavlink tight', 1.2, 1., peer='MAVSDK blocking')
+            add('blocking command, processor', 'UAV blocking', 'pymavlink loop', 1.2, 1., key='cpu')
             add('both ends in one process', 'UAV, one process', 'pymavlink loop', {'one core':1.2}.get(where, 1.35), 1., peer='pymavlink loop, two processes')
     finally:
         for p in pairs.values(): p.close()

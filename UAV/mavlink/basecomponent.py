@@ -128,10 +128,11 @@ def release(self:Sender, held:_Held):
         with self._lock:
             held.depth,done = held.depth-done,0
             if held.depth: return
+            if not held.messages:
+                if self._held.get(held.key) is held: del self._held[held.key]
+                return
             messages = self._take(held)
-            if not messages and self._held.get(held.key) is held: del self._held[held.key]
-        if not messages: return         # else others may have come while these were sent
-        self._send_all(messages)
+        self._send_all(messages)        # others may come meanwhile
 
 @patch
 def _take(self:Sender, held:_Held)->list:
@@ -562,7 +563,7 @@ def _answer_command(self:BaseComponent, handler, msg):
     "Run `handler`, send its ack, then its held messages; send IN_PROGRESS every second during a slow one"
     if not handler.options['once'] and self.served.is_late(msg): return     # as if it were lost
     slow = handler.options['slow']
-    in_progress = partial(self.send_ack, msg, mavlink.MAV_RESULT_IN_PROGRESS, progress=255)
+    def in_progress(): self.send_ack(msg, mavlink.MAV_RESULT_IN_PROGRESS, progress=255)
     with self.sender.ack_first(own_thread=slow):
         cancelled = getattr(msg, 'cancelled', False)
         job = timers.every(1., in_progress, delay=self._in_progress_after) if slow else None

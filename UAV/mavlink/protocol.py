@@ -426,6 +426,9 @@ def _woken(future):
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #534e4f01
 class Command(Answer):
     "One pending command; its value will be the COMMAND_ACK, or `None`"
+    copies = 0                  # that were sent
+    first = due = deadline = math.inf       # times of the first copy, of the next one, and of giving up
+    held,in_progress,dropped = None,False,False
     def __init__(self,
         target:tuple, # `(system, component)`; 0: all
         command_id:int, # A MAV_CMD
@@ -437,9 +440,7 @@ class Command(Answer):
     ):
         super().__init__()
         self.key,self.params,self.frame = (command_id,*target),params,frame
-        self.timeout,self.retries,self.patience,self.copies = timeout,retries,patience,0
-        self.first = self.due = self.deadline = math.inf
-        self.held,self.in_progress,self.dropped = None,False,False
+        self.timeout,self.retries,self.patience = timeout,retries,patience
 
     def __repr__(self):
         command_id,system,component = self.key

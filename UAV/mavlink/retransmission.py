@@ -111,13 +111,13 @@ class Commands:
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #8c41c72d
 class _Line:
     "Queue of commands with one key; the first is on the wire"
+    on_wire = None              # the first of the queue, once it was sent
+    dirty = False               # true if acks of an ended command may still come
+    last = -math.inf            # time of the last copy
+    hard = -math.inf            # time after which no late ack can come
+    fence = None                # the request that must be answered before the next command is sent
     def __init__(self, key:tuple, round_trip:RoundTrip):
         self.key,self.queue,self.round_trip,self.is_broadcast = key,deque(),round_trip,0 in key[1:]
-        self.on_wire = None     # the first of the queue, once it was sent
-        self.dirty = False      # true if acks of an ended command may still come
-        self.last = -math.inf   # time of the last copy
-        self.hard = -math.inf   # time after which no late ack can come
-        self.fence = None       # the request that must be answered before the next command is sent
 
 # %% ../../nbs/api/mavlink/01_retransmission.ipynb #9513a993
 class _AfterLock:

@@ -132,7 +132,7 @@ def _builder(cls):
     "A function of `(frame, head, seq, sender)` that makes the message in a frame, whose payload begins at `head`"
     if not _is_plain(cls): return _slow_builder(cls)
     text,names = _text(cls)
-    for name,value in names.items(): setattr(cls, name, value)
+    for name,value in names.items(): setattr(cls, name, value)      # what is equal in all its messages
     names.update(cls=cls, new=object.__new__, Header=mavlink.MAVLink_header)
     names.update(unpack=cls.unpacker.unpack, zero=b'\0', mark=_mark)
     exec(text, names)
@@ -228,6 +228,10 @@ class Outgoing:
     def __init__(self, cls, # pymavlink's class of the message
                  *values): # Of its fields, in the order of `cls.ordered_fieldnames`
         self.cls,self.values = cls,values
+
+    def __getattr__(self, name):
+        if name not in self.cls.fieldnames: raise AttributeError(name)
+        return self.values[self.cls.ordered_fieldnames.index(name)]
 
     def get_msgId(self)->int: return self.cls.id
     def get_type(self)->str: return self.cls.msgname
