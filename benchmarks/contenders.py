@@ -135,6 +135,19 @@ def loop_client(port):
         return m and m.result==0
     obey(run=batches(ask))
 
+def heartbeat_camera(port):
+    "A camera that only beats, once a second, and reads what comes"
+    from pymavlink import mavutil
+    conn = mavutil.mavlink_connection(f'udpin:127.0.0.1:{port}', source_system=1, source_component=100)
+    def loop():
+        while True: conn.recv_match(blocking=True)
+    def beats():
+        while True:
+            conn.mav.heartbeat_send(30, 8, 0, 0, 4)        # MAV_TYPE_CAMERA, no autopilot
+            time.sleep(1)
+    in_background(loop); in_background(beats)
+    obey()
+
 class Wire:
     "pymavlink's encoder and decoder on a blocking socket: the least that Python can do with them"
     def __init__(self, source):
@@ -237,6 +250,17 @@ def mavsdk_listener(port):
     "A ground station that listens, and has subscribed to nothing"
     sdk = ground_station(f'udpin://127.0.0.1:{port}')
     obey(received=lambda: None, vehicles=lambda: len(sdk.get_systems()))
+
+def mavsdk_camera(port):
+    "MAVSDK's camera server, with what it says of itself"
+    import mavsdk
+    from mavsdk.plugins.camera_server import CameraServer, Information
+    mavsdk.log_subscribe(lambda *x: True)
+    sdk = mavsdk.Mavsdk(mavsdk.Configuration.create_with_component_type(mavsdk.ComponentType.CAMERA))
+    sdk.add_any_connection_with_handle(f'udpin://127.0.0.1:{port}')
+    server = CameraServer(sdk.server_component())
+    server.set_information(Information('MAVSDK', 'Camera', '1.0.0', 3., 3.68, 2.76, 640, 480, 0, 0, '', False, False))
+    obey(information=lambda: bool(server))
 
 # what else it takes -------------------------------------------------------------------------------------------------------------------
 

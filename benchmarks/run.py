@@ -1,5 +1,5 @@
 """Measure UAV beside pymavlink, MAVSDK and an older checkout of itself, in one run on one machine. See README.md."""
-import argparse, importlib.metadata, json, os, platform, select, socket, statistics, subprocess, sys, tempfile, time
+import argparse, importlib.metadata, json, os, platform, re, select, shutil, socket, statistics, subprocess, sys, tempfile, time
 from datetime import date
 from pathlib import Path
 
@@ -288,12 +288,16 @@ def connections(quick, before):
 
 bytecode = tempfile.TemporaryDirectory()     # of all who are measured, ours and theirs
 
+def as_installed(tree=None):
+    "The environment of a program of a tree, compiled before as after an installation"
+    env = dict(environment(tree), PYTHONPATH=str(tree or TREE), PYTHONPYCACHEPREFIX=bytecode.name)
+    env.pop('PYTHONDONTWRITEBYTECODE', None)
+    return env
+
 def import_time(module, tree=None):
     "Import `module` in a fresh process, compiled before as after an installation: ms"
     code = f'import time; t,c = time.perf_counter(),time.process_time(); import {module}; print(time.perf_counter()-t, time.process_time()-c)'
-    env = dict(environment(tree), PYTHONPATH=str(tree or TREE), PYTHONPYCACHEPREFIX=bytecode.name)
-    env.pop('PYTHONDONTWRITEBYTECODE', None)
-    wall,cpu = map(float, subprocess.run([sys.executable, '-c', code], cwd=HERE, env=env, capture_output=True, text=True, check=True).stdout.split())
+    wall,cpu = map(float, subprocess.run([sys.executable, '-c', code], cwd=HERE, env=as_installed(tree), capture_output=True, text=True, check=True).stdout.split())
     return dict(p50=1e3*wall, cpu=1e3*cpu)
 
 def imports(quick, before):
@@ -330,9 +334,115 @@ def held_still(w, first):
     s = now['at']-first['at']
     return dict(threads=p.num_threads(), wakeups=round((now['wakeups']-first['wakeups'])/s, 1), cpu=round(100*(now['cpu']-first['cpu'])/s, 3), rss=round(p.memory_info().rss/2**20, 1))
 
+# programs on a small computer ---------------------------------------------------------------------------------------------------------
+
+START_ROWS = (('uav-camera','--help'), ('uav-camera','snap'), ('uav-gimbal','--help'), ('uav-camera-check','--help'), ('uav-camera-server','--help'),
+              ('uav-gui','--help'), ('uav-demo','--help'))
+START_PEERS = {'python': 'pass', 'pymavlink.mavutil': 'import pymavlink.mavutil', 'mavsdk': 'import mavsdk', 'mavsdk.asyncio': 'from mavsdk.asyncio import Mavsdk'}
+
+def command_line(name, *words, tree=None):
+    "What starts a program of a tree, installed or not; `None` if the tree has no such program"
+    found = re.search(rf'(?<![\w-]){name}=([\w.]+):(\w+)', (Path(tree or TREE)/'settings.ini').read_text())
+    if not found: return None
+    code = f'import sys; sys.argv[0] = {name!r}; from {found[1]} import {found[2]} as main; sys.exit(main())'
+    return [sys.executable, '-c', code, *words]
+
+def processor_of(words, tree=None):
+    "What a process takes of a processor from its start to its end, user and system, ms"
+    process = subprocess.Popen(words, cwd=bytecode.name, env=as_installed(tree), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    _,status,used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode: raise Gone(f'{words} ended with {process.returncode}')
+    return dict(p50=1e3*(used.ru_utime+used.ru_stime))
+
+class Program:
+    "A running program of a tree, or a `Worker`, seen from outside: all of its threads"
+    def __init__(self, *words, tree=None, worker=None):
+        self.worker = worker
+        self.process = worker.process if worker else subprocess.Popen(command_line(*words, tree=tree), cwd=tempfile.mkdtemp(dir=bytecode.name), env=as_installed(tree),
+                                                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def facts(self):
+        "Processor (s), wake-ups, threads and memory (MB) so far, and when"
+        tasks,cpu,wakeups = list(Path(f'/proc/{self.process.pid}/task').iterdir()),0,0
+        for t in tasks:
+            cpu += int((t/'schedstat').read_text().split()[0])/1e9          # ns, where psutil counts in hundredths of a second
+            wakeups += int(re.search(r'\nvoluntary_ctxt_switches:\s*(\d+)', (t/'status').read_text())[1])
+        return dict(cpu=cpu, wakeups=wakeups, threads=len(tasks), rss=psutil.Process(self.process.pid).memory_info().rss/2**20, at=time.perf_counter())
+
+    def close(self):
+        if self.worker: return self.worker.close()
+        self.process.terminate()
+        self.process.wait(30)
+
+def settle(programs):
+    "Wait until all have started: each has a second thread, and uses less than a twentieth of a core for a second"
+    until,last = time.monotonic()+120,[p.facts() for p in programs]
+    while time.monotonic()<until:
+        time.sleep(1)
+        before,last = last,[p.facts() for p in programs]
+        if all(b['threads']>1 and b['cpu']-a['cpu']<.05 for a,b in zip(before, last)): return
+    raise Gone('a program does not start')
+
+def starting(quick, before):
+    "What a program takes of a processor from its start to its end, beside what the import of a library takes"
+    servers = {label: (Program('uav-camera-server', '--rtsp', '-1', '--connection', f'udpin:127.0.0.1:{port}', tree=tree), port)
+               for label,tree in trees(before).items() for port in [free_ports()]}
+    words = dict(snap=lambda label: ['snap', '--connection', f'udpout:127.0.0.1:{servers[label][1]}'])
+    who = {name: ([sys.executable, '-c', code],None) for name,code in START_PEERS.items()}
+    if shutil.which('mavproxy.py'): who['mavproxy.py --help'] = ['mavproxy.py','--help'],None
+    for label,tree in trees(before).items():
+        for name,verb in START_ROWS:
+            line = command_line(name, *words.get(verb, lambda label: [verb])(label), tree=tree)
+            if line: who[f'{name} {verb}{label}'] = line,tree
+    try:
+        settle([server for server,_ in servers.values()])
+        for w in who.values(): processor_of(*w)         # which compiles
+        got = in_turn(who, 2 if quick else 15, lambda w: processor_of(*w))
+    finally:
+        for server,_ in servers.values(): server.close()
+    rows = [compare('start', f'{name} {verb}', 'pymavlink.mavutil', 'ms', got[f'{name} {verb}'], got['pymavlink.mavutil'], 1.5, before=got.get(f'{name} {verb} before'))
+            for name,verb in START_ROWS]
+    return rows,{name: middle(r) for name,r in got.items()}
+
+SERVED = {'uav-camera-server': ('--rtsp','0'), 'uav-camera-server --gimbal sim': ('--rtsp','0','--gimbal','sim'), 'uav-gui': ()}
+STANDING = {'pymavlink heartbeats': 'heartbeat_camera', 'MAVSDK camera server': 'mavsdk_camera'}     # the peers
+
+def waiting(quick, before):
+    "A camera server that nobody watches, with a ground station that beats: what it takes of a core, and of memory"
+    who = {**{name: (None,name.split()[0],words,None) for name,words in SERVED.items()}, **{name: (kind,None,(),None) for name,kind in STANDING.items()}}
+    if before: who['uav-camera-server before'] = None,'uav-camera-server',SERVED['uav-camera-server'],before
+    ports,programs = {name: free_ports() for name in who},{}
+    def used(name):
+        a,b = last[name],programs[name].facts()
+        s,last[name] = b['at']-a['at'],b
+        return dict(cpu=100*(b['cpu']-a['cpu'])/s, wakeups=(b['wakeups']-a['wakeups'])/s, threads=b['threads'], rss=b['rss'])
+    with Worker('sender', ports=list(ports.values())):
+        try:
+            for wait in (0, 1 if quick else 60):        # the first time all is compiled, which takes memory; then all that is asked first is answered
+                for p in programs.values(): p.close()
+                for name,(kind,program,words,tree) in who.items():
+                    link = '--connection', f'udpin:127.0.0.1:{ports[name]}'
+                    programs[name] = Program(worker=Worker(kind, port=ports[name])) if kind else Program(program, *words, *link, tree=tree)
+                settle(programs.values())
+                time.sleep(wait)
+            last,rounds = {name: p.facts() for name,p in programs.items()},[]
+            for _ in range(2 if quick else 5):
+                time.sleep(2 if quick else 12)
+                rounds.append({name: used(name) for name in who})
+        finally:
+            for p in programs.values(): p.close()
+    got = {name: [r[name] for r in rounds] for name in who}
+    ours,was = got['uav-camera-server'],got.get('uav-camera-server before')
+    def row(where, against, unit, key, theirs): return compare('camera server, idle', where, against, unit, ours, theirs, 1., key=key, before=was)
+    rows = [row('processor', '0.5 % of a core', '% CPU', 'cpu', [dict(cpu=.5)]*len(ours)), row('memory', '60 MB', 'MB', 'rss', [dict(rss=60)]*len(ours)),
+            row('processor', 'pymavlink heartbeats', '% CPU', 'cpu', got['pymavlink heartbeats']),
+            row('memory', 'pymavlink heartbeats', 'MB', 'rss', got['pymavlink heartbeats'])]
+    return rows,{name: middle(r) for name,r in got.items()}
+
 # all of it ----------------------------------------------------------------------------------------------------------------------------
 
-GROUPS = dict(command=command, message=message, link=link, components=components, imports=imports, connections=connections, idle=idle)
+GROUPS = dict(command=command, message=message, link=link, components=components, imports=imports, connections=connections, idle=idle, starting=starting, waiting=waiting)
 
 def commit(tree=None):
     "The commit of a tree, with + when files of the package differ from it; empty without git"

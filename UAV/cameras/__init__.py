@@ -1,8 +1,8 @@
 """Cameras: they take pictures, and have never heard of MAVLink. Each name is loaded when it is asked for."""
 _rooms = {'UAV.cameras.values': 'CameraBusy CameraError CameraInformation CameraSettings CaptureStatus DeviceStatus Frame Picture Pose StorageError Still '
-                                'StorageFull StorageInformation StorageInUse RecordingEnded VideoStatus WrongMode',
+                                'StorageFull StorageInformation StorageInUse RecordingEnded TrackingStatus VideoStatus WrongMode',
           'UAV.cameras.parameters': 'Option Parameter ParametersChanged UnknownParameter check_parameters', 'UAV.cameras.storage': 'Storage',
-          'UAV.cameras.lens': 'Focus Lens Travel View', 'UAV.cameras.camera': 'Camera', 'UAV.cameras.tracker': 'TrackingStatus',
+          'UAV.cameras.lens': 'Focus Lens Travel View', 'UAV.cameras.camera': 'Camera',
           'UAV.cameras.contract': 'check_camera', 'UAV.cameras.sim_world': 'SimWorld', 'UAV.cameras.sim': 'SimCamera SimDualCamera locate',
           'UAV.cameras.cv2_camera': 'CV2Camera', 'UAV.cameras.gst_cam': 'GSTCamera', 'UAV.cameras.pi_camera': 'PiCamera',
           'UAV.cameras.url_camera': 'URLCamera', 'UAV.cameras.gphoto_camera': 'GPhotoCamera'}

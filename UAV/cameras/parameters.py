@@ -18,7 +18,6 @@ from pathlib import Path
 import json, math, os, re, stat, struct
 
 from fastcore.basics import patch
-from .storage import write_file
 from .values import CameraBusy, CameraError
 from ..logging import get_logger
 from ..utils import clock
@@ -393,6 +392,7 @@ def _kept(self:Parameters)->dict:
 @patch
 def _save(self:Parameters):
     "Write the file; a disk that takes nothing is no reason to refuse a change"
+    from UAV.cameras.storage import write_file
     kept = {name: v.decode('latin-1') if isinstance(v, bytes) else v for name,v in self._kept().items()}
     try: write_file(self.file, json.dumps(kept, indent=1).encode()+b'\n')
     except OSError as e: get_logger('parameters').warning('%s is not written: %s', self.file.name, e.strerror)

@@ -4,7 +4,7 @@
 
 # %% auto #0
 __all__ = ['usual_shutter', 'usual_iso', 'white_gains', 'sim_parameters', 'coldest', 'per_level', 'SimCamera', 'find_tags',
-           'locate', 'ThermalRange', 'SimDualCamera']
+           'locate', 'SimDualCamera']
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #f079e295
 from dataclasses import dataclass
@@ -305,15 +305,6 @@ def _paint(celsius):
     return cv2.applyColorMap(((celsius-low)/max(high-low, 1.)*255).astype(np.uint8), cv2.COLORMAP_INFERNO)
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #5c0e8506
-@dataclass(frozen=True, repr=False, eq=False)
-class ThermalRange(Value):
-    "Hottest and coldest place in a thermal picture"
-    stream_id:int=0 # Of which stream
-    max:float=NAN # °C
-    max_point:tuple=(NAN,NAN) # Where, 0..1 from the left and from the top
-    min:float=NAN # °C
-    min_point:tuple=(NAN,NAN) # Where, 0..1 from the left and from the top
-
 def _range_of(celsius, stream_id:int=0)->ThermalRange:
     "The range of a picture; a place is the middle of its pixel"
     low,high,low_at,high_at = cv2.minMaxLoc(np.asarray(celsius, np.float32))

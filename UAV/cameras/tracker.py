@@ -5,20 +5,20 @@
 # %% ../../nbs/api/cameras/06_tracker.ipynb #11c75654
 from __future__ import annotations
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from numbers import Real
 from types import SimpleNamespace as ns
 
 from fastcore.basics import patch
-from .values import CameraError, Frame, inside, known, NAN, Pose, Value
+from .values import CameraError, Frame, inside, known, NAN, TrackingStatus
 from ..utils import clock, clock as _clock
 from ..utils.lazy import cv2, np
 from ..utils.threads import _begin_thread, _has_ended
 from ..utils.pictures import as_bgr
 
 # %% auto #0
-__all__ = ['side', 'context', 'bins', 'Follower', 'Pursuit', 'TrackingStatus', 'Tracker']
+__all__ = ['side', 'context', 'bins', 'Follower', 'Pursuit', 'Tracker']
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #4e1be82a
 class Follower:
@@ -328,20 +328,6 @@ def _find(self:Pursuit, frame:Frame, focal_length:float):
             self.follower,focal_length = before,self.focal_length
             self.follower.follow(image)
     self.focal_length = focal_length
-
-# %% ../../nbs/api/cameras/06_tracker.ipynb #485d3226
-@dataclass(frozen=True, repr=False, eq=False)
-class TrackingStatus(Value):
-    "Track a target; all lengths are fractions of the picture"
-    status:str='idle' # 'idle', 'active', or 'error': the target is lost, and searched for
-    mode:str='none' # What was asked for: 'none', 'point' or 'rectangle'
-    rectangle:tuple|None=None # Left, top, right, bottom
-    point:tuple|None=None # Its middle: x, y
-    radius:float=NAN # Half of its longer side; 1 is the width of the picture
-    frame:Frame|None=None # Where we found it, or did not
-    confidence:float=NAN # From 0 to 1, how sure that is
-    place:Pose|None=None # Where the target is, if the camera knows where it is itself
-    why:str='' # What went wrong
 
 # %% ../../nbs/api/cameras/06_tracker.ipynb #53bcce8f
 def _checked_rectangle(left:float, top:float, right:float, bottom:float)->tuple:

@@ -15,8 +15,7 @@ import asyncio
 
 from fastcore.basics import patch
 from ..cameras.parameters import Parameter, Parameters, UnknownParameter
-from ..cameras.sim import ThermalRange
-from ..cameras.values import StorageInformation
+from ..cameras.values import StorageInformation, ThermalRange
 from .common import (between, disk_errors, number, Program, Result, seconds, Visit, visit_groups,
                             visit_options, Visitor)
 from ..ftp.frames import FtpError

@@ -8,14 +8,13 @@ from argparse import Action, ArgumentParser, ArgumentTypeError, RawDescriptionHe
 from contextlib import contextmanager
 from difflib import get_close_matches
 from functools import cache
-from inspect import getdoc, Parameter
+from inspect import findsource, getdoc, Parameter, signature
 from ipaddress import ip_address
 from pathlib import Path
 from types import SimpleNamespace
 from typing import get_args, get_origin
-import asyncio, errno, json, math, os, re, shutil, sys
+import asyncio, errno, json, logging, math, os, re, shutil, sys
 
-from fastcore.docments import docments
 from fastcore.basics import patch, store_attr
 from .. import __version__
 from ..cameras.values import CameraError
@@ -33,7 +32,7 @@ from ..wire.signing import secret_key
 # %% auto #0
 __all__ = ['us', 'number', 'seconds', 'visit_groups', 'disk_errors', 'run_with_options', 'Program', 'Visit', 'Visitor',
            'on_links', 'between', 'painted', 'listed', 'links', 'address', 'target', 'key_in', 'visit_options',
-           'Result', 'sentence', 'ending', 'complain', 'or_exit', 'place_for']
+           'Result', 'sentence', 'ending', 'complain', 'or_exit', 'place_for', 'StatusPrinter', 'log_to']
 
 # %% ../../nbs/api/cli/01_common.ipynb #14f04168
 def run_with_options(f, # Function whose parameters are the options
@@ -79,7 +78,7 @@ class Program:
 def parse(self:Program, words:list, # Command-line arguments
          )->SimpleNamespace:
     "Return verb, arguments and options as attributes; `--help` and mistakes end the process"
-    parser = self._parser()
+    parser = self._parser(words)
     typed = parser.parse_args(words, SimpleNamespace())
     if there := getattr(typed, 'target', None):
         others = (typed.system or there[0], typed.component or there[1])
@@ -127,7 +126,8 @@ def _examples(program:str, examples)->str:
     return 'examples:\n'+'\n'.join(f'  {program} {example}' for example in examples)
 
 @patch
-def _parser(self:Program)->_Parser:
+def _parser(self:Program, words:list)->_Parser:
+    "Return the parser of a command line: a verb that isn't in it has no options, unless completion asks for all"
     name,groups = self.visit.program,self.groups or {'options of all verbs':' '.join(self.options)}
     below = f'{_examples(name, [f.examples[0] for f in self.verbs.values()])}\n\n{_exit_codes}'
     how = dict(allow_abbrev=False)
@@ -137,7 +137,11 @@ def _parser(self:Program)->_Parser:
     _add_words(parser, self.options, groups)
     shared = _Parser(add_help=False)
     _add_words(shared, self.options, groups, default=SUPPRESS)
+    whole = self.verbs if any(word.startswith('--completion') for word in words) else words
     for verb,f in self.verbs.items():
+        if verb not in whole:
+            verbs.add_parser(verb, help=f.__doc__, add_help=False)
+            continue
         one = verbs.add_parser(verb, usage=f'{name} {_usage(verb, f)}', help=f.__doc__, description=f.__doc__,
                                epilog=_examples(name, f.examples), parents=[shared], **how)
         _add_words(one, _words_of(f))
@@ -275,8 +279,22 @@ def between(low:float, high:float, # Allowed range
 def _words_of(*functions)->dict:
     "Return `{name: its annotation, default and comment}` of the parameters; a later one replaces an equal name"
     found = {}
-    for f in functions: found |= docments(f, full=True, returns=False, eval_str=True)
-    return {name:p for name,p in found.items() if p.anno not in (None, Parameter.empty)}
+    for f in functions:
+        comments = _comments_of(f)
+        for name,p in signature(f, eval_str=True).parameters.items():
+            found[name] = SimpleNamespace(anno=p.annotation, default=p.default, docment=comments.get(name))
+    return {name:p for name,p in found.items() if p.anno is not Parameter.empty}
+
+def _comments_of(f)->dict:
+    "Return `{parameter: the comment at the end of its line}`; the last parameter of a line has it"
+    lines,start = findsource(f)
+    found = {}
+    for line in lines[start:]:
+        code,_,comment = line.partition('# ')
+        names = re.findall(r'(?:^|[(,])\s*(\w+)\s*:', code)
+        if names and comment: found[names[-1]] = comment.strip()
+        if re.search(r'\)\s*(->.*)?:(\s|$)', code): break      # the end of the signature
+    return found
 
 # %% ../../nbs/api/cli/01_common.ipynb #52e62d92
 def _kind(p)->dict:
@@ -510,3 +528,35 @@ def place_for(what:str, # Purpose of the port, such as 'page'
         why = (e.strerror or str(e)).partition(' (')[0]     # without Python's addition in brackets
         hint = f'; {instead} takes a free one' if instead and _is_taken(e) else ''
         raise error(f'no {what} at {url_host(host)}:{port}: {why}{hint}') from e
+
+# %% ../../nbs/api/cli/01_common.ipynb #78680205
+class StatusPrinter:
+    "Printer of a status: on a terminal over the last one, elsewhere only when it has changed"
+    over = '\r\x1b[K'       # go to the start of the line, and clear it
+    def __init__(self, out=None): # Output stream; `None`: standard output
+        self.out = out or sys.stdout
+        self.live = self.out.isatty()
+        self._last = None       # the last status, without what changes all the time
+
+    def line(self, text:str):
+        "Print a line; on a terminal over the last status"
+        self._print(f'{self.over if self.live else ""}{text}\n')
+
+    def _print(self, text:str): print(text, end='', file=self.out, flush=True)
+
+    def status(self, line:str, # A status
+               steady): # The part of it that is worth a line in a log
+        "Show a status"
+        if self.live: self._print(self.over+self._lit(line[:shutil.get_terminal_size().columns-1]))
+        elif steady!=self._last: self.line(line)
+        self._last = steady
+
+    def _lit(self, line:str)->str:
+        "Return the line with a fault and a recording in colour"
+        return re.sub(r'FAULT: [^|]*|REC [\d:]+', lambda m: painted(m[0], 'bad', self.out), line)
+
+# %% ../../nbs/api/cli/01_common.ipynb #ad7af348
+def log_to(printer:StatusPrinter):
+    "Make all loggers print above the status"
+    form = f'{printer.over if printer.live else ""}%(levelname)s %(name)s: %(message)s'
+    logging.basicConfig(stream=printer.out, level=logging.INFO, format=form)

@@ -8,11 +8,11 @@ from functools import partial
 from pathlib import Path
 import asyncio
 
-import cv2
-from ..cameras import CameraError, CV2Camera, SimCamera
+from ..cameras import CameraError, SimCamera
 from .common import between, complain, or_exit, run_with_options
 from ..mavlink import CameraServer, MAVCom, mavlink
 from ..utils.display import contact_sheet
+from ..utils.lazy import cv2
 
 # %% auto #0
 __all__ = ['main', 'take_pictures']
@@ -28,13 +28,18 @@ def take_pictures(video:str=None, # Video file, device or URL to use as the came
     example:
       uav-demo --video flight.mp4 --out flight"""
     try:
-        with or_exit('uav-demo'), CV2Camera(video, folder=out) if video else SimCamera(folder=out) as camera:
+        with or_exit('uav-demo'), _opened(video, out) as camera:
             images = asyncio.run(_demo(camera, count))
             new = sum(m.capture_result==1 for m in images)
             print(f'{new} new pictures are in {out}, all of them on {_save_sheet(out, images)}\n{_next}')
     except KeyboardInterrupt:
         complain('uav-demo', f'stopped; the pictures taken so far are in {out}')
         raise
+
+def _opened(video:str|None, folder:str):
+    if not video: return SimCamera(folder=folder)
+    from UAV.cameras import CV2Camera
+    return CV2Camera(video, folder=folder)
 
 # %% ../../nbs/api/cli/07_demo.ipynb #b2470607
 main = partial(run_with_options, take_pictures, 'uav-demo')

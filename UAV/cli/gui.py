@@ -9,10 +9,8 @@ from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 import logging, os, signal, sys, webbrowser
-from ..cameras import SimCamera
-from .common import (address, links, on_links, or_exit, place_for, run_with_options, sentence, between,
-    number, key_in)
-from .serve import Aboard, add_streams, log_to, serving, StatusPrinter
+from .common import (address, between, key_in, links, log_to, number, on_links, or_exit, place_for,
+    run_with_options, sentence, StatusPrinter)
 from ..manager import Gui
 from ..manager.server import Door
 from ..mavlink import CameraClient, GimbalClient, mavlink
@@ -66,6 +64,8 @@ def sim_vehicle(connections, # Connection strings of its links
                 rate:float=25., # Frames per second
                 pitch:float=-20.): # First pitch of the camera, degrees from the horizon
     "Simulate a vehicle with camera, gimbal and video in a `with`, and yield its `MAVCom`; raises `ValueError`"
+    from UAV.cameras import SimCamera
+    from UAV.cli.serve import Aboard, add_streams, serving
     here = '127.0.0.1'
     with Aboard('sim', path, autopilot=True) as aboard, SimCamera(mount=aboard.mount, frame_rate=rate) as camera:
         camera.gimbal_device_id = aboard.server.gimbal_device_id

@@ -8,29 +8,25 @@ from contextlib import contextmanager, ExitStack, nullcontext
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
-import logging, os, re, shutil, signal, sys
+import os, re, signal
 from fastcore.basics import basic_repr
-from ..cameras import Camera, CameraError, CV2Camera, SimCamera, SimDualCamera, Storage
-from .common import (address, key_in, links, listed, on_links, or_exit, painted, place_for, run_with_options,
-    between, number)
-from ..gimbals import circle, FixedMount, Gimbal, hover, SimGimbal, SimVehicle
-from ..mavlink import CameraServer, GimbalCameraServer, GimbalServer, SimAutopilot
+from ..cameras import Camera, CameraError, SimCamera, SimDualCamera, Storage
+from .common import (address, between, key_in, links, listed, log_to, number, on_links, or_exit, place_for,
+    run_with_options, StatusPrinter)
+from ..gimbals import circle, FixedMount, Gimbal, hover, SimVehicle
+from ..mavlink import CameraServer
 from ..mavlink.camera_server import _checked_name
-from ..gimbals.driver import camera_kind, CardCamera, gimbal_camera, takes_orders
-from ..mavlink.viewsheen_server import _Tracking
 from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device
 from ..utils.files import read_secret
 from ..utils.threads import Closes
 from ..utils.values import known, one_of
-from ..video.rtsp_server import RTSPServer
-from ..video.stream import senders
 from ..wire.signing import Signing
 from argparse import ArgumentTypeError
 from typing import Literal
 
 # %% auto #0
-__all__ = ['main', 'serve_camera', 'add_streams', 'serving', 'Aboard', 'StatusPrinter', 'log_to']
+__all__ = ['main', 'serve_camera', 'add_streams', 'serving', 'Aboard']
 
 # %% ../../nbs/api/cli/02_serve.ipynb #4b62626b
 def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
@@ -126,7 +122,7 @@ def _opened(typed, stack:ExitStack)->tuple:
     camera.mounted = typed.mounted
     if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
     bitrate = None if typed.bitrate is None else int(typed.bitrate*1e6)
-    add_streams(camera, [] if isinstance(camera, CardCamera) else streams, rtsp, codec=typed.codec, size=typed.size,
+    add_streams(camera, [] if _on_card(camera) else streams, rtsp, codec=typed.codec, size=typed.size,
                 rate=typed.rate, bitrate=bitrate)
     com = serving(camera, connections, typed.system, typed.component, typed.host, typed.guard, typed.name,
                   aboard.components, signing=signing, forward=typed.forward)
@@ -145,7 +141,7 @@ def _device(typed, stack:ExitStack, storage:dict)->tuple:
     gimbal,camera = (device,device.camera) if isinstance(device, Gimbal) else (None,device)
     shown = device_url(typed.device)            # without its password
     if gimbal and typed.gimbal: raise ValueError(f'--device {shown} is the gimbal: leave --gimbal out')
-    if takes_orders(gimbal): return gimbal,None if typed.camera else camera         # `--camera` is its video
+    if _takes_orders(gimbal): return gimbal,None if typed.camera else camera         # `--camera` is its video
     if camera and typed.camera: raise ValueError(f'--device {shown} has its own camera: leave --camera out')
     if not (camera or typed.camera): raise ValueError(f'--device {shown} gives no picture: add --camera rtsp://HOST/…')
     return gimbal,camera
@@ -154,19 +150,38 @@ def _device(typed, stack:ExitStack, storage:dict)->tuple:
 def _camera_of(typed, stack:ExitStack, aboard:Aboard, storage:dict)->Camera:
     "Open that of the gimbal, or `--camera` with the gimbal's camera verbs; raises `ValueError`, `CameraError`"
     own = getattr(aboard.gimbal, 'camera', None)
-    orders = aboard.gimbal if takes_orders(aboard.gimbal) else None
+    orders = aboard.gimbal if _takes_orders(aboard.gimbal) else None
     if own and not (orders or typed.camera):
         raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
-    if orders and not typed.camera: return own or stack.enter_context(gimbal_camera(orders, **storage))
+    if orders and not typed.camera:
+        from UAV.gimbals.driver import gimbal_camera
+        return own or stack.enter_context(gimbal_camera(orders, **storage))
     if orders and own: own.close()
     return stack.enter_context(_make_camera(typed.camera or 'sim', typed.size, aboard.mount, orders, **storage))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #834fa745
+def _takes_orders(gimbal)->bool:
+    "True if a gimbal's driver has camera verbs; only then the drivers are loaded"
+    if not hasattr(gimbal, 'set_camera_zoom'): return False
+    from UAV.gimbals.driver import takes_orders
+    return takes_orders(gimbal)
+
+def _on_card(camera)->bool:
+    "True if a camera sends no video here; it's that of a gimbal"
+    if not hasattr(camera, 'gimbal'): return False
+    from UAV.gimbals.driver import CardCamera
+    return isinstance(camera, CardCamera)
+
 def _is_device(text:str)->bool: return text.partition('://')[0].lower() in device_schemes()
 
 def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **storage)->Camera:
     "Open the camera described by `text`, the video of `gimbal`; a simulated one hangs on `mount`. Raises `CameraError`"
-    def of(kind): return kind if gimbal is None else camera_kind(gimbal, kind)
+    def of(kind):
+        if gimbal is None: return kind
+        from UAV.gimbals.driver import camera_kind
+        return camera_kind(gimbal, kind)
+    simulated = dict(sim=SimCamera, dual=SimDualCamera).get(text)
+    if simulated: return of(simulated)(*(size or (640,480)), mount=mount, **storage)
     if text.endswith('.toml') or ' ! ' in text:
         from UAV.cameras.gst_cam import GSTCamera
         return of(GSTCamera)(text, **storage)
@@ -176,9 +191,8 @@ def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **stor
         if isinstance(device, Camera): return device
         device.close()
         raise ValueError(f'--camera {device_url(text)} is a gimbal: write --device')
-    simulated = dict(sim=SimCamera, dual=SimDualCamera).get(text)
-    if simulated: return of(simulated)(width or 640, height or 480, mount=mount, **storage)
     own_size = dict(width=width, height=height) if text.isdigit() or text.startswith('/dev/') else {}
+    from UAV.cameras import CV2Camera
     return of(CV2Camera)(text, **own_size, **storage)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #738ce307
@@ -206,6 +220,7 @@ def _with_password(wanted:list, watcher:dict):
     if not watcher: return nullcontext()
     host,port = next((place for kind,*place in wanted if kind=='rtsp'), (None,None))
     if port is None: raise ValueError('--rtsp-user needs an RTSP server, and --rtsp -1 has none')
+    from UAV.video.rtsp_server import RTSPServer
     with place_for('rtsp stream', host, port, CameraError, '--rtsp 0'): return RTSPServer(port, host, **watcher)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #e308caa4
@@ -290,12 +305,30 @@ def _signing_of(typed):
 # %% ../../nbs/api/cli/02_serve.ipynb #320df580
 def _make_gimbal(text:str, vehicle:SimVehicle|None=None, stand_in:bool=False, **storage)->Gimbal:
     "Open the gimbal described by `text`; a `stand_in` is used until a vehicle is received. Raises `ValueError`"
-    if text=='sim': return SimGimbal(vehicle, stand_in=stand_in)
+    if text=='sim':
+        from UAV.gimbals import SimGimbal
+        return SimGimbal(vehicle, stand_in=stand_in)
     try: gimbal = open_device(text, **storage)
     except ValueError as e: raise ValueError(f'--gimbal is sim or a URL such as viewsheen://HOST: {e}') from None
     if isinstance(gimbal, Gimbal): return gimbal
     gimbal.close()
     raise ValueError(f'--gimbal {device_url(text)} is a camera, and no gimbal: write --camera')
+
+def _gimbal_server(gimbal:Gimbal, role:str, camera:str):
+    "Return the server of a gimbal, which takes camera commands if it has the only camera, and tracks if it can"
+    if _takes_orders(gimbal) and _is_device(camera):
+        from UAV.mavlink import GimbalCameraServer
+        return GimbalCameraServer(gimbal=gimbal, role=role)
+    from UAV.mavlink import GimbalServer
+    server = GimbalServer(gimbal=gimbal, role=role)
+    if role!='device' and hasattr(gimbal, 'track_point'):
+        from UAV.mavlink.viewsheen_server import _Tracking
+        server.add_part(_Tracking(server))
+    return server
+
+def _autopilot(vehicle:SimVehicle):
+    from UAV.mavlink import SimAutopilot
+    return SimAutopilot(vehicle)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #37c97044
 class Aboard(Closes):
@@ -317,11 +350,8 @@ class Aboard(Closes):
         self.vehicle = SimVehicle(flies()) if path or autopilot or hangs else None
         made = isinstance(gimbal, str)
         self.gimbal = _make_gimbal(gimbal, self.vehicle, not (path or autopilot), **storage) if made else gimbal
-        kind = GimbalCameraServer if takes_orders(self.gimbal) and _is_device(camera) else GimbalServer
-        self.server = kind(gimbal=self.gimbal, role=role) if gimbal else None
-        tracks = kind is GimbalServer and role!='device' and hasattr(self.gimbal, 'track_point')
-        if tracks: self.server.add_part(_Tracking(self.server))
-        self.pilot = SimAutopilot(self.vehicle) if autopilot else None
+        self.server = _gimbal_server(self.gimbal, role, camera) if gimbal else None
+        self.pilot = _autopilot(self.vehicle) if autopilot else None
         fixed = self.gimbal or mounted or (0.,-20.,0.)
         self.mount = self.gimbal if gimbal=='sim' else self.vehicle and FixedMount(self.vehicle, fixed)
 
@@ -336,6 +366,7 @@ def _count(number:int, what:str)->str: return f'{number} {what}{"" if number==1 
 
 def _viewers(stream)->str:
     "Return a stream as text"
+    from UAV.video.stream import senders
     if not stream.running: return f'{stream.kind} stopped'
     return f'{stream.kind} sent' if stream.kind in senders else f'{stream.kind} {_count(stream.viewers, "viewer")}'
 
@@ -380,35 +411,3 @@ def _statuses(camera, com, period:float=1.):
             yield _status_of(camera, com)
             changed.wait(period)
     finally: camera.unsubscribe(note)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #78680205
-class StatusPrinter:
-    "Printer of a status: on a terminal over the last one, elsewhere only when it has changed"
-    over = '\r\x1b[K'       # go to the start of the line, and clear it
-    def __init__(self, out=None): # Output stream; `None`: standard output
-        self.out = out or sys.stdout
-        self.live = self.out.isatty()
-        self._last = None       # the last status, without what changes all the time
-
-    def line(self, text:str):
-        "Print a line; on a terminal over the last status"
-        self._print(f'{self.over if self.live else ""}{text}\n')
-
-    def _print(self, text:str): print(text, end='', file=self.out, flush=True)
-
-    def status(self, line:str, # A status
-               steady): # The part of it that is worth a line in a log
-        "Show a status"
-        if self.live: self._print(self.over+self._lit(line[:shutil.get_terminal_size().columns-1]))
-        elif steady!=self._last: self.line(line)
-        self._last = steady
-
-    def _lit(self, line:str)->str:
-        "Return the line with a fault and a recording in colour"
-        return re.sub(r'FAULT: [^|]*|REC [\d:]+', lambda m: painted(m[0], 'bad', self.out), line)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #ad7af348
-def log_to(printer:StatusPrinter):
-    "Make all loggers print above the status"
-    form = f'{printer.over if printer.live else ""}%(levelname)s %(name)s: %(message)s'
-    logging.basicConfig(stream=printer.out, level=logging.INFO, format=form)

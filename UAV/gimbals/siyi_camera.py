@@ -13,7 +13,6 @@ import json, math
 from fastcore.basics import patch, store_attr
 from ..cameras.lens import Lens
 from ..cameras.parameters import Parameter
-from ..cameras.sim import ThermalRange
 from ..cameras.url_camera import URLCamera
 from ..cameras.values import *
 from .driver import direction_of

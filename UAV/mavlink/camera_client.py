@@ -20,10 +20,9 @@ from .settings import PARAM_EXT_ACK, PARAM_EXT_VALUE
 from .camera_downloads import FtpNumbers, place_on_disk
 from ..utils.files import local_name
 from .protocol import Busy, check_count, check_seconds, check_which, Command, Found, NoAnswer, receives
-from .camera_server import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
-    CAMERA_SETTINGS, STORAGE_INFORMATION)
 from .remote_video import RemoteVideo
-from .remote_camera import cameras_heard, Picture, RemoteCamera, RemotePicture
+from .remote_camera import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
+    CAMERA_SETTINGS, cameras_heard, Picture, RemoteCamera, RemotePicture, STORAGE_INFORMATION)
 
 # %% auto #0
 __all__ = ['TargetVerb', 'CameraClient', 'CommandNumbers', 'Together', 'capture_together', 'ask_all', 'CAMERA_INFORMATION',

@@ -14,7 +14,6 @@ import asyncio, errno, os, re, stat
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL as FILE_TRANSFER_PROTOCOL
-from ..cameras.storage import lock_file
 from ..utils import clock
 from ..utils.files import FileEntry, local_name
 from ..utils.output import Progress
@@ -332,6 +331,7 @@ def _no_link(name:Path, flags:int)->int:
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #1ac465fb
 def _locked(part:Path):
     "Open and lock a `.part`; `None` if another download has it"
+    from UAV.cameras.storage import lock_file
     file = open(part, 'r+b', buffering=0, opener=_no_link)
     try:
         lock_file(file)

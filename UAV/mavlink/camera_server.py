@@ -30,12 +30,12 @@ from .vehicle import Geotagger, Survey
 from ..utils import clock
 from ..utils.clock import Seen, time_since_boot_ms
 from ..utils.values import NAN
-from ..wire.dialect import address, CommandError, enum_name, enum_value
+from ..wire.dialect import address, CommandError, enum_name, enum_value, storage_media
 
 # %% auto #0
-__all__ = ['storage_media', 'FakeCamera', 'CameraServer', 'media_of', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS',
-           'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION',
-           'VIDEO_STREAM_STATUS', 'NAN', 'Component', 'LogLevels', 'mavlink']
+__all__ = ['FakeCamera', 'CameraServer', 'media_of', 'CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION',
+           'CAMERA_CAPTURE_STATUS', 'CAMERA_IMAGE_CAPTURED', 'VIDEO_STREAM_INFORMATION', 'VIDEO_STREAM_STATUS', 'NAN',
+           'Component', 'LogLevels', 'mavlink']
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #d53ece11
 _all_ = ['CAMERA_INFORMATION', 'CAMERA_SETTINGS', 'STORAGE_INFORMATION', 'CAMERA_CAPTURE_STATUS',
@@ -698,8 +698,6 @@ def _set_interval(self:CameraServer, msg_id:int, interval:float, index:float=Non
     if msg_id==CAMERA_TRACKING_IMAGE_STATUS: self.tracking.interval_set(address(msg), interval)
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #4558584c
-storage_media = {mavlink.STORAGE_USAGE_FLAG_PHOTO:'photo', mavlink.STORAGE_USAGE_FLAG_VIDEO:'video'}
-
 def media_of(flags:int, # STORAGE_USAGE_FLAG, with or without SET
             )->set:
     "Return the media of usage flags; raises `Denied` for flags without meaning for a camera"

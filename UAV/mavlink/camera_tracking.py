@@ -11,8 +11,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_FOV_STATUS as CAMERA_FOV_STATUS,
     MAVLINK_MSG_ID_CAMERA_TRACKING_GEO_STATUS as CAMERA_TRACKING_GEO_STATUS,
     MAVLINK_MSG_ID_CAMERA_TRACKING_IMAGE_STATUS as CAMERA_TRACKING_IMAGE_STATUS)
-from ..cameras.tracker import TrackingStatus
-from ..cameras.values import NAN, Pose, known
+from ..cameras.values import known, NAN, Pose, TrackingStatus
 from ..utils.clock import time_since_boot_ms
 from ..utils.geo import metres, turned
 from ..wire.dialect import address, enum_value

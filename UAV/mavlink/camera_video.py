@@ -15,8 +15,8 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_
     MAVLINK_MSG_ID_VIDEO_STREAM_INFORMATION as VIDEO_STREAM_INFORMATION,
     MAVLINK_MSG_ID_VIDEO_STREAM_STATUS as VIDEO_STREAM_STATUS)
 from ..cameras.values import CaptureStatus, RecordingEnded, VideoStatus
-from ..video.senders import is_group
 from ..utils.clock import time_since_boot_ms
+from ..utils.sockets import is_group
 from ..wire.dialect import address, enum_name
 from .protocol import CommandError, Denied, Unsupported, announced, command, message
 from .mavcom import ends, host_of, own_host

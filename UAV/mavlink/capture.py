@@ -13,8 +13,9 @@ import asyncio, math
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
+from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_STATUS as CAMERA_CAPTURE_STATUS,
+    MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED)
 from .component import Texts
-from .camera_server import CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED
 from .protocol import Busy, Failed, Lost, NoAnswer, shot_tries
 from ..utils import clock
 from ..wire.dialect import Ack, MAVError

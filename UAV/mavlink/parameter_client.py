@@ -9,6 +9,7 @@ import asyncio
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
+from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION
 from ..cameras.parameters import UnknownParameter, typed
 from ..utils import clock
 from ..utils.sockets import get_web
@@ -17,7 +18,6 @@ from ..ftp.frames import read_ftp_url
 from .protocol import Answer, Lost, NoAnswer, Unsupported, comes_from
 from .retransmission import in_progress_timeout, longest_stray, longest_work
 from .settings import *
-from .camera_server import CAMERA_INFORMATION
 from .remote_video import hosts_of
 
 # %% auto #0

@@ -13,20 +13,19 @@ import asyncio, math, os
 
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-
-from ..cameras.sim import ThermalRange
-from ..cameras.storages import media_in
-from ..cameras.values import Pose, StorageInformation
+from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_STATUS as CAMERA_CAPTURE_STATUS,
+    MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED,
+    MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION, MAVLINK_MSG_ID_CAMERA_SETTINGS as CAMERA_SETTINGS,
+    MAVLINK_MSG_ID_STORAGE_INFORMATION as STORAGE_INFORMATION)
+from ..cameras.values import media_in, Pose, StorageInformation, ThermalRange
 from ..utils.docs import for_async
 from ..utils.values import known, NAN, one_of, Value
 from ..utils.geo import euler
-from ..wire.dialect import Ack, enum_value, MAVError, number_of
+from ..wire.dialect import Ack, enum_value, MAVError, number_of, storage_media
 from .protocol import check_count, check_seconds, comes_from, Failed, Lost, NoAnswer
 from .component import message_name
-from .camera_video import CAMERA_THERMAL_RANGE
+from .camera_video import CAMERA_THERMAL_RANGE, VIDEO_STREAM_INFORMATION
 from .camera_tracking import CAMERA_FOV_STATUS, from_int32
-from .camera_server import (CAMERA_CAPTURE_STATUS, CAMERA_IMAGE_CAPTURED, CAMERA_INFORMATION,
-    CAMERA_SETTINGS, STORAGE_INFORMATION, VIDEO_STREAM_INFORMATION, storage_media)
 from .remote_video import enum_word, RemoteTracking, RemoteVideo
 from .capture import Capture, PictureLog, RemotePictures
 from .camera_downloads import place_on_disk, RemoteFiles

@@ -12,18 +12,15 @@ import ipaddress, re
 from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
-from ..cameras.tracker import TrackingStatus
-from ..cameras.values import Pose
+from ..cameras.values import Pose, TrackingStatus
 from ..utils.docs import for_async
 from ..utils.values import inside, known
-from ..utils.sockets import host_in, is_loopback, plain_host
-from ..video.senders import is_group
+from ..utils.sockets import host_in, is_group, is_loopback, plain_host
 from ..wire.dialect import Ack, enum_name, LinkError
 from .protocol import comes_from
 from .mavcom import ends, own_host
-from .camera_video import pushed, stream_encodings, stream_types
+from .camera_video import pushed, stream_encodings, stream_types, VIDEO_STREAM_INFORMATION
 from .camera_tracking import CAMERA_TRACKING_GEO_STATUS, CAMERA_TRACKING_IMAGE_STATUS, from_int32
-from .camera_server import VIDEO_STREAM_INFORMATION
 
 # %% auto #0
 __all__ = ['RemoteVideo', 'RemoteFrames', 'RemoteStream', 'enum_word', 'stream_of', 'player_url', 'same_host', 'Hosts',

@@ -5,7 +5,6 @@
 # %% ../../nbs/api/utils/07_devices.ipynb #fce2a078
 from __future__ import annotations
 from dataclasses import dataclass
-from importlib.metadata import entry_points
 from urllib.parse import parse_qsl, unquote, urlsplit
 import re
 
@@ -68,9 +67,14 @@ def register_device(scheme:str, # As in 'siyi'
     _openers[scheme] = opener
 
 # %% ../../nbs/api/utils/07_devices.ipynb #81ab793f
+def _drivers(**which):
+    "Return the entry points of installed drivers; their reader takes 10 ms to load"
+    from importlib.metadata import entry_points
+    return entry_points(group='uav.devices', **which)
+
 def device_schemes()->list:
     "Return all schemes that have a driver, sorted"
-    return sorted({*_openers, *(e.name for e in entry_points(group='uav.devices'))})
+    return sorted({*_openers, *(e.name for e in _drivers())})
 
 # %% ../../nbs/api/utils/07_devices.ipynb #7ee17e01
 def open_device(text:str, # A URL
@@ -79,7 +83,7 @@ def open_device(text:str, # A URL
     url = device_url(text)
     opener = _openers.get(url.scheme)
     if opener is None:
-        found = list(entry_points(group='uav.devices', name=url.scheme))
+        found = list(_drivers(name=url.scheme))
         if not found: raise ValueError(f'no driver for {url.scheme}://; there are {", ".join(device_schemes())}')
         try: opener = found[0].load()
         except AttributeError as e: raise ValueError(f'the driver of {url.scheme}:// is {found[0].value}: {e}') from e

@@ -6,7 +6,7 @@
 from __future__ import annotations
 from contextlib import suppress
 from fractions import Fraction
-import io, ipaddress, selectors, socket
+import io, selectors, socket
 
 from fastcore.basics import patch, store_attr
 from fastcore.meta import delegates
@@ -14,24 +14,17 @@ from ..logging import get_logger
 from ..utils import clock
 from ..utils.lazy import av
 from ..utils.threads import Closes
-from ..utils.sockets import _shut, listen_tcp, Loop, plain_host
+from ..utils.sockets import _shut, is_group, listen_tcp, Loop, plain_host
 from .units import AccessUnit, clock_rate, Sink
 
 # %% auto #0
-__all__ = ['log', 'is_group', 'UDPSink', 'TSMuxer', 'TSSender', 'TSServer', 'Loop', 'listen_tcp', 'plain_host']
+__all__ = ['log', 'UDPSink', 'TSMuxer', 'TSSender', 'TSServer', 'is_group', 'Loop', 'listen_tcp', 'plain_host']
 
 # %% ../../nbs/api/video/02_senders.ipynb #719bb2d1
-_all_ = ['Loop', 'listen_tcp', 'plain_host']
+_all_ = ['is_group', 'Loop', 'listen_tcp', 'plain_host']
 
 # %% ../../nbs/api/video/02_senders.ipynb #25d12e23
 log = get_logger('video')
-
-# %% ../../nbs/api/video/02_senders.ipynb #f08e5844
-def is_group(host:str, # An address, or a name
-            )->bool:
-    "True if this is a multicast address"
-    try: return ipaddress.ip_address(host.partition('%')[0]).is_multicast
-    except ValueError: return False
 
 # %% ../../nbs/api/video/02_senders.ipynb #5901bf39
 class UDPSink(Sink):
