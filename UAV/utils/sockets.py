@@ -15,7 +15,7 @@ from .threads import _begin_thread, Closes, Opened, timers
 
 # %% auto #0
 __all__ = ['log', 'Loop', 'listen_tcp', 'get_web', 'Deadline', 'web_path', 'ask_web', 'url_host', 'host_in', 'plain_host',
-           'is_loopback', 'LoopThread', 'set_within']
+           'is_loopback', 'is_group', 'LoopThread', 'set_within']
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #0dce5f49
 log = get_logger('sockets')
@@ -259,6 +259,12 @@ def is_loopback(host:str, # An address, or a name
     "True if it always means this computer; other names are not looked up"
     if host=='localhost' or host.endswith('.localhost'): return True
     try: return ipaddress.ip_address(plain_host(host)).is_loopback
+    except ValueError: return False
+
+def is_group(host:str, # An address, or a name
+            )->bool:
+    "True if this is a multicast address"
+    try: return ipaddress.ip_address(host.partition('%')[0]).is_multicast
     except ValueError: return False
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #b66fbad3

@@ -12,9 +12,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..utils.values import UAVError
 
 # %% auto #0
-__all__ = ['crc_extras', 'command_cancel', 'timesync', 'protocol_version', 'Ack', 'MAVError', 'LinkError', 'NoAnswer', 'Lost',
-           'CommandError', 'Busy', 'Denied', 'Unsupported', 'Failed', 'Cancelled', 'enum_name', 'address', 'enum_value',
-           'number_of', 'message_name', 'parameters']
+__all__ = ['storage_media', 'crc_extras', 'command_cancel', 'timesync', 'protocol_version', 'Ack', 'MAVError', 'LinkError',
+           'NoAnswer', 'Lost', 'CommandError', 'Busy', 'Denied', 'Unsupported', 'Failed', 'Cancelled', 'enum_name',
+           'address', 'enum_value', 'number_of', 'message_name', 'parameters']
 
 # %% ../../nbs/api/wire/00_dialect.ipynb #44ed4632
 class Ack(int):
@@ -82,6 +82,8 @@ def enum_name(enum:str, value:int, prefix:str='')->str:
     "The dialect's name for `value` of `enum`, without `prefix`; the number itself when it has none"
     e = mavlink.enums[enum].get(value)
     return e.name.removeprefix(prefix) if e else str(value)
+
+storage_media = {mavlink.STORAGE_USAGE_FLAG_PHOTO:'photo', mavlink.STORAGE_USAGE_FLAG_VIDEO:'video'}
 
 # %% ../../nbs/api/wire/00_dialect.ipynb #2413f3a0
 @patch
