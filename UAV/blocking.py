@@ -101,7 +101,7 @@ def _check(loop:SharedLoop):
 def _wait(awaitable, loop:SharedLoop):
     "Await it in `loop`, and return its result; close a coroutine that couldn't start"
     try:
-        _check(loop)
+        if asyncio._get_running_loop() is not None or loop.orphaned: _check(loop)
         return loop.wait(awaitable)
     except (ForkError, LinkError, LoopClosed) as e:
         if type(awaitable) is CoroutineType and not awaitable.cr_running: awaitable.close()
