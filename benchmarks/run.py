@@ -13,9 +13,10 @@ class Gone(Exception): "A process of a contender has ended, or does not answer"
 
 class Worker:
     "A process of contenders.py"
+    script = HERE/'contenders.py'
     def __init__(self, kind, tree=None, **args):
         self.kind = kind
-        self.process = subprocess.Popen([sys.executable, HERE/'contenders.py', kind, json.dumps(args)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        self.process = subprocess.Popen([sys.executable, self.script, kind, json.dumps(args)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         text=True, env=environment(tree))
         if self.hear(60)!='ready': raise Gone(kind)
 
