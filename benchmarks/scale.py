@@ -244,7 +244,7 @@ def measure(contender, n, layout, way, seconds):
     finally:
         for w in reversed(workers): w.close()
     s,cpu = last['at']-first['at'],last['cpu']-first['cpu']
-    return dict(cpu=100*cpu/s, each=1e6*cpu/s/max(1, got['frames']*STATIONS/(STATIONS-1)), wakeups=(last['wakeups']-first['wakeups'])/s, rss=now['rss'], grown=now['rss']-was['rss'],
+    return dict(cpu=100*cpu/s, each=1e6*cpu/s/max(1, (got['frames']+got['lost']/s)*STATIONS/(STATIONS-1)), wakeups=(last['wakeups']-first['wakeups'])/s, rss=now['rss'], grown=now['rss']-was['rss'],
                 threads=now['threads'], **got, **asked)
 
 WAYS = {'as started': (None,False), '100 Hz to all': (100.,False), '100 Hz to each': (100.,True)}

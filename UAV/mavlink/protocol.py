@@ -40,7 +40,7 @@ def message(msg_id:int, # MAVLINK_MSG_ID
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #b0315f71
 def receives(msg_id:int, # MAVLINK_MSG_ID
-             **options): # More for the component
+             **options): # `when`: returns true, given the object, while messages for all are needed; more for the component
     "Mark a method to be called with each message `msg_id` that arrives for the component"
     return _mark('receives', msg_id, **options)
 
@@ -110,6 +110,14 @@ class _Tables:
         "Return `{number: Handler}` of 'command', 'message' or 'receives', or `{event: [method]}` of 'announced'"
         if self._count!=_marks.count: self._make()
         return self._tables[kind]
+
+    def takes(self, msg_id:int)->bool:
+        "True if one of our methods receives this message now"
+        handler = self['receives'].get(msg_id)
+        if handler is None: return False
+        when = handler.options.get('when')
+        try: return when is None or bool(when(handler.f.__self__))
+        except Exception: return True       # the method itself will say what is wrong
 
     def renew(self):
         "Rebuild the tables at the next access: a part was added"
@@ -462,6 +470,8 @@ class Expectations:
     "Awaited messages by id"
     def __init__(self, wanted=None): # The link's `Wanted`, the ids of messages to build
         self.wanted,self._expected,self._lock = wanted,{},clock.Lock()
+
+    def __contains__(self, msg_id): return msg_id in self._expected
 
     def add(self, msg_id:int, # MAVLINK_MSG_ID
             fits=lambda msg: True, # Returns true for the right message

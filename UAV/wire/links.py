@@ -182,6 +182,7 @@ class _UDPIn(UDPLink):
     prefixes,forget,most = ('udpin:','udp:'),60.,256
     def __init__(self, name:str, baudrate:int=0):
         self.peers = {}     # {address: when it was welcome}
+        self._turn = clock.Lock()       # of the thread that sends to all
         super().__init__(_net_address(name))
 
     def welcome(self, peer):
@@ -190,10 +191,11 @@ class _UDPIn(UDPLink):
 
     def write(self, data:bytes, peer=None):
         if peer is not None: return self._send(data, peer)
-        peers,now = dict(self.peers),clock.monotonic()
-        latest = max(peers.values(), default=0)
-        for peer,welcome in peers.items():
-            if welcome==latest or now-welcome<self.forget: self._send(data, peer)
+        peers,send = dict(self.peers),self._send
+        since,latest = clock.monotonic()-self.forget,max(peers.values(), default=0)
+        with self._turn:
+            for peer,welcome in peers.items():
+                if welcome>since or welcome==latest: send(data, peer)
 
 # %% ../../nbs/api/wire/03_links.ipynb #1530076f
 class _Backlog:
