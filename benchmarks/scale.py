@@ -1,5 +1,5 @@
 """Many cameras and gimbals in one process, twenty ground stations, and attitude a hundred times a second from each gimbal. See README.md."""
-import argparse, json, os, select, socket, struct, sys, time, traceback
+import argparse, json, os, select, socket, statistics, struct, sys, time, traceback
 from collections import Counter
 from pathlib import Path
 
@@ -178,7 +178,7 @@ def stations(port, n, layout):
         low = min(ages)             # the clocks of the programs begin at times of their own
         ages = sorted((age-low)&0xffffffff for age in ages)
         return dict(delivered=sum(pairs), least=pairs[len(pairs)//100], most=pairs[-1-len(pairs)//100], frames=seen/s, seeming=missing/max(1, missing+seen),
-                    lost=dropped([a.sock for a in all_of])-state['drops'], age=ages[int(.9*len(ages))], beat_gap=max(a.gap for a in all_of))
+                    dropped=dropped([a.sock for a in all_of])-state['drops'], age=ages[int(.9*len(ages))], beat_gap=max(a.gap for a in all_of))
     in_background(beats); in_background(reads)
     obey(ask=ask, begin=begin, end=end)
 
@@ -244,7 +244,7 @@ def measure(contender, n, layout, way, seconds):
     finally:
         for w in reversed(workers): w.close()
     s,cpu = last['at']-first['at'],last['cpu']-first['cpu']
-    return dict(cpu=100*cpu/s, each=1e6*cpu/s/max(1, (got['frames']+got['lost']/s)*STATIONS/(STATIONS-1)), wakeups=(last['wakeups']-first['wakeups'])/s, rss=now['rss'], grown=now['rss']-was['rss'],
+    return dict(cpu=100*cpu/s, each=1e6*cpu/s/max(1, (got['frames']+got['dropped']/s)*STATIONS/(STATIONS-1)), wakeups=(last['wakeups']-first['wakeups'])/s, rss=now['rss'], grown=now['rss']-was['rss'],
                 threads=now['threads'], **got, **asked)
 
 WAYS = {'as started': (None,False), '100 Hz to all': (100.,False), '100 Hz to each': (100.,True)}
@@ -256,20 +256,17 @@ def plan(quick):
     return found+[('a system each', way, n) for way in list(WAYS)[:2] for n in sizes[-1:]]
 
 def straight(points, key):
-    "Least squares of `key` over the numbers of cameras: what each costs, what is there without any"
-    n,x,y = len(points),[p['n'] for p in points],[p[key] for p in points]
-    mx,my = sum(x)/n,sum(y)/n
-    slope = sum((a-mx)*(b-my) for a,b in zip(x, y))/sum((a-mx)**2 for a in x)
-    return dict(each=slope, first=my-slope*mx)
+    "The slope of `key` over the numbers of cameras, by least squares"
+    return statistics.linear_regression([p['n'] for p in points], [p[key] for p in points]).slope
 
 def growth(points):
-    "What a camera with its gimbal costs, and by how much the last ones cost more than the first: 1 is a straight line"
-    points = sorted(points, key=lambda p: p['n'])
-    small,middle_,large = points[0],points[len(points)//2-(len(points)==2)],points[-1]
-    found = {key: straight(points, key)['each'] for key in ('cpu','rss','threads')}
+    "What a camera with its gimbal costs, and by how much the last ones cost more than the first: 1 is a straight line; of points where all that was asked for came"
+    points = sorted((p for p in points if p['delivered']>.95*p['asked']), key=lambda p: p['n'])
+    if len(points)<2: return {}
+    found = dict(upto=points[-1]['n'], **{key: straight(points, key) for key in ('cpu','rss','threads')})
     if len(points)<3: return found
     def step(a, b): return (b['cpu']-a['cpu'])/(b['n']-a['n'])
-    return dict(found, bend=step(points[-2], large)/max(1e-9, step(small, points[-2])))
+    return dict(found, bend=step(points[-2], points[-1])/max(1e-9, step(points[0], points[-2])))
 
 def main():
     from run import in_turn, machine, middle, ratio, short, write

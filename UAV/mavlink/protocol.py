@@ -112,9 +112,9 @@ class _Tables:
         return self._tables[kind]
 
     def takes(self, msg_id:int)->bool:
-        "True if one of our methods receives this message now"
+        "True if this message is received here now"
         handler = self['receives'].get(msg_id)
-        if handler is None: return False
+        if handler is None: return msg_id in self._ids
         when = handler.options.get('when')
         try: return when is None or bool(when(handler.f.__self__))
         except Exception: return True       # the method itself will say what is wrong
