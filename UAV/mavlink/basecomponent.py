@@ -110,8 +110,9 @@ def send(self:Sender, msg, # A message of the encoder `mav`
             raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
         self.mav.seq = (self.mav.seq+1)%256
         com.write(frame, to)
+    if len(com.component)<2: return
     is_near = to is None or (any(one in com.here for one in to) if isinstance(to, list) else to in com.here)
-    if len(com.component)>1 and is_near: com.share(frame, msg.get_msgId(), self.component)
+    if is_near: com.share(frame, msg.get_msgId(), self.component)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #22c46d15
 class _Held:
