@@ -73,7 +73,7 @@ class BaseComponent(Member):
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #a69b759c
 @patch
 def send_message(self:BaseComponent, msg, # A message of our encoder `mav`
-                 to:tuple|list|None=None): # `(system, component)`, or several; `None`: its target, or all if it has none
+                 to:tuple|list|None=None): # `(system, component)`, or a list; `None`: its target, or all without one
     "Send a message; raises `LinkError` if we are on no link, `ValueError` if a field does not fit"
     self.sender.send(msg, to)
 

@@ -66,13 +66,6 @@ class Stream:
                 self.component.log.warning('the stream of message %s ends: %s', self.msg_id, e)
                 self.failed(self)
 
-    def leave(self, asker:tuple|None, timeout:float=5.): # Seconds to wait for a message in preparation
-        "Send it to one receiver less; stop the stream after the last"
-        self.receivers.pop(asker, None)
-        if not self.receivers: return self.stop(timeout)
-        if timeout and not self._sends.acquire(timeout=timeout): self._complain()
-        elif timeout: self._sends.release()
-
     def stop(self, timeout:float=5.): # Seconds to wait for a message in preparation
         "Stop the stream"
         if not self.component.timers.cancel(self.job, timeout) and timeout: self._complain()
@@ -80,6 +73,15 @@ class Stream:
     def _complain(self):
         name = self.component.timers.name
         self.component.log.error('message %s is not made: the thread %s hangs', self.msg_id, name)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #8eaf1c88
+@patch
+def leave(self:Stream, asker:tuple|None, timeout:float=5.): # Seconds to wait for a message in preparation
+    "Send it to one receiver less; stop the stream after the last"
+    self.receivers.pop(asker, None)
+    if not self.receivers: return self.stop(timeout)
+    if timeout and not self._sends.acquire(timeout=timeout): self._complain()
+    elif timeout: self._sends.release()
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #32beee58
 class Streams(Part):
@@ -108,14 +110,6 @@ class Streams(Part):
         with self._lock: stream = self._drop(asker, key)
         if stream: stream.leave(asker, timeout)
 
-    def _drop(self, asker:tuple|None, key:tuple)->Stream|None:
-        "Remove `asker` from its stream, which is returned; under the lock"
-        stream = self._streams.pop((asker,key), None)
-        if stream is None: return
-        stream.receivers.pop(asker, None)
-        if not stream.receivers: self._shared.pop((key,stream.period), None)
-        return stream
-
     def _end_answer(self, asker:tuple, pending=None):
         "Stop an answer; if `pending` messages are given, only if nothing was added to them"
         with self._lock:
@@ -128,6 +122,16 @@ class Streams(Part):
         for key in self.of(asker): self._end(asker, key, timeout)
         self._end_answer(asker)
         self._askers.pop(asker, None)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #5abff1bf
+@patch
+def _drop(self:Streams, asker:tuple|None, key:tuple)->Stream|None:
+    "Remove `asker` from its stream, which is returned; under the lock"
+    stream = self._streams.pop((asker,key), None)
+    if stream is None: return
+    stream.receivers.pop(asker, None)
+    if not stream.receivers: self._shared.pop((key,stream.period), None)
+    return stream
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #77343248
 @patch

@@ -51,12 +51,10 @@ class MAVCom(Closes):
         self.message_log,self.forward = message_log,forward
         self.signing = signing if signing is None or isinstance(signing, Signing) else Signing(signing)
         self.component,self.channels,self.wanted = {},[],Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
-        self.receivers = ()         # the components that can take messages: not those that are joining
-        self._numbered = {}         # the same by number
+        self.receivers,self._numbered = (),{}   # components that take messages (not those that are joining); by number
         self._takers = {}           # by message id: those that want it if it is for all, and of when that is
         self.here = set()           # addresses of our components
-        self._everywhere = []       # `(channel, None)` for each link
-        self._ways = {}             # by address: where it was seen, until that changes
+        self._everywhere,self._ways = [],{}     # `(channel, None)` for each link; where an address was seen
         self._passed,self._lock,self._closed = Seen(1., most=512),clock.Lock(),False
         self.heart = Heart(self)
         self.remotes = self.heart.remotes       # `{(system, component): Remote}` of all components seen
@@ -280,8 +278,7 @@ class Channel:
         signing = self.com.signing      # `accept_unsigned` as a function accepts senders, as a set only messages
         only_signed = signing is not None and not callable(signing.accept_unsigned)
         reader = FrameReader(self.com.wanted, self.sources, self.link.datagrams, only_signed=only_signed)
-        self.readers[peer] = reader
-        self.com._ways = {}
+        self.readers[peer],self.com._ways = reader,{}
         return reader
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #7a890940

@@ -68,8 +68,8 @@ class Wanted:
     def add(self, *msg_ids):
         "Want these messages, once more each"
         with self._lock:
+            self.changes += 1           # first: who sees the new ones asks once more who wants them
             for i in msg_ids: self.counts[i] = self.counts.get(i, 0)+1
-            self.changes += 1
 
     def remove(self, *msg_ids):
         "Want these messages once less each"
