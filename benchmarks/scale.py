@@ -25,15 +25,15 @@ class Gimbal:
         self.information,self.at = GimbalInformation(model='Bench'),GimbalAttitude(q=(1.,0.,0.,0.), rates=(0.,0.,0.))
     def attitude(self): return self.at
 
-def uav(port, n, layout):
-    "Our servers, with their default streams: attitude ten times a second, the manager's status five times, to all"
+def uav(port, n, layout, **options):
+    "Our servers, with their default streams: attitude ten times a second, the manager's status five times, to all; but where each station asks for its own"
     from UAV.mavlink import CameraServer, GimbalServer, MAVCom
     from UAV.mavlink.camera_server import FakeCamera
     GimbalServer.min_interval = 10_000
     for place,cameras,gimbals in members(n, layout):
         com = MAVCom(f'udpin:127.0.0.1:{port+place}', source_system=cameras[0][0])
         for _,number in cameras: com.add_component(CameraServer(number, camera=FakeCamera()))
-        for _,number in gimbals: com.add_component(GimbalServer(number, gimbal=Gimbal()))
+        for _,number in gimbals: com.add_component(GimbalServer(number, gimbal=Gimbal(), **options))
     obey(more=more)
 
 def more():
@@ -221,7 +221,7 @@ def measure(contender, n, layout, way, seconds):
     rate,to_each = WAYS[way]
     how = dict(port=port, n=n, layout=layout)
     try:
-        server = Worker(kind, tree=tree, **how)
+        server = Worker(kind, tree=tree, **how, **(dict(attitude_rate=0) if to_each and kind=='uav' else {}))
         workers.append(server)
         crowd = Worker('stations', tree=tree, **how)
         workers.append(crowd)

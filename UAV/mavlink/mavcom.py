@@ -56,6 +56,7 @@ class MAVCom(Closes):
         self.here = set()           # addresses of our components
         self._everywhere,self._ways = [],{}     # `(channel, None)` for each link; where an address was seen
         self._passed,self._lock,self._closed = Seen(1., most=512),clock.Lock(),False
+        self._turn = clock.Lock()       # of the thread that sends to several
         self.heart = Heart(self)
         self.remotes = self.heart.remotes       # `{(system, component): Remote}` of all components seen
         self.add_link(connection_string, baudrate)
@@ -487,20 +488,29 @@ def write(self:MAVCom, frame:bytes, # A packed message of ours
     if self._closed: return
     if frame[7:10]==b'\0\0\0': self.heart.sent.note(_essence(frame))
     if self.message_log is not None: self.keep(frame, True)
-    for channel,peer in self._ways_to(to or target(frame)):
+    if not isinstance(to, list): return self._put(frame, self._ways_to(to or target(frame)))
+    with self._turn: self._put(frame, self._ways_to_each(to))
+
+@patch
+def _put(self:MAVCom, frame:bytes, ways:list):
+    "Send a frame each of these ways"
+    for channel,peer in ways:
         channel.write(frame if self.signing is None else self.signing.sign(frame, channel.number), peer)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #c597b811
 @patch
-def _ways_to(self:MAVCom, to:tuple|list)->list:
-    "Return the `(channel, peer)` by which a receiver is reached, or several; a peer of `None` is all of a link's"
-    if isinstance(to, list):
-        found = dict.fromkeys(way for one in to for way in self._ways_to(one))
-        whole = {channel for channel,peer in found if peer is None}
-        return [(channel,peer) for channel,peer in found if peer is None or channel not in whole]
+def _ways_to(self:MAVCom, to:tuple)->list:
+    "Return the `(channel, peer)` by which a receiver is reached; a peer of `None` is all of a link's"
     if to in self.here: return []
     one_way = len(self.channels)==1 and len(self.channels[0].readers)<2
     return to[0] and not one_way and self.where(*to) or self._everywhere
+
+@patch
+def _ways_to_each(self:MAVCom, receivers:list)->list:
+    "Return the ways to several receivers, each once"
+    found = dict.fromkeys(way for to in receivers for way in self._ways_to(to))
+    whole = {channel for channel,peer in found if peer is None}
+    return [(channel,peer) for channel,peer in found if peer is None or channel not in whole]
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #ec74f403
 @patch
