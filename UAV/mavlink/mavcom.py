@@ -56,7 +56,6 @@ class MAVCom(Closes):
         self.here = set()           # addresses of our components
         self._everywhere,self._ways = [],{}     # `(channel, None)` for each link; where an address was seen
         self._passed,self._lock,self._closed = Seen(1., most=512),clock.Lock(),False
-        self._turn = clock.Lock()       # of the thread that sends to several
         self.heart = Heart(self)
         self.remotes = self.heart.remotes       # `{(system, component): Remote}` of all components seen
         self.add_link(connection_string, baudrate)
@@ -488,13 +487,7 @@ def write(self:MAVCom, frame:bytes, # A packed message of ours
     if self._closed: return
     if frame[7:10]==b'\0\0\0': self.heart.sent.note(_essence(frame))
     if self.message_log is not None: self.keep(frame, True)
-    if not isinstance(to, list): return self._put(frame, self._ways_to(to or target(frame)))
-    with self._turn: self._put(frame, self._ways_to_each(to))
-
-@patch
-def _put(self:MAVCom, frame:bytes, ways:list):
-    "Send a frame each of these ways"
-    for channel,peer in ways:
+    for channel,peer in self._ways_to_each(to) if isinstance(to, list) else self._ways_to(to or target(frame)):
         channel.write(frame if self.signing is None else self.signing.sign(frame, channel.number), peer)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #c597b811
@@ -507,17 +500,21 @@ def _ways_to(self:MAVCom, to:tuple)->list:
 
 @patch
 def _ways_to_each(self:MAVCom, receivers:list)->list:
-    "Return the ways to several receivers, each once"
-    found = dict.fromkeys(way for to in receivers for way in self._ways_to(to))
-    whole = {channel for channel,peer in found if peer is None}
-    return [(channel,peer) for channel,peer in found if peer is None or channel not in whole]
+    "Return `(channel, peers)` by which several receivers are reached; `None`: all of a link's"
+    found = {}
+    for to in receivers:
+        for channel,peer in self._ways_to(to): found.setdefault(channel, {})[peer] = True
+    return [(channel, None if None in peers else list(peers)) for channel,peers in found.items()]
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #ec74f403
 @patch
 def write(self:Channel, frame:bytes, peer=None):
-    "Send `frame` to one peer of the link, or to all (`None`)"
+    "Send `frame` to one peer of the link, to a list of them, or to all (`None`)"
     if not self.up: return
-    try: self.link.write(frame) if peer is None else self.link.write(frame, peer)
+    try:
+        if peer is None: self.link.write(frame)
+        elif isinstance(peer, list): self.link.write_each(frame, peer)
+        else: self.link.write(frame, peer)
     except Exception: self.com.log.exception('%s cannot be written to', self)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #9c6fe928
