@@ -190,11 +190,12 @@ def route(self:MAVCom, msg, # A received message, or one of ours
     "Deliver `msg` to all components it is addressed to, except its sender"
     source,msg_id = address(msg),msg.get_msgId()
     if origin is None and source in self.here: return self.heart.check_echo(msg, source)
-    to = self._addressed(msg_id, getattr(msg,'target_system',0), getattr(msg,'target_component',0))
-    if msg_id==mavlink.MAVLINK_MSG_ID_HEARTBEAT:
+    beats = msg_id==mavlink.MAVLINK_MSG_ID_HEARTBEAT
+    if beats:
         self.heart.note(msg, source, ours=origin is not None)
-        if origin is None: to = self.receivers          # each counts those of other systems
         if origin is None and 0 not in source: self.heart.check_double(msg, source)
+    if beats and origin is None: to = self.receivers            # each counts those of other systems
+    else: to = self._addressed(msg_id, getattr(msg,'target_system',0), getattr(msg,'target_component',0))
     for c in to:
         if c is origin: continue
         try: c.deliver(msg)
@@ -495,8 +496,8 @@ def write(self:MAVCom, frame:bytes, # A packed message of ours
 def _ways_to(self:MAVCom, to:tuple)->list:
     "Return the `(channel, peer)` by which a receiver is reached; a peer of `None` is all of a link's"
     if to in self.here: return []
-    one_way = len(self.channels)==1 and len(self.channels[0].readers)<2
-    return to[0] and not one_way and self.where(*to) or self._everywhere
+    if len(self.channels)==1 and len(self.channels[0].readers)<2: return self._everywhere
+    return to[0] and self.where(*to) or self._everywhere
 
 @patch
 def _ways_to_each(self:MAVCom, receivers:list)->list:
