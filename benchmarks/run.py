@@ -13,9 +13,10 @@ class Gone(Exception): "A process of a contender has ended, or does not answer"
 
 class Worker:
     "A process of contenders.py"
+    script = HERE/'contenders.py'
     def __init__(self, kind, tree=None, **args):
         self.kind = kind
-        self.process = subprocess.Popen([sys.executable, HERE/'contenders.py', kind, json.dumps(args)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        self.process = subprocess.Popen([sys.executable, self.script, kind, json.dumps(args)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         text=True, env=environment(tree))
         if self.hear(60)!='ready': raise Gone(kind)
 
@@ -248,22 +249,25 @@ def wait_for_vehicle(w):
 
 # many of them -------------------------------------------------------------------------------------------------------------------------
 
+COMPONENTS = (('50 components', 50, 'one component', 1, 1.1), ('200 components', 200, 'two components', 2, 1.05))
+
 def components(quick, before):
-    "Fifty components on one link: threads, and the round trip to the last of them"
-    n,detail = 50,{}
-    pairs = start({f'{k}{label}': (('uav_client','uav_server'), dict(components=k, tree=tree)) for k in (1,n) for label,tree in trees(before).items()})
+    "Many components on one link: threads, and the round trip to the last of them"
+    rows,detail = [],{}
+    counts = sorted({n for _,many,_,few,_ in COMPONENTS for n in (many,few)})
+    pairs = start({f'{n}{label}': (('uav_client','uav_server'), dict(components=n, tree=tree)) for n in counts for label,tree in trees(before).items()})
     try:
-        threads = {name: psutil.Process(p.server.process.pid).num_threads() for name,p in pairs.items() if name.startswith(f'{n}')}
-        counts = {label: [dict(p50=threads[f'{n}{label}'])] for label in trees(before)}
-        rows = [compare('50 components', '', 'three threads', 'threads', counts[''], [dict(p50=3)], 1., before=counts.get(' before'))]
+        for name,many,_,_,_ in COMPONENTS:
+            threads = {label: [dict(p50=psutil.Process(pairs[f'{many}{label}'].server.process.pid).num_threads())] for label in trees(before)}
+            rows.append(compare(name, '', 'three threads', 'threads', threads[''], [dict(p50=3)], 1., before=threads.get(' before')))
         for where in WHERE:
             got = round_trips(pairs, 5 if quick else 25, 50 if quick else 200, where)
-            rows.append(compare('50 components', where, 'one component', 'µs', got[f'{n}'], got['1'], 1.1,         # as with one, and what the measurement is worth
-                                before=got.get(f'{n} before'), before_theirs=got.get('1 before')))
+            rows += [compare(name, where, peer, 'µs', got[f'{many}'], got[f'{few}'], target,         # as with few, and what the measurement is worth
+                             before=got.get(f'{many} before'), before_theirs=got.get(f'{few} before')) for name,many,peer,few,target in COMPONENTS]
             detail[where] = {name: middle(r) for name,r in got.items()}
     finally:
         for p in pairs.values(): p.close()
-    return rows,detail
+    return sorted(rows, key=lambda r: r['name']!=COMPONENTS[0][0]),detail
 
 CONNECTIONS = {'peers': ('udpin, 100 peers','udpin'), 'clients': ('tcpin, 100 clients','tcpin'), 'links': ('100 udpin links','udpin')}
 

@@ -39,30 +39,49 @@ def __getattr__(name):
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #6e19bbae
 class Stream:
-    "A message sent periodically"
+    "A message sent periodically, encoded once for all who asked for it at this rate"
     def __init__(self, component, # The component that encodes and sends it
                  msg_id:int, # MAVLINK_MSG_ID
                  values:tuple, # Parameters of the request, such as an index
                  period:float, # µs
-                 to:tuple|None, # `(system, component)` of the receiver; `None`: all
+                 to:tuple|None, # `(system, component)` of the first receiver; `None`: all
                  failed): # Called with the stream if the message can't be encoded
-        store_attr()
+        store_attr('component,msg_id,values,period,failed')
+        self.receivers,self._sends = {to:to},clock.RLock()      # by asker
         self.job = component.timers.every(period/1e6, self.send, delay=period/1e6)
+
+    @property
+    def to(self)->tuple|list|None:
+        "Receivers, as for `send_message`: one, a list of several, or all"
+        found = list(dict.fromkeys(self.receivers.copy().values()))
+        return None if None in found else found[0] if len(found)==1 else found
 
     def send(self):
         "Send it once"
-        try:
-            for msg in self.component._encode_requested(self.msg_id, self.values):
-                self.component.send_message(msg, self.to)
-        except Exception as e:
-            self.component.log.warning('the stream of message %s ends: %s', self.msg_id, e)
-            self.failed(self)
+        with self._sends:
+            try:
+                for msg in self.component._encode_requested(self.msg_id, self.values):
+                    if self.receivers: self.component.send_message(msg, self.to)
+            except Exception as e:
+                self.component.log.warning('the stream of message %s ends: %s', self.msg_id, e)
+                self.failed(self)
 
     def stop(self, timeout:float=5.): # Seconds to wait for a message in preparation
         "Stop the stream"
-        timers = self.component.timers
-        if timers.cancel(self.job, timeout) or not timeout: return
-        self.component.log.error('message %s is not made: the thread %s hangs', self.msg_id, timers.name)
+        if not self.component.timers.cancel(self.job, timeout) and timeout: self._complain()
+
+    def _complain(self):
+        name = self.component.timers.name
+        self.component.log.error('message %s is not made: the thread %s hangs', self.msg_id, name)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #8eaf1c88
+@patch
+def leave(self:Stream, asker:tuple|None, timeout:float=5.): # Seconds to wait for a message in preparation
+    "Send it to one receiver less; stop the stream after the last"
+    self.receivers.pop(asker, None)
+    if not self.receivers: return self.stop(timeout)
+    if timeout and not self._sends.acquire(timeout=timeout): self._complain()
+    elif timeout: self._sends.release()
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #32beee58
 class Streams(Part):
@@ -75,6 +94,7 @@ class Streams(Part):
         super().__init__(component)
         self.clock = _clock.direct(clock)
         self._streams = {}      # by asker and key (a message id and its parameters)
+        self._shared = {}       # the same by key and period: askers who agree in both share one
         self._askers = {}       # by asker: its frames when we last looked, when that was, and our lateness then
         self._answers = {}      # by asker: pending messages with receivers: a long answer, short ones, or both
         self._pacer,self._credit = None,0.          # the timer of the answers, and the bytes it may send
@@ -87,7 +107,8 @@ class Streams(Part):
         return {key:stream for (owner,key),stream in list(self._streams.items()) if owner==asker}
 
     def _end(self, asker:tuple|None, key:tuple, timeout:float=5.):
-        if stream := self._streams.pop((asker,key), None): stream.stop(timeout)
+        with self._lock: stream = self._drop(asker, key)
+        if stream: stream.leave(asker, timeout)
 
     def _end_answer(self, asker:tuple, pending=None):
         "Stop an answer; if `pending` messages are given, only if nothing was added to them"
@@ -101,6 +122,16 @@ class Streams(Part):
         for key in self.of(asker): self._end(asker, key, timeout)
         self._end_answer(asker)
         self._askers.pop(asker, None)
+
+# %% ../../nbs/api/mavlink/04_component.ipynb #5abff1bf
+@patch
+def _drop(self:Streams, asker:tuple|None, key:tuple)->Stream|None:
+    "Remove `asker` from its stream, which is returned; under the lock"
+    stream = self._streams.pop((asker,key), None)
+    if stream is None: return
+    stream.receivers.pop(asker, None)
+    if not stream.receivers: self._shared.pop((key,stream.period), None)
+    return stream
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #77343248
 @patch
@@ -127,13 +158,14 @@ def beat(self:Streams):
     "End streams of silent askers, and forget askers without any"
     com,now = self.component.mav_com,self.clock()
     late = com.heart.lateness.total         # meanwhile frames may wait for us
+    have_some = {asker for asker,_ in list(self._streams)}
     for asker,(frames,when,was_late) in list(self._askers.items()):
         count = com.heart.frames(asker)
         if count!=frames or asker in com.here: self._askers[asker] = count,now,late
         elif now-when-(late-was_late)>=com.lost_after:
             self.component.log.info('%s/%s is silent: its streams end', *asker)
             self.end(asker, timeout=0)          # a heartbeat does not wait
-        if not self.of(asker) and asker not in self._answers: self._askers.pop(asker, None)
+        if asker not in have_some and asker not in self._answers: self._askers.pop(asker, None)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #70526815
 @patch
@@ -149,13 +181,30 @@ def start(self:Streams, asker:tuple|None, # `(system, component)` of the request
     others = self.of(asker).keys()-{key}
     if len(others)>=self.most_each: raise Busy(f'{len(others)} streams are running')
     self._admit(asker)
-    self._end(asker, key)
-    to = None if everyone else asker
+    to,running = None if everyone else asker,self._streams.get((asker,key))
+    goes_on = running is not None and running.period==period and running.receivers.get(asker, ())==to
+    if not goes_on: self._end(asker, key)
     for msg in msgs: self.component.send_message(msg, to)
-    stream = Stream(self.component, msg_id, values, period, to, lambda stream: self._end(asker, key))
-    with self._lock: other,self._streams[asker,key] = self._streams.get((asker,key)),stream
-    if other: other.stop()          # started on another link's thread at the same time
+    if not goes_on: self._join(asker, key, period, to)
     if self._closed: self._end(asker, key)
+
+@patch
+def _join(self:Streams, asker:tuple|None, key:tuple, period:float, to:tuple|None):
+    "Add `asker` to the stream of this key and period; make that if it is the first"
+    with self._lock:
+        other = self._drop(asker, key)          # started on another link's thread at the same time
+        stream = self._shared.get((key,period))
+        if stream is None:
+            stream = self._shared[key,period] = Stream(self.component, key[0], key[1:], period, to, self._fail)
+            stream.receivers.clear()
+        stream.receivers[asker] = to
+        self._streams[asker,key] = stream
+    if other and other is not stream: other.leave(asker)
+
+@patch
+def _fail(self:Streams, stream:Stream):
+    "End a stream for all its receivers"
+    for asker in list(stream.receivers): self._end(asker, (stream.msg_id,*stream.values))
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #e379e49a
 @patch

@@ -381,9 +381,9 @@ _to_asker = 1       # in `response_target`, parameter 7 of a request
 @patch
 def _set_pace(self:GimbalServer, msg_id:int, interval:float, asker:tuple|None=None):
     "Stream one of `_usual` to all every `interval` µs (-1: never), for `asker` or by default (`None`)"
-    self.sending.stop(None, msg_id)
     self._paced_by = {i: who for i,who in self._paced_by.items() if i!=msg_id}
     if interval>0: self._start_stream(msg_id, interval)
+    else: self.sending.stop(None, msg_id)
     if asker: self._paced_by[msg_id] = asker
 
 # %% ../../nbs/api/mavlink/19_gimbal_server.ipynb #2c4a36b8

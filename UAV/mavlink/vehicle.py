@@ -78,8 +78,10 @@ def _may_be(self:Vehicle, source:tuple)->bool:
 @patch(as_prop=True)
 def autopilot(self:Vehicle)->tuple|None:
     "Address of the trusted autopilot: component 1, else the first of our system; `None` without a heartbeat"
-    there = [a for a,r in self.component.remotes.items() if not r.lost and self._may_be(a)]
     first = self.component.source_system,mavlink.MAV_COMP_ID_AUTOPILOT1
+    says = [a for a,r in self.component.remotes.items()         # of hundreds, at each heartbeat
+            if (r.autopilot!=mavlink.MAV_AUTOPILOT_INVALID or a==first) and not r.lost]
+    there = [a for a in says if self._may_be(a)]
     return first if first in there else next(iter(there), None)
 
 @patch
@@ -472,7 +474,7 @@ def _pass_on(self:Geotagger, msg):
 @patch
 @receives(SYSTEM_TIME)
 @receives(CAMERA_FEEDBACK)
-@receives(GIMBAL_STATUS)
+@receives(GIMBAL_STATUS, when=lambda us: getattr(us.device, 'gimbal_device_id', 0))
 def _receive_more(self:Geotagger, msg):
     "Handle time and picture messages of our autopilot, and the attitude of our gimbal"
     self._receive(msg)

@@ -31,6 +31,10 @@ class Link:
     def write(self, data:bytes, peer=None):
         "Send `data` to `peer`, or to all; what cannot be sent is dropped, as on any radio"
         raise NotImplementedError
+    def write_each(self, data:bytes, peers:list):
+        "Send `data` to several peers"
+        for peer in peers: self.write(data, peer)
+
     def close(self): "Wake a waiting `recv`, and open no more"
 
     def release(self): "Give the device back to the system, when no `recv` is under way any more"
@@ -182,6 +186,7 @@ class _UDPIn(UDPLink):
     prefixes,forget,most = ('udpin:','udp:'),60.,256
     def __init__(self, name:str, baudrate:int=0):
         self.peers = {}     # {address: when it was welcome}
+        self._turn = clock.Lock()       # of the thread that sends to several
         super().__init__(_net_address(name))
 
     def welcome(self, peer):
@@ -190,10 +195,13 @@ class _UDPIn(UDPLink):
 
     def write(self, data:bytes, peer=None):
         if peer is not None: return self._send(data, peer)
-        peers,now = dict(self.peers),clock.monotonic()
+        peers,since = dict(self.peers),clock.monotonic()-self.forget
         latest = max(peers.values(), default=0)
-        for peer,welcome in peers.items():
-            if welcome==latest or now-welcome<self.forget: self._send(data, peer)
+        self.write_each(data, [p for p,welcome in peers.items() if welcome>since or welcome==latest])
+
+    def write_each(self, data:bytes, peers:list):
+        with self._turn:
+            for peer in peers: self._send(data, peer)
 
 # %% ../../nbs/api/wire/03_links.ipynb #1530076f
 class _Backlog:
