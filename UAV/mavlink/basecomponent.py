@@ -73,7 +73,7 @@ class BaseComponent(Member):
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #a69b759c
 @patch
 def send_message(self:BaseComponent, msg, # A message of our encoder `mav`
-                 to:tuple|None=None): # `(system, component)` of its receiver; `None`: its target, or all if it has none
+                 to:tuple|list|None=None): # `(system, component)`, or a list; `None`: its target, or all without one
     "Send a message; raises `LinkError` if we are on no link, `ValueError` if a field does not fit"
     self.sender.send(msg, to)
 
@@ -93,7 +93,7 @@ class Sender:
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #53c0444c
 @patch
 def send(self:Sender, msg, # A message of the encoder `mav`
-         to:tuple|None=None, # `(system, component)` of its receiver; `None`: the target in the message
+         to:tuple|list|None=None, # `(system, component)` of its receiver, or several; `None`: the target in the message
          now:bool=False): # Send it even while others are held back?
     "Send `msg`, or hold it back; raises `LinkError` if we are on no link, `ValueError` if a field does not fit"
     if self._held and not now:
@@ -110,7 +110,9 @@ def send(self:Sender, msg, # A message of the encoder `mav`
             raise ValueError(f'{msg.get_type()} cannot be sent: {e}') from e
         self.mav.seq = (self.mav.seq+1)%256
         com.write(frame, to)
-    if len(com.component)>1 and (to is None or to in com.here): com.share(frame, msg.get_msgId(), self.component)
+    if len(com.component)<2: return
+    is_near = to is None or (any(one in com.here for one in to) if isinstance(to, list) else to in com.here)
+    if is_near: com.share(frame, msg.get_msgId(), self.component)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #22c46d15
 class _Held:
@@ -387,6 +389,14 @@ def count_message(self:BaseComponent, msg):
     if of is None: of = self.message_cnts.setdefault(system, {})
     of[name] = of.get(name, 0)+1
     self.num_msgs_rcvd += 1
+
+# %% ../../nbs/api/mavlink/03_basecomponent.ipynb #177876f2
+@patch
+def _wants(self:BaseComponent, msg_id:int)->bool:
+    "True if a message for all is handled, expected or shown here; a subclass that overrides `deliver` gets each"
+    for name in ('deliver','count_message'):
+        if getattr(getattr(self, name), '__func__', None) is not getattr(BaseComponent, name): return True
+    return bool(self._listeners) or msg_id in self._expectations or self.tables.takes(msg_id)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #7fd17962
 @patch

@@ -12,7 +12,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, line_limit, LogLevels
 from .retransmission import Remotes
-from .protocol import accepts, check_id, opened
+from .protocol import check_id, opened
 from ..utils import clock
 from ..utils.clock import date_time_str, Seen, time_since_boot_ms, time_UTC_usec
 from ..utils.docs import show_unawaited
@@ -51,9 +51,10 @@ class MAVCom(Closes):
         self.message_log,self.forward = message_log,forward
         self.signing = signing if signing is None or isinstance(signing, Signing) else Signing(signing)
         self.component,self.channels,self.wanted = {},[],Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
-        self.receivers = ()         # the components that can take messages: not those that are joining
+        self.receivers,self._numbered = (),{}   # components that take messages (not those that are joining); by number
+        self._takers = {}           # by message id: those that want it if it is for all, and of when that is
         self.here = set()           # addresses of our components
-        self._everywhere = []       # `(channel, None)` for each link
+        self._everywhere,self._ways = [],{}     # `(channel, None)` for each link; where an address was seen
         self._passed,self._lock,self._closed = Seen(1., most=512),clock.Lock(),False
         self.heart = Heart(self)
         self.remotes = self.heart.remotes       # `{(system, component): Remote}` of all components seen
@@ -107,6 +108,10 @@ class Member:
         "Called every second on the timer that all components share: one that waits for a device hands it on"
         self.beat()
 
+    def _wants(self, msg_id:int)->bool:
+        "True if messages `msg_id` for all are delivered to it; asked when that may have changed, and each second"
+        return True
+
     def _lose(self, source:tuple, why:str): "Called when the component `source` has fallen silent"
     def _farewell(self): "Called before the links are closed, to send its last messages"
     def close(self): "Leave the link; safe to call twice"
@@ -153,7 +158,9 @@ def deliver_to(self:MAVCom, component):
     "Deliver messages to `component` from now on; one that is complete earlier calls this when it joins"
     with self._lock:
         is_ours = self.component.get(component.source_component) is component
-        if is_ours and component not in self.receivers: self.receivers += (component,)
+        if not is_ours or component in self.receivers: return
+        self.receivers += (component,)
+        self._numbered[component.source_component] = component
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #78819268
 @patch
@@ -162,6 +169,7 @@ def remove_component(self:MAVCom, component):
     number = component.source_component
     with self._lock:
         self.receivers = tuple(c for c in self.receivers if c is not component)
+        if self._numbered.get(number) is component: del self._numbered[number]
         if self.component.get(number) is not component: return
         del self.component[number]
         self.here.discard((self.source_system, number))
@@ -180,16 +188,34 @@ def _twins(self:MAVCom)->list:
 def route(self:MAVCom, msg, # A received message, or one of ours
           origin=None): # Our component that sent it
     "Deliver `msg` to all components it is addressed to, except its sender"
-    source = address(msg)
+    source,msg_id = address(msg),msg.get_msgId()
     if origin is None and source in self.here: return self.heart.check_echo(msg, source)
-    if msg.get_msgId()==mavlink.MAVLINK_MSG_ID_HEARTBEAT:
+    beats = msg_id==mavlink.MAVLINK_MSG_ID_HEARTBEAT
+    if beats:
         self.heart.note(msg, source, ours=origin is not None)
         if origin is None and 0 not in source: self.heart.check_double(msg, source)
-    for c in self.receivers:
-        if c is origin or not accepts(msg, self.source_system, c.source_component): continue
+    if beats and origin is None: to = self.receivers            # each counts those of other systems
+    else: to = self._addressed(msg_id, getattr(msg,'target_system',0), getattr(msg,'target_component',0))
+    for c in to:
+        if c is origin: continue
         try: c.deliver(msg)
         except (Exception, SystemExit):
             self.log.exception('component %s failed on %s', c.source_component, msg.get_type())
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #8eb256d9
+@patch
+def _addressed(self:MAVCom, msg_id:int, system:int, number:int)->tuple:
+    "Return the components that a message with this target is for; one for all goes to those that want it"
+    if system not in (0, self.source_system): return ()
+    if number:
+        one = self._numbered.get(number)
+        return () if one is None else (one,)
+    as_of = self.receivers,self.wanted.changes
+    before,takers = self._takers.get(msg_id, (None,()))
+    if before!=as_of:
+        takers = tuple(c for c in self.receivers if c._wants(msg_id))
+        self._takers[msg_id] = as_of,takers
+    return takers
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #e493bb56
 @patch
@@ -253,7 +279,7 @@ class Channel:
         signing = self.com.signing      # `accept_unsigned` as a function accepts senders, as a set only messages
         only_signed = signing is not None and not callable(signing.accept_unsigned)
         reader = FrameReader(self.com.wanted, self.sources, self.link.datagrams, only_signed=only_signed)
-        self.readers[peer] = reader
+        self.readers[peer],self.com._ways = reader,{}
         return reader
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #7a890940
@@ -267,7 +293,9 @@ def take(self:Channel, data:bytes, peer=None):
         reader = self.readers.get(peer) or self._new_reader(peer)
         reader.heard,reader.check = now,self._check if judged else None
         try:
+            before = reader.changes
             messages = reader.feed(data)
+            if reader.changes!=before: com._ways = {}
             if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
         finally:            # what was accepted goes on, whatever came after it
             passing,self._passing = self._passing,[]
@@ -337,6 +365,7 @@ class Heart:
     def tick(self):
         "Send heartbeats and check for silent components, on the timer"
         self.lateness.poll(clock.monotonic())
+        self.com._takers = {}           # a device may want other messages than a second ago
         if not self.check_stuck(): self.beat()
         self.watch()
         self.check_alone()
@@ -454,24 +483,39 @@ def lost(self:MAVCom, source:tuple)->str:
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #f914a4d9
 @patch
 def write(self:MAVCom, frame:bytes, # A packed message of ours
-          to:tuple|None=None): # `(system, component)` of its receiver; `None`: the target in the frame
+          to:tuple|list|None=None): # `(system, component)` of its receiver, or several; `None`: the target in the frame
     "Send a frame to its target, signed if we sign"
     if self._closed: return
     if frame[7:10]==b'\0\0\0': self.heart.sent.note(_essence(frame))
     if self.message_log is not None: self.keep(frame, True)
-    to = to or target(frame)
-    if to in self.here: return
-    one_way = len(self.channels)==1 and len(self.channels[0].readers)<2
-    known = self.where(*to) if to[0] and not one_way else ()
-    for channel,peer in known or self._everywhere:
+    for channel,peer in self._ways_to_each(to) if isinstance(to, list) else self._ways_to(to or target(frame)):
         channel.write(frame if self.signing is None else self.signing.sign(frame, channel.number), peer)
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #c597b811
+@patch
+def _ways_to(self:MAVCom, to:tuple)->list:
+    "Return the `(channel, peer)` by which a receiver is reached; a peer of `None` is all of a link's"
+    if to in self.here: return []
+    if len(self.channels)==1 and len(self.channels[0].readers)<2: return self._everywhere
+    return to[0] and self.where(*to) or self._everywhere
+
+@patch
+def _ways_to_each(self:MAVCom, receivers:list)->list:
+    "Return `(channel, peers)` by which several receivers are reached; `None`: all of a link's"
+    found = {}
+    for to in receivers:
+        for channel,peer in self._ways_to(to): found.setdefault(channel, {})[peer] = True
+    return [(channel, None if None in peers else list(peers)) for channel,peers in found.items()]
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #ec74f403
 @patch
 def write(self:Channel, frame:bytes, peer=None):
-    "Send `frame` to one peer of the link, or to all (`None`)"
+    "Send `frame` to one peer of the link, to a list of them, or to all (`None`)"
     if not self.up: return
-    try: self.link.write(frame) if peer is None else self.link.write(frame, peer)
+    try:
+        if peer is None: self.link.write(frame)
+        elif isinstance(peer, list): self.link.write_each(frame, peer)
+        else: self.link.write(frame, peer)
     except Exception: self.com.log.exception('%s cannot be written to', self)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #9c6fe928
@@ -488,13 +532,22 @@ def keep(self:MAVCom, frame:bytes, sent:bool):
 def where(self:MAVCom, system:int, component:int,
           besides:Channel|None=None)->list: # A link that is left out
     "Return `(channel, peer)` pairs where a component was seen recently; failing that, its system"
-    readers = [(channel, peer, reader) for channel in self.channels for peer,reader in list(channel.readers.items())]
-    found = [r for r in readers if (system,component) in r[2].seen] if component else []
-    if not found and not (component and system==self.source_system):
-        found = [r for r in readers if any(s==system for s,_ in list(r[2].seen))]
-    found = [r for r in found if r[0] is not besides]
+    ways,key = self._ways,(system,component)        # those of now: `take` makes new ones when readers see more
+    found = ways.get(key)
+    if found is None: found = ways[key] = self._seen_by(system, component)
+    if besides is not None: found = [r for r in found if r[0] is not besides]
+    if len(found)==1: return [found[0][:2]]
     newest = max((reader.heard for _,_,reader in found), default=0.)
     return [(channel,peer) for channel,peer,reader in found if newest-reader.heard<self.lost_after]
+
+# %% ../../nbs/api/mavlink/02_mavcom.ipynb #9e782988
+@patch
+def _seen_by(self:MAVCom, system:int, component:int)->list:
+    "Return `(channel, peer, reader)` of each reader that saw a component; failing that, its system"
+    readers = [(channel, peer, reader) for channel in self.channels for peer,reader in list(channel.readers.items())]
+    found = [r for r in readers if (system,component) in r[2].seen] if component else []
+    if found or component and system==self.source_system: return found
+    return [r for r in readers if any(s==system for s,_ in list(r[2].seen))]
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #1003c632
 @patch
@@ -509,7 +562,9 @@ def share(self:MAVCom, frame:bytes, # A packed message
           msg_id:int, # Its MAVLINK_MSG_ID
           origin): # The component that sent it
     "Deliver `frame` to our other components"
-    if msg_id in self.wanted and not self._closed: self.route(decode(frame), origin)
+    if msg_id not in self.wanted or self._closed: return
+    beats = msg_id==mavlink.MAVLINK_MSG_ID_HEARTBEAT        # the heart notes it in any case
+    if beats or self._addressed(msg_id, *target(frame)): self.route(decode(frame), origin)
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #f6c0b688
 _never_forwarded = mavlink.MAVLINK_MSG_ID_RADIO_STATUS,mavlink.MAVLINK_MSG_ID_SETUP_SIGNING

@@ -40,7 +40,7 @@ def message(msg_id:int, # MAVLINK_MSG_ID
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #b0315f71
 def receives(msg_id:int, # MAVLINK_MSG_ID
-             **options): # More for the component
+             **options): # `when`: true of the object while it needs messages for all; more for the component
     "Mark a method to be called with each message `msg_id` that arrives for the component"
     return _mark('receives', msg_id, **options)
 
@@ -143,6 +143,16 @@ class _Tables:
         "Unregister all ids; safe to call twice"
         if self.wanted is not None: self.wanted.remove(*self._ids)
         self._ids = set()
+
+# %% ../../nbs/api/mavlink/00_protocol.ipynb #246d260e
+@patch
+def takes(self:_Tables, msg_id:int)->bool:
+    "True if this message is received here now"
+    handler = self['receives'].get(msg_id)
+    if handler is None: return msg_id in self._ids
+    when = handler.options.get('when')
+    try: return when is None or bool(when(handler.f.__self__))
+    except Exception: return True       # the method itself will say what is wrong
 
 # %% ../../nbs/api/mavlink/00_protocol.ipynb #6d67ea39
 patience = 10.    # s after the first copy in which a command is retransmitted, unless its client sets another time
@@ -472,6 +482,8 @@ class Expectations:
     "Awaited messages by id"
     def __init__(self, wanted=None): # The link's `Wanted`, the ids of messages to build
         self.wanted,self._expected,self._lock = wanted,{},clock.Lock()
+
+    def __contains__(self, msg_id): return msg_id in self._expected
 
     def add(self, msg_id:int, # MAVLINK_MSG_ID
             fits=lambda msg: True, # Returns true for the right message

@@ -36,6 +36,7 @@ class FrameReader:
         self._rest = b''        # the beginning of a frame
         self._lost = False      # True from garbage to the next frame with a good CRC
         self.seen = {}          # {(system,component): _Source}
+        self.changes = 0        # how often that has changed
         self._kinds = {}        # {header: _Kind}
         self._cleared = self.sources.cleared
 
@@ -58,12 +59,16 @@ class FrameReader:
 # %% ../../nbs/api/wire/01_frames.ipynb #a3c3c81c
 class Wanted:
     "Message ids that are wanted, counted; `None` means all of them"
-    def __init__(self, *msg_ids): self.counts,self._lock = dict(Counter(msg_ids)),clock.Lock()
+    def __init__(self, *msg_ids):
+        self.counts,self._lock = dict(Counter(msg_ids)),clock.Lock()
+        self.changes = 0            # how often some were added or removed
+
     def __contains__(self, msg_id): return msg_id in self.counts or None in self.counts
 
     def add(self, *msg_ids):
         "Want these messages, once more each"
         with self._lock:
+            self.changes += 1           # first: who sees the new ones asks once more who wants them
             for i in msg_ids: self.counts[i] = self.counts.get(i, 0)+1
 
     def remove(self, *msg_ids):
@@ -72,6 +77,7 @@ class Wanted:
             for i in msg_ids:
                 if self.counts[i]>1: self.counts[i] -= 1
                 else: del self.counts[i]
+            self.changes += 1
 
 # %% ../../nbs/api/wire/01_frames.ipynb #4c3777bf
 def promised(buf:bytes, pos:int, # Where a frame could start
@@ -353,6 +359,7 @@ def _meet(self:FrameReader, kind:_Kind, frame:bytes)->_Source:
     source.counts.setdefault(kind.counted, 0)
     if self.only_signed and not (frame[0]==0xfd and frame[2]&1): return source
     if len(self._kinds)>=self.most_kinds: self._kinds.clear()
+    self.changes += kind.key not in self.seen
     kind.source,self.seen[kind.key],self._kinds[kind.header] = source,source,kind
     source.beside = self.seen
     return source
@@ -381,7 +388,7 @@ def _cut(self:FrameReader, data:bytes):
 def feed(self:FrameReader, data:bytes)->list:
     "The wanted messages that are complete with `data`"
     if self._cleared!=self.sources.cleared:
-        self._cleared = self.sources.cleared
+        self._cleared,self.changes = self.sources.cleared,self.changes+1
         self.seen.clear()
         self._kinds.clear()
     kind = self._kinds.get(data[5:10])
