@@ -170,7 +170,7 @@ class SharedLoop(LoopThread):
         self._calls += 1
         try:
             if not self._lead.acquire(False):
-                self.loop.call_soon_threadsafe(self.loop.stop)
+                with suppress(RuntimeError): self.loop.call_soon_threadsafe(self.loop.stop)     # it may be closed just now
                 self._lead.acquire()
             try: return self._run(awaitable)
             finally: self._lead.release()

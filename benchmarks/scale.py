@@ -4,8 +4,8 @@ from collections import Counter
 from pathlib import Path
 
 os.environ['MAVLINK20'] = '1'
-from trees import HERE, ours
-from contenders import RELAY, facts, in_background, obey
+from trees import HERE
+from contenders import RELAY, in_background, obey
 
 STATIONS = 20                       # one of them is our `GimbalClient`, the others are sockets
 ATTITUDE = 285                      # GIMBAL_DEVICE_ATTITUDE_STATUS

@@ -334,7 +334,9 @@ def close(self:LoopThread, timeout:float=5.): # Seconds until what does not end 
     self._ring()
     self.loop.call_soon_threadsafe(self.loop.stop)
     self._thread.join(timeout)
-    if self._lead.acquire(timeout=timeout): self.loop.close()
+    if not self._lead.acquire(timeout=timeout): return          # one who doesn't end still runs it
+    self.loop.close()
+    self._lead.release()
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #abaeacdc
 async def set_within(event:asyncio.Event, # Set by others, or by the timer
