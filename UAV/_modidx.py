@@ -7257,6 +7257,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                  'UAV.wire.frames._builder': ('api/wire/frames.html#_builder', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames._fields': ('api/wire/frames.html#_fields', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames._is_plain': ('api/wire/frames.html#_is_plain', 'UAV/wire/frames.py'),
+                                 'UAV.wire.frames._layout': ('api/wire/frames.html#_layout', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames._mark': ('api/wire/frames.html#_mark', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames._slow_builder': ('api/wire/frames.html#_slow_builder', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames._target_at': ('api/wire/frames.html#_target_at', 'UAV/wire/frames.py'),
