@@ -133,7 +133,7 @@ class Timers:
         with self._changed:
             heapq.heappush(self._jobs, job)
             if self._thread is None: self._thread = _begin_thread(self._run, self.name)
-            if self._jobs[0] is job: self._changed.notify_all()
+            self._changed.notify_all()
         return job
 
 _timers = Opened(Timers._restart)        # a forked process has none of their threads, and begins without jobs
@@ -177,7 +177,7 @@ def cancel(self:Timers, job:_Job,
     with self._changed:
         self._jobs[:] = [other for other in self._jobs if other is not job]
         heapq.heapify(self._jobs)
-        if not self._jobs: self._changed.notify_all()       # else the thread finds out when it wakes
+        self._changed.notify_all()
         thread = self._thread
         if thread is None or thread is clock.current_thread(): return True
         def ends(): return self._thread is thread and self._running is None and not self._jobs
