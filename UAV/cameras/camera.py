@@ -262,20 +262,27 @@ def set_camera_mode(self:Camera, mode:str): # One of `modes`
 @patch
 def settings(self:Camera)->CameraSettings:
     "Return mode, zoom and focus"
-    return CameraSettings(self.mode, self.lens.percent if self.lens else NAN, self.focus.percent if self.focus else NAN)
+    vars(self)['_just_read'] = just_read = []
+    zoom,focus = (drive.percent if drive else NAN for drive in (self.lens, self.focus))
+    just_read.append(CameraSettings(self.mode, zoom, focus))
+    return just_read[0]
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #e815d435
 @patch
 def capture_status(self:Camera)->CaptureStatus:
     "The camera's state"
-    available,recorder = self.storages.photo.information().available,self.filming.recorder
-    return CaptureStatus(*self.captures.state, self.storages.next_index, available, recorder is not None,
-                         recorder.seconds if recorder is not None else 0., self.trigger.distance)
+    vars(self)['_just_read'] = just_read = []   # before reading: what another thread reads meanwhile is newer
+    room,recorder = self.captures.room or self.storages.photo.information(),self.filming.recorder
+    just_read.append(CaptureStatus(*self.captures.state, self.storages.next_index, room.available,
+        recorder is not None, recorder.seconds if recorder is not None else 0., self.trigger.distance))
+    return just_read[0]
 
 @patch
 def storage_information(self:Camera)->list:
     "Return each storage's capacity and use"
-    return self.storages.information()
+    vars(self)['_just_read'] = just_read = []
+    just_read += self.storages.information()
+    return [*just_read]
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #5c0a5316
 @patch

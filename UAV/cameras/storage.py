@@ -171,15 +171,16 @@ def _append(self:Storage, line:bytes):
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #3c60b15f
 @patch
-def check_room(self:Storage, size:int|None=None): # Bytes; `None`: as large as the largest picture so far
-    "Raise `StorageError` (closed, gone, read-only, another's), `StorageFull` unless `size` fits, `CameraBusy` (format)"
+def check_room(self:Storage, size:int|None=None, # Bytes; `None`: as large as the largest picture so far
+              )->StorageInformation:
+    "What it has; raises `StorageError` (closed, gone, read-only, another's), `StorageFull`, `CameraBusy` (format)"
     self.check_closed()
     if self.formatting: raise CameraBusy(f'storage {self.name!r} is being formatted')
     now,needed = self.information(),max(self._sizes.largest if size is None else size, 1)
     if now.status != 'ready' or now.available*MiB < needed: raise self._why_not(now)
-    if self._folder_lock.here: return
-    try: self._folder_lock.renew()
+    try: self._folder_lock.here or self._folder_lock.renew()
     except OSError as e: raise self._error(e) from e
+    return now
 
 @patch
 def _why_not(self:Storage, now:StorageInformation)->StorageError:

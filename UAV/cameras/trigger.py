@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import math
 
 from fastcore.basics import patch, store_attr
-from .values import CameraBusy, CameraError, inside, known, NAN, Value
+from .values import CameraBusy, CameraError, inside, known, NAN, StorageInformation, Value
 from ..utils import clock
 from ..utils.threads import _begin_thread, timers
 from ..utils.geo import great_circle, metres, moved, velocity_here
@@ -211,6 +211,7 @@ class CaptureQueue:
         self.next_index = 0             # of the next job's first picture
         self.state = self.announced = False,0.       # capturing and interval: as it is, as it was announced
         self.refusal = None             # why nothing is accepted: kind of error, text
+        self.room = None                # what the storage had when the thread was begun, until that is announced
         self.trigger = Trigger(camera)  # asks for pictures by distance
 
     def __repr__(self): return f'CaptureQueue({list(self.jobs)})'
@@ -227,12 +228,12 @@ def start(self:CaptureQueue, interval:float, # Seconds between pictures; 0 for o
             if self.sequence_runs: raise CameraBusy('a sequence is running')
             if count != 1: raise CameraBusy('a picture is being taken')
             if len(self.jobs) > self.max_waiting: raise CameraBusy(f'{self.max_waiting} pictures are waiting already')
-        self.camera.storages.photo.check_room()
+        room = self.camera.storages.photo.check_room()
         if not self.running:
             if self.thread: self.thread.join()      # it has nothing left to do
             try: self.thread = _begin_thread(self._run, f'capture {self.camera.information.model}')
             except RuntimeError as e: raise CameraError(f'no thread for a picture: {e}') from e
-            self.running = True
+            self.running,self.room = True,room if isinstance(room, StorageInformation) else None
         if not self.jobs:
             self.next_index,self.state = self.camera.storages.next_index,(True,interval)
             self.progress = clock.monotonic()
@@ -330,7 +331,9 @@ def announce_state(self:CaptureQueue, state:tuple|None=None):
     with self.changed:
         self.state = state or self.state
         changed,self.announced = self.state != self.announced,self.state
-    if changed: self.camera.announce(self.camera.capture_status())
+    try: status = changed and self.camera.capture_status()
+    finally: self.room = None           # from here on it's measured again
+    if changed: self.camera.announce(status)
 
 # %% ../../nbs/api/cameras/07_trigger.ipynb #1be232c9
 @patch

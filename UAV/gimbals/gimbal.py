@@ -169,9 +169,7 @@ def point(self:Gimbal, roll:Axis=Axis(), pitch:Axis=Axis(),
         if not lasts>=0: raise ValueError(f'rates must last some seconds, not {lasts}')
         given = {}
         for axis,target in zip(axes, (roll, pitch, yaw)):
-            if known(target.angle): inside(axis, target.angle)
-            if known(target.rate): inside(axis, target.rate)
-            if known(target.angle) or known(target.rate): given[axis] = target
+            if [inside(axis, number) for number in (target.angle, target.rate) if known(number)]: given[axis] = target
         turns = any(target.turning for target in given.values())
         if 'yaw' in given: given['yaw'] = self._turned_yaw(yaw, frame, lock)
         targets = {axis: given.get(axis) or self._kept(axis, lock) for axis in axes}

@@ -48,7 +48,9 @@ class SettingsPart(Part):
 
 # %% ../../nbs/api/mavlink/09_camera_parameters.ipynb #a62d2066
 @patch
-def _declared(self:SettingsPart)->list: return list(self.parameters.declared.values()) if self.parameters else []
+def _declared(self:SettingsPart)->list:
+    parameters = self.parameters
+    return list(parameters.declared.values()) if parameters else []
 
 # %% ../../nbs/api/mavlink/09_camera_parameters.ipynb #e842d882
 @patch
@@ -143,7 +145,8 @@ def _answer_set(self:SettingsPart, p:Parameter, kind:str|None, value):
 def _param_ext_set(self:SettingsPart, msg):
     "Answer PARAM_EXT_SET, except a broadcast for an unknown parameter"
     if self.component.served.doubled(msg): return
-    p = next((p for p in self._declared() if p.name==param_name(msg)), None)
+    name = param_name(msg)
+    p = next((p for p in self._declared() if p.name==name), None)
     if p: return self._answer_set(p, kind_of(msg.param_type), param_value(msg))
     if 0 in (msg.target_system,msg.target_component): return
     self._send_ack(msg._param_id_raw[:16], b'', msg.param_type, mavlink.PARAM_ACK_VALUE_UNSUPPORTED)
