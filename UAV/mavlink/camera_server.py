@@ -269,7 +269,11 @@ def _camera_information(self:CameraServer):
 @message(CAMERA_SETTINGS)
 def _camera_settings(self:CameraServer):
     "Encode CAMERA_SETTINGS: mode, zoom and focus"
-    s = self.need('settings')()
+    return self._encode_settings(self.need('settings')())
+
+@patch
+def _encode_settings(self:CameraServer, s:CameraSettings):
+    "Encode settings as CAMERA_SETTINGS"
     mode = enum_value('CAMERA_MODE', s.mode, 'CAMERA_MODE_')
     self._levels.note_sent(zoom=s.zoom, focus=s.focus)
     return self.mav.camera_settings_encode(time_since_boot_ms(), mode, s.zoom, s.focus)
@@ -395,6 +399,12 @@ def _camera_image_captured(self:CameraServer, index:int=None, last:int=0):
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #76ee0b51
 @patch
+def _is_current(self:CameraServer, event)->bool:
+    "True if the camera's own verb has returned `event`, and none has read anything since"
+    just_read = getattr(self.camera, '__dict__', {}).get('_just_read', ())      # its own: a wrapper's verbs may differ
+    return any(event is one for one in just_read)
+
+@patch
 @announced(CaptureStatus)
 def _announce_capture(self:CameraServer, event:CaptureStatus):
     "Encode CAMERA_CAPTURE_STATUS, unless only a picture has begun"
@@ -402,7 +412,8 @@ def _announce_capture(self:CameraServer, event:CaptureStatus):
     changed = before!=self._activity
     self._begun = clock.monotonic() if event.capturing and not changed else math.inf
     if self._begun<math.inf: return             # a heartbeat announces it, if it takes long
-    return self._camera_capture_status() if changed else self._encode_status(event)     # a film's end may be overtaken
+    as_it_is = not changed or self._is_current(event)
+    return self._encode_status(event) if as_it_is else self._camera_capture_status()
 
 @patch
 @announced(CameraSettings)
@@ -412,11 +423,14 @@ def _announce_settings(self:CameraServer, event:CameraSettings):
     same = all(v!=v or v==self._announced.get(name, v) for name,v in rests.items())         # NaN: unknown
     self._announced.update(rests)
     self._runs_on = len(rests)<3
-    if not (self._runs_on and same): return self._camera_settings()
+    if self._runs_on and same: return
+    return self._encode_settings(event) if self._is_current(event) else self._camera_settings()
 
 @patch
 @announced(StorageInformation)
 def _announce_storage(self:CameraServer, event:StorageInformation)->list:
+    "Encode STORAGE_INFORMATION"
+    if self._is_current(event): return [self._encode_storage(event)]
     try: return self._storage_information(event.storage_id)
     except CommandError: return [self._encode_storage(event)]       # it isn't listed any more
 

@@ -490,12 +490,13 @@ def add(self:PictureLog, msg):
             self.order_by_arrival([*self.ready(), *self._same_index(msg)])
         if self.arrivals.active: return self._add_by_arrival(msg)
         if _identity(msg) in self.arrivals.keys: return         # it is older than this log
-        if self.endless and self._is_restart(msg):
+        endless = self.endless
+        if endless and self._is_restart(msg):
             self.wanted.reset([0, math.inf])
             self.notices = {}
         first = self.wanted.first
         if index in self.notices or index in self.wanted.finished: return
-        if self.endless and first is not None and index<first: return
+        if endless and first is not None and index<first: return
         if len(self.notices)>=self.most and index!=first: return        # it can be asked for again
         self._store(index, msg)
         if self.wanted.unknown and not self.wanted.covers(index): self.wanted.found_first(index)

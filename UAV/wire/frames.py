@@ -6,6 +6,7 @@
 from __future__ import annotations
 from collections import Counter
 from functools import lru_cache
+from itertools import accumulate
 from operator import attrgetter
 from struct import Struct
 import struct
@@ -125,12 +126,15 @@ def _is_plain(cls)->bool:
     return not any(cls.array_lengths) and 'char' not in cls.fieldtypes
 
 # %% ../../nbs/api/wire/01_frames.ipynb #0672629b
-def _arrange(cls, values:tuple)->list:
-    "Unpacked fields, as arguments for `cls`"
-    def one(first, n):
-        if isinstance(values[first], bytes): return values[first].rstrip(b'\0')
-        return values[first] if n==1 else list(values[first:first+n])
-    return [one(sum(cls.lengths[:o]), cls.lengths[o]) for o in cls.orders]
+def _layout(cls)->list:
+    "Where each argument of `cls` begins and ends among the unpacked fields"
+    begins = [0, *accumulate(cls.lengths)]
+    return [(begins[o], begins[o+1]) for o in cls.orders]
+
+def _arrange(layout:list, values:tuple)->list:
+    "Unpacked fields, as arguments for the class with this layout"
+    return [value.rstrip(b'\0') if isinstance(value := values[first], bytes) else
+            value if end==first+1 else list(values[first:end]) for first,end in layout]
 
 # %% ../../nbs/api/wire/01_frames.ipynb #f6d18768
 @lru_cache(None)
@@ -147,11 +151,11 @@ def _builder(cls):
 # %% ../../nbs/api/wire/01_frames.ipynb #f3b9d0b3
 def _slow_builder(cls):
     "The same for a class with strings or arrays"
-    unpack,size = cls.unpacker.unpack,cls.unpacker.size
+    unpack,size,layout = cls.unpacker.unpack,cls.unpacker.size,_layout(cls)
     def build(frame, head, seq, sender):
         n = frame[1]
         payload = frame[head:head+n]
-        msg = cls(*_arrange(cls, unpack(payload.ljust(size, b'\0')[:size])))
+        msg = cls(*_arrange(layout, unpack(payload.ljust(size, b'\0')[:size])))
         msg._msgbuf,msg._payload,msg._crc = frame,payload,frame[head+n]|frame[head+n+1]<<8
         header = msg._header
         header.mlen,header.seq,(header.srcSystem,header.srcComponent) = n,seq,sender
