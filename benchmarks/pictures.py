@@ -60,7 +60,7 @@ def picture(times, there=None):
 
 def press(times):
     "A press on the panel's pad; the release isn't counted"
-    from ways import Calls, panel
+    from ways import panel
     total = 0.
     with ExitStack() as parts:
         motor,act = panel(None, parts)
