@@ -7122,6 +7122,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                             'UAV/video/units.py'),
                                  'UAV.video.units._Planes': ('api/video/units.html#_planes', 'UAV/video/units.py'),
                                  'UAV.video.units._Planes.__init__': ('api/video/units.html#_planes.__init__', 'UAV/video/units.py'),
+                                 'UAV.video.units._Planes._convert': ('api/video/units.html#_planes._convert', 'UAV/video/units.py'),
                                  'UAV.video.units._Planes.arrays': ('api/video/units.html#_planes.arrays', 'UAV/video/units.py'),
                                  'UAV.video.units._Planes.paint': ('api/video/units.html#_planes.paint', 'UAV/video/units.py'),
                                  'UAV.video.units._begins_decoding': ('api/video/units.html#_begins_decoding', 'UAV/video/units.py'),
