@@ -147,7 +147,63 @@ def mavsdk_camera(port):
     camera.subscribe_take_photo(take)
     threading.Event().wait()
 
-WORKERS = dict(server=server, panel=panel, our_source=our_source, gst_rtsp=gst_rtsp, pymavlink_camera=pymavlink_camera, mavsdk_camera=mavsdk_camera)
+# what a picture of the stream takes, counted --------------------------------------------------------------------------------------------
+
+def pictures(folder, count, size):
+    "`count` pictures from the camera to the packets of one RTSP viewer, one after the other on one thread"
+    import socket
+    from UAV.video.encoder import Encoder, _Pace
+    from UAV.video.rtsp import _RTPStream
+    from UAV.video.rtsp_server import _InsideViewer
+    from UAV.video.senders import _Outbox
+    import numpy as np
+    ours,theirs = socket.socketpair()
+    for sock in (ours,theirs):
+        sock.setblocking(False)
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1<<21)
+    viewer = _InsideViewer(_RTPStream(), 'counted', lambda: None, _Outbox(ours), (0,1))
+    class Direct:
+        def put(self, unit):
+            viewer.send(unit)
+            theirs.recv(1<<22)
+    camera = raw_camera(folder, dict(folder=f'{folder}/pictures'))
+    if size!=SIZE:
+        dark = np.zeros((size[1],size[0],3), np.uint8)
+        camera.images = [dark]*4
+        from UAV.cameras.values import Frame
+        def read():
+            camera.number += 1
+            return Frame(dark, camera.number, 0.)
+        camera.read = read
+    encoder = Encoder(camera.frames, rate=1e6, key_interval=1e9, bitrate=bitrate(), hardware=False)       # all are taken, and only the first is a key frame
+    encoder._sinks[Direct()],pace,camera.frames.watchers = True,_Pace(time.monotonic()-1, 1e6),1
+    for _ in range(count):
+        camera.frames._read_one()
+        encoder._take(camera.frames.next(encoder._number, 1), time.monotonic(), pace)
+    os._exit(0)
+
+def instructions(line, tree=None):
+    "Those that a process carries out, all its threads, by Valgrind"
+    if isinstance(line, dict): line = [sys.executable, __file__, '--worker', json.dumps(line)]
+    said = subprocess.run(['valgrind','--tool=callgrind','--callgrind-out-file=/dev/null',*line], env=dict(environment(tree), PYTHONPATH=str(tree or TREE)), stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True).stderr
+    found = re.search(r'Collected : (\d+)', said)
+    if not found: raise RuntimeError(f'{line[:2]}: {said[-500:]}')
+    return int(found[1])
+
+def counted(folder, before, few=5, many=25):
+    "`{who: thousands of instructions for a picture}`: a run of `many` less one of `few`; dark pictures of 64×48 cost nothing, so what remains is ours"
+    if not shutil.which('valgrind'): return print('valgrind: not on this machine, skipped', file=sys.stderr)
+    def ours(size, tree=None): return lambda count: instructions(dict(kind='pictures', folder=folder, count=count, size=size), tree)
+    def ffmpeg(count):
+        line = ffmpeg_viewer(folder, 0)
+        return instructions([*line[:line.index('-f', line.index('-g'))],'-frames:v',str(count),'-f','mpegts',f'{folder}/counted.ts'])
+    who = {'UAV, 64x48':ours((64,48)), 'UAV':ours(SIZE)}
+    if before: who |= {'UAV before, 64x48':ours((64,48), before), 'UAV before':ours(SIZE, before)}
+    if shutil.which('ffmpeg'): who['ffmpeg'] = ffmpeg
+    return {name: dict(kilo=short((count(many)-count(few))/(many-few)/1e3)) for name,count in who.items()}
+
+WORKERS = dict(pictures=pictures, server=server, panel=panel, our_source=our_source, gst_rtsp=gst_rtsp, pymavlink_camera=pymavlink_camera, mavsdk_camera=mavsdk_camera)
 
 # who asks and who looks: none of them is counted --------------------------------------------------------------------------------------
 
@@ -445,11 +501,11 @@ def main():
     parser.add_argument('--quick', action='store_true', help='one short round: to see that it works, not to quote')
     parser.add_argument('--rounds', type=int, default=5)
     parser.add_argument('--seconds', type=float, default=10.)
-    parser.add_argument('--only', choices=LOADS, help='one load; writes nothing without --out')
+    parser.add_argument('--only', choices=[*LOADS,'counted'], help='one load; writes nothing without --out')
     parser.add_argument('--out', help='where the results go (small.json)')
     parser.add_argument('--worker', type=json.loads, help=argparse.SUPPRESS)
     args = parser.parse_args()
-    if told := args.worker: return WORKERS[told.pop('kind')](**told)
+    if told := args.worker: return WORKERS[told.pop('kind')](**{k: tuple(v) if k=='size' else v for k,v in told.items()})
     if args.before and not (args.before/'UAV').is_dir(): parser.error(f'{args.before} has no UAV')
     before = args.before and args.before.resolve()
     rounds,seconds,warm = (1,2.,.5) if args.quick else (args.rounds,args.seconds,3.)
@@ -463,6 +519,9 @@ def main():
             results['rows'] += rows
             for who,facts in results['detail'][name].items(): print(f'{name:8}{who:24}', *(f'{k} {v:g}' for k,v in facts.items()), sep='  ', flush=True)
             for line in table([dict(r, where='') for r in rows]): print(line, flush=True)
+        if (args.only=='counted' or not (args.quick or args.only)) and (found := counted(folder, before)):
+            results['detail']['counted'] = found
+            for who,facts in found.items(): print(f'counted {who:24}', *(f'{k} {v:g}' for k,v in facts.items()), sep='  ', flush=True)
     results['load'].append(os.getloadavg()[0])
     if args.out or not args.only: write(args.out or HERE/'small.json', results)
 
