@@ -38,6 +38,7 @@ class _LiveCamera(Camera):
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #fa7b6ac9
 class CV2Camera(_LiveCamera):
     "A camera that OpenCV can open"
+    _decodes = 1.       # s after a request, in which all frames are decoded
     _parts = dict(controls=lambda value: isinstance(value, _Controls), _newest=NewestFrame,
                   kind=lambda value: value in ('file','device','url'))
     def __init__(self, source, # Device number or path, file name, or URL (rtsp, http, udp, tcp)
@@ -64,6 +65,7 @@ class CV2Camera(_LiveCamera):
             self._capture.release()
             raise
         self._newest = NewestFrame(1 if self.lockstep else None)
+        self._count,self._asked,self._passed = -1,clock.monotonic(),False       # `_passed`: is there a newer frame?
         self._publish(image)
         self._reader = _begin_thread(self._read_on, f'reader {model}')
         self._watch = timers.every(max(read_timeout/4, .1), self._check_silence, delay=read_timeout)
@@ -82,7 +84,9 @@ def next_frame(self:CV2Camera, after:int=-1, # The number of the last frame seen
               )->Frame:
     "Wait for a frame later than `after`; raises `CameraError` when none comes for `read_timeout`"
     if self.lockstep: frame = self._newest.take(self.read_timeout)
-    else: frame = self._newest.next(after, self.read_timeout)
+    else:
+        self._asked = clock.monotonic()
+        frame = self._newest.next(max(after, self._newest.number) if self._passed else after, self.read_timeout)
     problem = self._silence()
     if frame is None:           # a frame counts, although the film is over by now
         silent = f'{_source_name(self.source)} has given no frame for {self.read_timeout:g} s'
@@ -182,6 +186,7 @@ def _read_on(self:CV2Camera):
                 if self._closing.wait(max(0, due-clock.monotonic())): return
             try:
                 self.controls.serve(self._capture)
+                if self._passes_over(): continue
                 ok,image = self._capture.read()
                 image = self._fit(image) if ok else self._reopen()
             except Exception as e:              # OpenCV may raise all kinds of them
@@ -195,10 +200,26 @@ def _read_on(self:CV2Camera):
         self._capture.release()
 
 @patch
+def _came(self:CV2Camera)->int:
+    "Note that a frame came; returns its number"
+    self._arrived,self._count = clock.monotonic(),self._count+1
+    return self._count
+
+@patch
 def _publish(self:CV2Camera, image):
-    self._arrived = clock.monotonic()
-    self._newest.put(Frame(image, self._newest.number+1, clock.time()))
+    self._newest.put(Frame(image, self._came(), clock.time()))
+    self._passed = False
     if self.fault: self.set_fault(None)
+
+@patch
+def _passes_over(self:CV2Camera)->bool:
+    "Leave the next frame undecoded, as nobody has asked for one; false when it must be read"
+    if self.lockstep or clock.monotonic()-self._asked<=self._decodes: return False
+    self._passed = True
+    if not self._capture.grab(): return False           # the source has ended: `read` finds out
+    self._came()
+    if self.fault: self.set_fault(None)
+    return True
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #718025aa
 @patch
