@@ -1,6 +1,7 @@
 """What a small computer feels: a served camera with nobody there, with a viewer, with two pictures a second, and with the panel open, each beside peers that do the same work. See README.md."""
-import argparse, asyncio, json, os, re, select, shutil, subprocess, sys, tempfile, threading, time
+import argparse, asyncio, atexit, json, os, re, select, shutil, subprocess, sys, tempfile, threading, time
 from contextlib import ExitStack, contextmanager
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -32,12 +33,12 @@ def raw_camera(folder, storage):
             return Frame(image, self.number, time.time())
     return Raw(**storage)
 
-def server(folder, port, rtsp):
-    "`uav-camera-server`, as it is typed, with this camera"
+def server(folder, port, rtsp, camera='raw://here'):
+    "`uav-camera-server`, as it is typed, with this camera or another one"
     from UAV.cli.serve import main
     from UAV.utils.devices import register_device
     register_device('raw', lambda url, **storage: raw_camera(folder, storage))
-    main(['--camera','raw://here','--connection',f'udpout:127.0.0.1:{port}','--rtsp',str(rtsp),'--rate',str(RATE),'--folder',f'{folder}/pictures'])
+    main(['--camera',camera,'--connection',f'udpout:127.0.0.1:{port}','--rtsp',str(rtsp),'--rate',str(RATE),'--folder',f'{folder}/pictures'])
 
 def panel(port, page):
     "`uav-gui`, as it is typed"
@@ -60,6 +61,15 @@ def raw_input(folder, rate=RATE):
     return ['-re','-stream_loop','-1','-f','rawvideo','-pixel_format','bgr24','-video_size','{}x{}'.format(*SIZE),'-framerate',str(rate),'-i',f'{folder}/all.raw']
 
 FFMPEG = ['ffmpeg','-nostdin','-y','-loglevel','error']
+@cache
+def film(folder):
+    "A film of half a minute, of 30 pictures a second, and not below /dev, where devices are; without ffmpeg there is none"
+    path = f'{tempfile.mkdtemp()}/film.mp4'
+    atexit.register(shutil.rmtree, Path(path).parent)
+    line = [*FFMPEG,*raw_input(folder, 30)[1:],'-frames:v','900','-pix_fmt','yuv420p','-c:v','libx264','-preset','ultrafast','-g','30',path]
+    subprocess.run(line, check=True)
+    return path
+def ffmpeg_film(folder): return [*FFMPEG,'-re','-stream_loop','-1','-threads','1','-i',film(folder),'-f','null','-']
 def ffmpeg_source(folder): return [*FFMPEG,*raw_input(folder),'-c','copy','-f','null','-']
 def ffmpeg_viewer(folder, port):
     "ffmpeg is no RTSP server: it serves MPEG-TS over TCP to the one viewer that connects"
@@ -356,10 +366,10 @@ class Load:
         stack.callback(one.close)
         return one
 
-    def serve(self, stack, tree=None, mavlink=None):
+    def serve(self, stack, tree=None, mavlink=None, **more):
         "Our server: `(process, its RTSP URL)`, once it answers there"
         rtsp = free_ports()
-        process = self.run(stack, dict(kind='server', folder=self.folder, port=mavlink or free_ports(), rtsp=rtsp), tree)
+        process = self.run(stack, dict(kind='server', folder=self.folder, port=mavlink or free_ports(), rtsp=rtsp, **more), tree)
         until(lambda: listens(rtsp), 'server')
         return process,f'rtsp://127.0.0.1:{rtsp}/raw_1'
 
@@ -387,6 +397,11 @@ def idle(load):
         until(lambda: listens(port), 'server')
         return process,None
     return camera('server'),dict(before=lambda tree: camera('server', tree)),{'MAVSDK':camera('mavsdk_camera'), 'pymavlink':camera('pymavlink_camera'), 'gst-rtsp-server':gst}
+
+def a_film(load):
+    "A film of 30 pictures a second is the camera, and nobody watches; ffmpeg decodes it"
+    def ours(tree=None): return lambda stack: (load.serve(stack, tree, camera=film(load.folder))[0], None)
+    return ours(),dict(before=ours),{'ffmpeg':lambda stack: (load.run(stack, ffmpeg_film(load.folder)), None)}
 
 def source(load):
     "The pictures are read, and nothing is done with them"
@@ -469,8 +484,8 @@ def served(load):
         return start
     return ours(),dict(before=ours),{}
 
-LOADS = dict(idle=idle, source=source, viewer=viewer, capture=capture, panel=page, served=served)
-TARGETS = {('viewer','ffmpeg'):1.1, ('viewer','gst-rtsp-server'):1.1, ('capture','pymavlink and OpenCV'):1.5, ('panel','ffmpeg'):1.1, ('panel','GStreamer'):1.1, ('idle','pymavlink'):1.5}
+LOADS = dict(idle=idle, film=a_film, source=source, viewer=viewer, capture=capture, panel=page, served=served)
+TARGETS = {('viewer','ffmpeg'):1.1, ('viewer','gst-rtsp-server'):1.1, ('capture','pymavlink and OpenCV'):1.5, ('panel','ffmpeg'):1.1, ('panel','GStreamer'):1.1, ('idle','pymavlink'):1.5, ('film','ffmpeg'):1.1}
 
 def present(peers):
     "Those that this machine has; what is absent is said"
@@ -514,7 +529,7 @@ def main():
     with tempfile.TemporaryDirectory(dir=IN_MEMORY) as folder:
         write_frames(Path(folder), *SIZE)
         for name in LOADS:
-            if args.only not in (None, name): continue
+            if args.only not in (None, name) or name=='film' and not shutil.which('ffmpeg'): continue
             rows,results['detail'][name] = measure(name, folder, rounds, seconds, warm, before)
             results['rows'] += rows
             for who,facts in results['detail'][name].items(): print(f'{name:8}{who:24}', *(f'{k} {v:g}' for k,v in facts.items()), sep='  ', flush=True)
