@@ -508,7 +508,8 @@ def measure(name, folder, rounds, seconds, warm, before):
     got = in_turn(who, rounds, load.measure)
     rows = [compare(name, LOADS[name].__doc__, peer, '% CPU', got['UAV'], got[peer], TARGETS[name,peer], key='cpu', before=got.get('UAV before'))
             for peer in got if (name,peer) in TARGETS]
-    return rows,{who: middle(found) for who,found in got.items()}
+    def least(found): return dict(least=short(min(r['rate'] for r in found))) if 'rate' in found[0] else {}       # of the rounds: did pictures stall in one?
+    return rows,{who: middle(found)|least(found) for who,found in got.items()}
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
