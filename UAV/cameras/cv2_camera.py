@@ -38,7 +38,7 @@ class _LiveCamera(Camera):
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #fa7b6ac9
 class CV2Camera(_LiveCamera):
     "A camera that OpenCV can open"
-    _decodes = 1.       # s after a request, in which all frames are decoded
+    _decode_for = 1.    # s after a request, in which all frames are decoded
     _parts = dict(controls=lambda value: isinstance(value, _Controls), _newest=NewestFrame,
                   kind=lambda value: value in ('file','device','url'))
     def __init__(self, source, # Device number or path, file name, or URL (rtsp, http, udp, tcp)
@@ -65,7 +65,8 @@ class CV2Camera(_LiveCamera):
             self._capture.release()
             raise
         self._newest = NewestFrame(1 if self.lockstep else None)
-        self._count,self._asked,self._passed = -1,clock.monotonic(),False       # `_passed`: is there a newer frame?
+        self._frame_count,self._last_request = -1,clock.monotonic()
+        self._newer_waits = False           # was a frame passed over since the newest?
         self._publish(image)
         self._reader = _begin_thread(self._read_on, f'reader {model}')
         self._watch = timers.every(max(read_timeout/4, .1), self._check_silence, delay=read_timeout)
@@ -85,8 +86,8 @@ def next_frame(self:CV2Camera, after:int=-1, # The number of the last frame seen
     "Wait for a frame later than `after`; raises `CameraError` when none comes for `read_timeout`"
     if self.lockstep: frame = self._newest.take(self.read_timeout)
     else:
-        self._asked = clock.monotonic()
-        frame = self._newest.next(max(after, self._newest.number) if self._passed else after, self.read_timeout)
+        self._last_request = clock.monotonic()
+        frame = self._newest.next(max(after, self._newest.number) if self._newer_waits else after, self.read_timeout)
     problem = self._silence()
     if frame is None:           # a frame counts, although the film is over by now
         silent = f'{_source_name(self.source)} has given no frame for {self.read_timeout:g} s'
@@ -200,24 +201,24 @@ def _read_on(self:CV2Camera):
         self._capture.release()
 
 @patch
-def _came(self:CV2Camera)->int:
+def _note_frame(self:CV2Camera)->int:
     "Note that a frame came; returns its number"
-    self._arrived,self._count = clock.monotonic(),self._count+1
-    return self._count
+    self._arrived,self._frame_count = clock.monotonic(),self._frame_count+1
+    return self._frame_count
 
 @patch
 def _publish(self:CV2Camera, image):
-    self._newest.put(Frame(image, self._came(), clock.time()))
-    self._passed = False
+    self._newest.put(Frame(image, self._note_frame(), clock.time()))
+    self._newer_waits = False
     if self.fault: self.set_fault(None)
 
 @patch
 def _passes_over(self:CV2Camera)->bool:
     "Leave the next frame undecoded, as nobody has asked for one; false when it must be read"
-    if self.lockstep or clock.monotonic()-self._asked<=self._decodes: return False
-    self._passed = True
+    if self.lockstep or clock.monotonic()-self._last_request<=self._decode_for: return False
+    self._newer_waits = True
     if not self._capture.grab(): return False           # the source has ended: `read` finds out
-    self._came()
+    self._note_frame()
     if self.fault: self.set_fault(None)
     return True
 
