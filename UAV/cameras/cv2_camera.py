@@ -38,7 +38,7 @@ class _LiveCamera(Camera):
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #fa7b6ac9
 class CV2Camera(_LiveCamera):
     "A camera that OpenCV can open"
-    _decode_for = 1.    # s after a request, in which all frames are decoded
+    _decode_for,_newer_waits,_frame_count = 1.,False,-1         # s after a request, in which all frames are decoded
     _parts = dict(controls=lambda value: isinstance(value, _Controls), _newest=NewestFrame,
                   kind=lambda value: value in ('file','device','url'))
     def __init__(self, source, # Device number or path, file name, or URL (rtsp, http, udp, tcp)
@@ -53,8 +53,7 @@ class CV2Camera(_LiveCamera):
                  pose=None): # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
         store_attr('source,width,height,fps,loop,open_timeout,read_timeout,backend,pose')
         self.kind = _source_kind(source)
-        self.paced = paced and self.kind == 'file'
-        self.lockstep = not paced and self.kind == 'file'       # the reader waits until its frame is taken
+        self.paced,self.lockstep = (pace and self.kind == 'file' for pace in (paced, not paced))    # waits for readers?
         self._capture,image = self._open()
         self.information = CameraInformation(model=model, resolution_h=image.shape[1], resolution_v=image.shape[0])
         with _silent_cv2():
@@ -64,9 +63,7 @@ class CV2Camera(_LiveCamera):
         except BaseException:
             self._capture.release()
             raise
-        self._newest = NewestFrame(1 if self.lockstep else None)
-        self._frame_count,self._last_request = -1,clock.monotonic()
-        self._newer_waits = False           # was a frame passed over since the newest?
+        self._newest,self._last_request = NewestFrame(1 if self.lockstep else None),clock.monotonic()
         self._publish(image)
         self._reader = _begin_thread(self._read_on, f'reader {model}')
         self._watch = timers.every(max(read_timeout/4, .1), self._check_silence, delay=read_timeout)
@@ -216,7 +213,7 @@ def _publish(self:CV2Camera, image):
 def _passes_over(self:CV2Camera)->bool:
     "Leave the next frame undecoded, as nobody has asked for one; false when it must be read"
     if self.lockstep or clock.monotonic()-self._last_request<=self._decode_for: return False
-    self._newer_waits = True
+    self._newer_waits = True                            # than the newest that was decoded
     if not self._capture.grab(): return False           # the source has ended: `read` finds out
     self._note_frame()
     if self.fault: self.set_fault(None)
