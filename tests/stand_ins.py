@@ -24,7 +24,7 @@ class Webcam:
     period = .01        # s between frames
 
     def __init__(self, *args):
-        self.gone,self.threads = threading.Event(),set()
+        self.gone,self.passed,self.threads = threading.Event(),threading.Event(),set()
         type(self).opened = self
 
     @classmethod
@@ -40,6 +40,12 @@ class Webcam:
     def release(self):
         "Let go of it"
         self.gone.set()
+
+    def grab(self):
+        "Fetch a frame, and decode nothing; false when it was pulled off"
+        if self.gone.wait(self.period): return False
+        self.passed.set()
+        return True
 
     def read(self):
         "A frame, as bright as the device is set; none when it was pulled off"

@@ -38,6 +38,7 @@ class _LiveCamera(Camera):
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #fa7b6ac9
 class CV2Camera(_LiveCamera):
     "A camera that OpenCV can open"
+    _decode_for,_newer_waits,_frame_count = 1.,False,-1         # s after a request, in which all frames are decoded
     _parts = dict(controls=lambda value: isinstance(value, _Controls), _newest=NewestFrame,
                   kind=lambda value: value in ('file','device','url'))
     def __init__(self, source, # Device number or path, file name, or URL (rtsp, http, udp, tcp)
@@ -52,8 +53,7 @@ class CV2Camera(_LiveCamera):
                  pose=None): # Function that gives the Pose of a picture, from an autopilot or a gimbal, say
         store_attr('source,width,height,fps,loop,open_timeout,read_timeout,backend,pose')
         self.kind = _source_kind(source)
-        self.paced = paced and self.kind == 'file'
-        self.lockstep = not paced and self.kind == 'file'       # the reader waits until its frame is taken
+        self.paced,self.lockstep = (pace and self.kind == 'file' for pace in (paced, not paced))    # waits for readers?
         self._capture,image = self._open()
         self.information = CameraInformation(model=model, resolution_h=image.shape[1], resolution_v=image.shape[0])
         with _silent_cv2():
@@ -63,7 +63,7 @@ class CV2Camera(_LiveCamera):
         except BaseException:
             self._capture.release()
             raise
-        self._newest = NewestFrame(1 if self.lockstep else None)
+        self._newest,self._last_request = NewestFrame(1 if self.lockstep else None),clock.monotonic()
         self._publish(image)
         self._reader = _begin_thread(self._read_on, f'reader {model}')
         self._watch = timers.every(max(read_timeout/4, .1), self._check_silence, delay=read_timeout)
@@ -82,7 +82,9 @@ def next_frame(self:CV2Camera, after:int=-1, # The number of the last frame seen
               )->Frame:
     "Wait for a frame later than `after`; raises `CameraError` when none comes for `read_timeout`"
     if self.lockstep: frame = self._newest.take(self.read_timeout)
-    else: frame = self._newest.next(after, self.read_timeout)
+    else:
+        self._last_request = clock.monotonic()
+        frame = self._newest.next(max(after, self._newest.number) if self._newer_waits else after, self.read_timeout)
     problem = self._silence()
     if frame is None:           # a frame counts, although the film is over by now
         silent = f'{_source_name(self.source)} has given no frame for {self.read_timeout:g} s'
@@ -182,6 +184,7 @@ def _read_on(self:CV2Camera):
                 if self._closing.wait(max(0, due-clock.monotonic())): return
             try:
                 self.controls.serve(self._capture)
+                if self._passes_over(): continue
                 ok,image = self._capture.read()
                 image = self._fit(image) if ok else self._reopen()
             except Exception as e:              # OpenCV may raise all kinds of them
@@ -195,10 +198,26 @@ def _read_on(self:CV2Camera):
         self._capture.release()
 
 @patch
+def _note_frame(self:CV2Camera)->int:
+    "Note that a frame came; returns its number"
+    self._arrived,self._frame_count = clock.monotonic(),self._frame_count+1
+    return self._frame_count
+
+@patch
 def _publish(self:CV2Camera, image):
-    self._arrived = clock.monotonic()
-    self._newest.put(Frame(image, self._newest.number+1, clock.time()))
+    self._newest.put(Frame(image, self._note_frame(), clock.time()))
+    self._newer_waits = False
     if self.fault: self.set_fault(None)
+
+@patch
+def _passes_over(self:CV2Camera)->bool:
+    "Leave the next frame undecoded, as nobody has asked for one; false when it must be read"
+    if self.lockstep or clock.monotonic()-self._last_request<=self._decode_for: return False
+    self._newer_waits = True                            # than the newest that was decoded
+    if not self._capture.grab(): return False           # the source has ended: `read` finds out
+    self._note_frame()
+    if self.fault: self.set_fault(None)
+    return True
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #718025aa
 @patch

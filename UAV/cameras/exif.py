@@ -60,7 +60,8 @@ def add_segments(
     for p in payloads:          # a segment says its length in two bytes
         if len(p) > 65533: raise ValueError(f'a JPEG segment holds 65533 bytes, not {len(p)}')
     start = 4+int.from_bytes(jpeg[4:6], 'big') if jpeg[2:4] == b'\xff\xe0' else 2
-    return jpeg[:2] + b''.join(b'\xff\xe1' + (len(p)+2).to_bytes(2, 'big') + p for p in payloads) + jpeg[start:]
+    segments = (b'\xff\xe1' + (len(p)+2).to_bytes(2, 'big') + p for p in payloads)
+    return b''.join([jpeg[:2], *segments, memoryview(jpeg)[start:]])          # the picture is copied once
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #c1db6fd3
 _image,_tiff = _Later('PIL.Image'),_Later('PIL.TiffImagePlugin')
@@ -320,7 +321,8 @@ def _taken_out(jpeg:bytes)->tuple:
         if kind is None: kept.append(jpeg[begin:end])
         else: found[kind].append(jpeg[begin+4:end])
     blocks,packets = found.values()
-    return b''.join(kept)+jpeg[end:], next(iter(blocks), b''), packets
+    all_kept = sum(map(len, kept))==end         # usual for pictures that we made: there is nothing to copy
+    return jpeg if all_kept else b''.join([*kept, memoryview(jpeg)[end:]]), next(iter(blocks), b''), packets
 
 # %% ../../nbs/api/cameras/01_exif.ipynb #3a0e5b13
 _of_attitude = ['Camera:Yaw','Camera:Pitch','Camera:Roll','exif:GPSImgDirection','exif:GPSImgDirectionRef',

@@ -16,9 +16,9 @@ from .gst_cam import _AskedFrame
 from .values import *
 from ..utils import clock
 from ..utils.threads import _begin_thread, _has_ended
-from ..utils.pictures import _frame_turns, _turned
+from ..utils.pictures import _frame_turns
 from ..video.encoder import PassThrough
-from ..video.player import _decode, _decoder, _in_our_schemes, receivers, _scheme, _Decoding
+from ..video.player import Decoded, _decode, _decoder, _in_our_schemes, receivers, _scheme, _Decoding
 from ..video.receivers import _Stopped
 from ..video.units import parameter_sets, Sink
 
@@ -198,5 +198,5 @@ class _FrameSink(Sink):
     def send(self, unit):
         "Decode one unit"
         for picture,_,time_utc in self._decoding(unit):
-            image = _turned(picture.to_ndarray(format='bgr24'), _frame_turns(picture))
+            image = Decoded(picture, 0, 0., 0.).image
             self.newest.put(Frame(image, self.newest.number+1, time_utc or clock.time()))

@@ -380,7 +380,7 @@ def _turns(matrix)->tuple|None:
 
 def _frame_turns(frame)->tuple|None:
     "As `_turns`, for an `av.VideoFrame`"
-    matrix = frame.side_data.get('DISPLAYMATRIX')
+    matrix = av.sidedata.sidedata.SideDataContainer(frame).get('DISPLAYMATRIX')
     return _turns(np.frombuffer(matrix, np.int32)) if matrix else None
 
 def _turned(image, turns:tuple|None):

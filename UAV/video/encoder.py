@@ -6,6 +6,7 @@
 from __future__ import annotations
 from collections import deque
 from dataclasses import replace
+from operator import attrgetter
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
@@ -34,8 +35,7 @@ _checks = dict(rate=_positive, key_interval=_positive,
 def _setting(name:str):
     "Return an attribute that may be set while the encoder runs"
     def change(encoder, value): encoder._change(name, value)
-    def value(encoder): return getattr(encoder, f'_{name}')
-    return property(value, change, doc='As for the constructor; a change counts from the next picture on')
+    return property(attrgetter(f'_{name}'), change, doc='As for the constructor; a change counts from the next picture on')
 
 # %% ../../nbs/api/video/01_encoder.ipynb #655a98de
 class Encoder(Closes):
@@ -183,7 +183,7 @@ def _encode(self:Encoder, frame, time:float)->list:
             self._planned = np.shape(frame.image),wanted
     if self._codec and (self._codec.wanted is wanted or self._codec.wanted==wanted):
         last = self._codec.key_time         # long enough ago?
-        key = key or last is not None and time-last>self.key_interval-.5/self.rate
+        key = key or last is not None and time-last>self.key_interval-.5/wanted.rate
         try: return self._codec.encode(frame, time, key)
         except av.FFmpegError as e:
             if not _is_hardware(self._codec.name): raise

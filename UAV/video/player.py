@@ -174,8 +174,9 @@ class Decoded:
               )->np.ndarray:
         "Return the picture in another size, upright, BGR, `uint8`; threads may ask at the same time"
         size = (height,width) if self._turns and self._turns[0] else (width,height)
-        image = av.video.reformatter.VideoReformatter().reformat(self.decoded, *size, 'bgr24').to_ndarray()
-        return _turned(image, self._turns)
+        reformat = av.video.reformatter.VideoReformatter().reformat
+        here = dict(threads=1) if 'threads' in reformat.__doc__ else {}         # PyAV from 17 on
+        return _turned(reformat(self.decoded, *size, 'bgr24', **here).to_ndarray(), self._turns)
 
 # %% ../../nbs/api/video/08_player.ipynb #4b2af606
 def _decoder(codec:str):

@@ -239,9 +239,11 @@ def _fitted(image, width:int, height:int):
 # %% ../../nbs/api/video/00_units.ipynb #908d7fbe
 class _Planes:
     "A picture of even size as encoders take it (ITU-R BT.601, limited range); painted over and over again"
+    band = 90_000       # px in one go; from 98,304 on OpenCV divides them among its threads
     def __init__(self, width:int, height:int):
         self.picture = av.VideoFrame(width, height, 'yuv420p')
-        self._half = [np.empty((height//2,width//2,3), np.uint8) for _ in range(2)]
+        self._rows = max(2, self.band//width & ~1)
+        self._half = [np.empty((min(self._rows, height)//2,width//2,3), np.uint8) for _ in range(2)]
 
     def arrays(self)->list:
         "Y, U and V, to write in"
@@ -249,8 +251,15 @@ class _Planes:
         return [np.frombuffer(p, np.uint8).reshape(-1, p.line_size)[:p.height,:p.width] for p in self.picture.planes]
 
     def paint(self, image):
-        "Convert `image`"
-        (y,u,v),(half,other) = self.arrays(),self._half
+        "Convert `image`, band by band"
+        y,u,v = self.arrays()
+        for top in range(0, len(image), self._rows):
+            end = top+self._rows
+            self._convert(image[top:end], y[top:end], u[top//2:end//2], v[top//2:end//2])
+        return self.picture
+
+    def _convert(self, image, y, u, v):
+        half,other = (one[:len(u)] for one in self._half)
         cv2.cvtColor(image, cv2.COLOR_BGR2GRAY, dst=y)
         cv2.convertScaleAbs(y, dst=y, alpha=219/255, beta=16)                       # from full range to limited range
         cv2.resize(image, half.shape[1::-1], dst=half, interpolation=cv2.INTER_AREA)
@@ -258,7 +267,6 @@ class _Planes:
         cv2.convertScaleAbs(other, dst=half, alpha=224/255, beta=128*31/255)
         cv2.extractChannel(half, 2, u)
         cv2.extractChannel(half, 1, v)
-        return self.picture
 
 # %% ../../nbs/api/video/00_units.ipynb #5c7cc381
 def sensible_bitrate(width:int, # px
