@@ -1,13 +1,12 @@
 """What a small computer feels: a served camera with nobody there, with a viewer, with two pictures a second, and with the panel open, each beside peers that do the same work. See README.md."""
-import argparse, asyncio, atexit, json, os, re, select, shutil, subprocess, sys, tempfile, threading, time
+import argparse, asyncio, atexit, json, os, re, shutil, subprocess, sys, tempfile, threading, time
 from contextlib import ExitStack, contextmanager
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 
 import psutil
 from trees import HERE, TREE, environment
-from run import compare, free_ports, in_turn, machine, middle, short, table, trees, write
+from run import compare, free_ports, in_turn, machine, middle, short, table, write
 from video import KEPT, gst_has, versions, write_frames
 
 SIZE,RATE,EVERY = (1280,720),15,.5              # px; pictures a second; s between two stills
