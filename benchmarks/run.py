@@ -166,7 +166,7 @@ def can_loop(tree):
     code = 'from trees import TREE; from UAV.mavlink import MAVCom; raise SystemExit(not hasattr(MAVCom, "__aenter__"))'
     return subprocess.run([sys.executable, '-c', code], env=environment(tree), cwd=HERE).returncode==0
 
-COMMAND_ROWS = (('command awaited', 'UAV', (1.3,1.1), (.7,.6)), ('command in async with', 'UAV, async with', (1.,.8), (.55,.45)))
+COMMAND_ROWS = (('command awaited', 'UAV', (1.4,1.1), (.7,.6)), ('command in async with', 'UAV, async with', (1.2,.8), (.55,.45)))
 
 def command(quick, before):
     "COMMAND_LONG to COMMAND_ACK over UDP"
