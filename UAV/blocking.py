@@ -170,7 +170,7 @@ class SharedLoop(LoopThread):
         self._calls += 1
         try:
             if not self._lead.acquire(False):
-                with suppress(RuntimeError): self.loop.call_soon_threadsafe(self.loop.stop)     # it may be closed just now
+                with suppress(RuntimeError): self.loop.call_soon_threadsafe(self.loop.stop)      # unless just closed
                 self._lead.acquire()
             try: return self._run(awaitable)
             finally: self._lead.release()
@@ -283,10 +283,11 @@ def _on_interrupt(number, frame):
     signal.default_int_handler(number, frame)
 
 def _catch_interrupts():
-    "Have Ctrl-C cancel a call, as `asyncio.run` does, while a `MAVCom` is open, unless the program has its own handler"
+    "While a `MAVCom` is open, have Ctrl-C cancel a call, as in `asyncio.run`; a handler of the program stays"
     if threading.current_thread() is not threading.main_thread(): return
-    before,handler = (signal.default_int_handler,_on_interrupt) if list(_open) else (_on_interrupt,signal.default_int_handler)
-    if signal.getsignal(signal.SIGINT) is before: signal.signal(signal.SIGINT, handler)
+    ours,pythons = _on_interrupt,signal.default_int_handler
+    before,after = (pythons,ours) if list(_open) else (ours,pythons)
+    if signal.getsignal(signal.SIGINT) is before: signal.signal(signal.SIGINT, after)
 
 
 # %% ../nbs/api/02_blocking.ipynb #ba7bf717

@@ -88,12 +88,9 @@ class Seen:
     def setdefault(self, key, value):
         "Return the value of `key` within the window; otherwise set it to `value`"
         with self._lock:
-            now = self.clock()
             before,when = self._noted.get(key, (None,-inf))
-            if now-when<self.window: return before
-            if before is not None: del self._noted[key]         # it comes last again
-            self._noted[key] = value,now
-            if len(self._noted)>self.most: del self._noted[next(iter(self._noted))]
+            if self.clock()-when<self.window: return before
+            self.note(key, value)
         return value
 
     def again(self, key)->bool:

@@ -302,13 +302,16 @@ class LoopThread(Closes):
         coro.close()
         raise RuntimeError(f'{self!r}')
 
-    async def ask(self, coro): # A coroutine
-        "Return its result, for a caller on any loop"
-        return await (coro if self.inside else asyncio.wrap_future(self.run(coro)))
-
 def _orphan(loop:LoopThread): loop.orphaned = not loop.closed
 
 _loops = Opened(_orphan)
+
+# %% ../../nbs/api/utils/01_sockets.ipynb #a5c0a5c0
+@patch
+async def ask(self:LoopThread, coro): # A coroutine
+    "Return its result, for a caller on any loop"
+    return await (coro if self.inside else asyncio.wrap_future(self.run(coro)))
+
 
 # %% ../../nbs/api/utils/01_sockets.ipynb #fab8f416
 @patch

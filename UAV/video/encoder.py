@@ -35,7 +35,8 @@ _checks = dict(rate=_positive, key_interval=_positive,
 def _setting(name:str):
     "Return an attribute that may be set while the encoder runs"
     def change(encoder, value): encoder._change(name, value)
-    return property(attrgetter(f'_{name}'), change, doc='As for the constructor; a change counts from the next picture on')
+    doc = 'As for the constructor; a change counts from the next picture on'
+    return property(attrgetter(f'_{name}'), change, doc=doc)
 
 # %% ../../nbs/api/video/01_encoder.ipynb #655a98de
 class Encoder(Closes):

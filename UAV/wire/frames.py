@@ -259,7 +259,8 @@ def pack(msg, # A pymavlink message
     if not fields: return bytes(msg.pack(mav))
     to_bytes,values_of,msg_id,extra = fields
     payload = to_bytes(*(values or values_of(msg))).rstrip(b'\0') or b'\0'
-    frame = _head.pack(0xfd, len(payload), 0, 0, mav.seq, mav.srcSystem, mav.srcComponent, msg_id&0xffff, msg_id>>16)+payload
+    sender = mav.seq,mav.srcSystem,mav.srcComponent
+    frame = _head.pack(0xfd, len(payload), 0, 0, *sender, msg_id&0xffff, msg_id>>16)+payload
     return frame+crc(frame[1:]+extra).to_bytes(2,'little')
 
 # %% ../../nbs/api/wire/01_frames.ipynb #38d440ca
