@@ -8,7 +8,7 @@ from concurrent.futures import Future
 from contextlib import suppress
 from functools import cache, partial, wraps
 from types import CoroutineType, FunctionType, MethodType
-import asyncio, atexit, inspect, math, selectors, signal, sys, threading
+import asyncio, atexit, inspect, math, selectors, signal, sys
 
 from fastcore.basics import patch
 import UAV
@@ -284,10 +284,10 @@ def _on_interrupt(number, frame):
 
 def _catch_interrupts():
     "While a `MAVCom` is open, have Ctrl-C cancel a call, as in `asyncio.run`; a handler of the program stays"
-    if threading.current_thread() is not threading.main_thread(): return
     ours,pythons = _on_interrupt,signal.default_int_handler
     before,after = (pythons,ours) if list(_open) else (ours,pythons)
-    if signal.getsignal(signal.SIGINT) is before: signal.signal(signal.SIGINT, after)
+    if signal.getsignal(signal.SIGINT) is not before: return
+    with suppress(ValueError): signal.signal(signal.SIGINT, after)      # only the main thread may have handlers
 
 
 # %% ../nbs/api/02_blocking.ipynb #ba7bf717
