@@ -15,6 +15,7 @@ import argparse, asyncio, faulthandler, hashlib, logging, math, sys, tempfile, t
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
+from .meddler import Forwarded
 from UAV.cameras.sim import SimCamera
 from UAV.cameras.values import Picture
 from UAV.gimbals.sim import SimGimbal
@@ -31,9 +32,9 @@ from UAV.wire.lossy import LossyLink
 from UAV.wire.message_log import MessageLog
 
 # %% auto #0
-__all__ = ['parts', 'scenarios', 'longest', 'kept', 'Tape', 'Station', 'Flight', 'part', 'angles', 'rates', 'zoom', 'settings',
-           'recordings', 'shots', 'series', 'formats', 'files', 'Mute', 'orders', 'run', 'fingerprint', 'fly_apart',
-           'main']
+__all__ = ['parts', 'scenarios', 'longest', 'kept', 'lossy_links', 'Tape', 'Station', 'Flight', 'part', 'angles', 'rates', 'zoom',
+           'settings', 'recordings', 'shots', 'series', 'formats', 'files', 'Mute', 'orders', 'run', 'fingerprint',
+           'fly_apart', 'main', 'WideLink', 'fetched']
 
 # %% seeds.ipynb #fcc3a872
 def _number(value): return None if isinstance(value, float) and math.isnan(value) else value
@@ -550,3 +551,38 @@ def main(argv=None)->int: # Exit code
     return int(failed>0)
 
 if __name__=='__main__' and '__file__' in globals(): sys.exit(main())
+
+# %% seeds.ipynb #5eed0002
+class WideLink(LossyLink):
+    "A link with the buffer of a network"
+    buffer = 212_000
+
+lossy_links = {
+    'loopback': (WideLink, dict(baudrate=10_000_000, latency=.0005), 1_000_000),
+    '57,600 baud': (LossyLink, dict(baudrate=57_600, latency=.02), 40_000),
+    '115,200 baud': (LossyLink, dict(baudrate=115_200, latency=.02), 60_000),
+    'LTE of 60 ms': (WideLink, dict(baudrate=5_000_000, latency=.06), 2_000_000),
+    'PX4, 500 messages/s': (Forwarded, dict(loop=.002), 200_000)}
+
+async def fetched(name:str, # One of `lossy_links`
+                  loss:float, seed:int=0, upload:bool=False)->ns:
+    "Fetch a file, or upload one; return the share of what the link carries, and how many frames a full queue dropped"
+    kind,options,size = lossy_links[name]
+    content = Random(f'file {seed}').randbytes(size)
+    async def go():
+        camera = await ground.find_camera()
+        link.loss,began = loss,world.now
+        if upload: await camera.files.upload('/inbox/a', content)
+        else: assert await camera.files.fetch('/a')==content
+        return world.now-began
+    with simulated(seed) as world, tempfile.TemporaryDirectory() as folder, SimCamera(64, 48, folder=folder) as camera:
+        (inbox := Path(folder)/'inbox').mkdir()
+        link = kind('virtual:files', **options)
+        link.seed = seed
+        with MAVCom(link, source_system=222) as vehicle, MAVCom('virtual:files') as ground:
+            server = vehicle.add_component(CameraServer(camera=camera))
+            server.files.add('/a', content)
+            server.files.mount('/inbox', inbox, writable=True)
+            took = await go()
+    best = 239/266*(options['baudrate']/10 if 'baudrate' in options else 266/options['loop'])
+    return ns(share=size/took/best/(1-loss), dropped=link.outgoing.overflowed+link.incoming.overflowed)

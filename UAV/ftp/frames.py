@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/ftp/00_frames.ipynb #e55e13a5
 from __future__ import annotations
+from bisect import bisect_left
 from dataclasses import dataclass, replace
 from enum import IntEnum
 from itertools import islice
@@ -198,13 +199,17 @@ class FtpParts:
     def take(self, offset:int, data:bytes)->bool:
         "Add data; return True if any is new"
         stop = min(offset+len(data), self.size)
-        if offset>=stop or offset-self.done>self.reach: return False
-        # what is left of the holes, and one more when these bytes lie behind the end
-        pieces = [piece for a,b in (*self.holes, (self.end,offset)) for piece in ((a,min(b, offset)), (max(a, stop),b))]
-        holes = [(a,b) for a,b in pieces if a<b]
-        is_new = holes!=self.holes or stop>self.end
+        if offset>=stop or offset>self.end and offset-self.done>self.reach: return False
+        holes,last = self.holes,bisect_left(self.holes, (stop,))
+        first = bisect_left(holes, (offset,), hi=last)
+        if first and holes[first-1][1]>offset: first -= 1
+        # what is left of the holes that it touches, and one more when these bytes lie behind the end
+        touched = holes[first:last]
+        pieces = [piece for a,b in (*touched, (self.end,offset)) for piece in ((a,min(b, offset)), (max(a, stop),b))]
+        left = [(a,b) for a,b in pieces if a<b]
+        is_new = left!=touched or stop>self.end
         if is_new: self.fresh.append((offset, data[:stop-offset]))
-        self.holes,self.end = holes,max(self.end, stop)
+        self.holes,self.end = [*holes[:first], *left, *holes[last:]],max(self.end, stop)
         self.count += is_new
         return is_new
 

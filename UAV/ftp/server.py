@@ -35,6 +35,7 @@ class _FtpSession:
 # %% ../../nbs/api/ftp/01_server.ipynb #f7beca8a
 class FtpJob:
     "A request that is answered in many steps: `frames` gives answers, and `None` after a step that has none"
+    began,due,probes = 0.,0.,0      # of a burst: when it began, when to go on, and copies of its last frame
     def __init__(self, peer:tuple, request:FtpFrame, key:tuple, frames=None): store_attr()
 
 # %% ../../nbs/api/ftp/01_server.ipynb #df7fb570

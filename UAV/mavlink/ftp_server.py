@@ -8,9 +8,9 @@ from collections import deque
 from weakref import WeakKeyDictionary
 import errno, math
 
-from fastcore.basics import patch
+from fastcore.basics import patch, store_attr
 from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL as FILE_TRANSFER_PROTOCOL
-from ..ftp.frames import FtpFrame, FtpOp, read_ftp
+from ..ftp.frames import FtpFrame, FtpOp, most_data, read_ftp
 from ..ftp.server import FtpJob, FtpSessions
 from .basecomponent import Part
 from .protocol import Denied, receives
@@ -27,6 +27,7 @@ __all__ = ['FtpServer', 'FtpPace', 'FILE_TRANSFER_PROTOCOL']
 class FtpServer(Part):
     "Serves files by MAVLink FTP, on any component"
     most_waiting,most_each = 64,16  # queued requests; of one peer
+    most_probes = 3                 # times that the last frame of a burst is sent again
     linger = 5.                     # seconds without work until the thread ends, or checks for old sessions
     patience = 5.                   # seconds that `close` waits for the disk
 
@@ -41,7 +42,7 @@ class FtpServer(Part):
 
     def __repr__(self): return f'FtpServer: {self.files!r}, {len(self.sessions.open)} open'
     def _is_burst(self, job:FtpJob)->bool: return job.key[1]==FtpOp.BURST_READ_FILE
-    def _when(self, job:FtpJob)->float: return self._paces[job.peer].due if self._is_burst(job) else 0.
+    def _when(self, job:FtpJob)->float: return max(self._paces[job.peer].due, job.due) if self._is_burst(job) else 0.
 
     def close(self):
         "End the thread, and close all files; safe to call twice"
@@ -98,10 +99,22 @@ def _answer(self:FtpServer, peer:tuple, request:FtpFrame, msg):
         try: self.guard(msg)
         except Denied as e: raise PermissionError(errno.EACCES, str(e)) from None
     found = self.sessions.answer(peer, request, guard)
-    if request.opcode==FtpOp.READ_FILE and peer in self._paces:
-        self._paces[peer].note_read(self.sessions.open.get((peer,request.session)))
-    if isinstance(found, FtpJob): self._begin(found)
-    elif found: self._send(peer, found)
+    if isinstance(found, FtpJob): return self._begin(found)
+    if not found: return
+    now = clock.monotonic()
+    if request.opcode==FtpOp.READ_FILE and found.data and not found.error:
+        self._pace(peer).note_read(self.sessions.open[peer,request.session], request.offset, len(found.data), now)
+    self._send(peer, found)
+    if request.opcode==FtpOp.OPEN_FILE_RO: self._pace(peer).opened = now
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #f32a0003
+@patch
+def _pace(self:FtpServer, peer:tuple)->FtpPace:
+    "Return the pace of a peer; with many of them, drop those of idle ones"
+    busy = {job.peer for job in self._jobs.values()}
+    for other in list(self._paces)[:-self.most_waiting]:
+        if other not in busy: del self._paces[other]
+    return self._paces.setdefault(peer, FtpPace(self.component.pace))
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #472d595e
 @patch
@@ -111,9 +124,9 @@ def _begin(self:FtpServer, job:FtpJob):
         if job.key in self._jobs: self._jobs[job.key].request = job.request     # repeated request
         else: self._jobs[job.key],job.frames = job,self.sessions.checksum(job)
         return
-    pace,now = self._paces.setdefault(job.peer, FtpPace(self.component.pace)),clock.monotonic()
+    pace,job.began = self._pace(job.peer),clock.monotonic()
     job.session = self.sessions.open[job.peer,job.request.session]
-    job.frames = self.sessions.burst(job, pace.begin(job.session, job.request.offset, now))
+    job.frames = self.sessions.burst(job, pace.begin(job.session, job.request.offset, job.began))
     self._jobs[job.key] = job
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #6dd41f3f
@@ -130,12 +143,20 @@ def _advance(self:FtpServer, job:FtpJob):
         if not self._is_burst(job): continue
         pace = self._paces[job.peer]
         pace.pay(len(frame.data), now)
-        if frame.burst_complete: pace.ended(job.session, frame.offset+len(frame.data))
+        if frame.burst_complete: self._probe(job, frame, now)
     else: return
     del self._jobs[job.key]
-    busy = {job.peer for job in self._jobs.values()}        # with many peers, drop the rates of idle ones
-    for peer in list(self._paces)[:-self.most_waiting]:
-        if peer not in busy: del self._paces[peer]
+
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #f32a0002
+@patch
+def _probe(self:FtpServer, job:FtpJob, last:FtpFrame, now:float):
+    "Plan to send the last frame of a burst again, unless its client goes on"
+    pace = self._paces[job.peer]
+    pace.ended(job.session, last.offset+len(last.data), now)
+    job.probes += 1
+    job.due = now+pace.patience(now-job.began, job.probes)
+    is_open = self.sessions.open.get((job.peer,job.request.session)) is job.session
+    job.frames = iter((last,) if is_open and job.probes<=self.most_probes else ())
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #3acf50be
 @patch
@@ -150,16 +171,16 @@ def _send(self:FtpServer, peer:tuple, frame:FtpFrame)->bool:
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #4d3c97c0
 class FtpPace:
     "The rate of all bursts to a peer"
-    first,few,most = 4,32,256           # frames of the first burst; at most at the start; at most later
-    seconds = 1.                        # duration of a burst
+    first,few,most = 4,32,2048          # frames of the first burst; at most at the start; at most later
+    faster,ahead = 1.15,128             # than the last burst came; frames of a burst that may queue
     begins,dense = 40e3,300e3           # bytes/s of the first burst; with frames less than a millisecond apart
     frame,slack = 266,.02               # bytes of a full frame; seconds that may be made up for, if no queue is full
     forget = 30.                        # seconds without a burst after which the link is measured anew
 
     def __init__(self, floor:float): # Minimal bytes/s
         self.floor,self.sent = floor,0          # `sent`: bytes in all
-        self.due = self._last = 0.              # time of the next frame; of the last one
-        self._bursts = WeakKeyDictionary()      # by session: start, end, time, bytes sent before
+        self.due,self.opened = 0.,None          # times of the next frame, and of the answer to an open
+        self._bursts = WeakKeyDictionary()      # the last two of each session
         self._begin_anew()
 
     def __repr__(self): return f'FtpPace: {self.frames} frames, {self.rate:.0f} bytes/s'
@@ -167,51 +188,117 @@ class FtpPace:
     def _begin_anew(self):
         "Reset to the first burst"
         self.rate,self.frames,self.starting,self.crowded = self.begins,self.first,True,False
-        self.missed,self._judged = 0,self.sent      # frames requested again, of those after so many bytes
+        self.least,self.measured = None,False   # shortest time from a last frame to the next request; not only guessed
+        self.calm,self.safe,self.vain = 0,0.,0  # bursts in a row without a queue, a rate without, bursts without an end
+        self.losses,self.fills = deque(maxlen=16),False     # `(rate, frames, lost)`; the client requests holes at once
+        self.limit,self.held = math.inf,0       # the rate that was too fast, and for how many bursts it's kept
 
     def pay(self, size:int, now:float):
         "Account for a sent frame with `size` bytes of data"
-        self.sent,self._last = self.sent+size+27,now
+        self.sent += size+27
         slack = 0. if (self.starting or self.crowded) and self.rate<self.dense else self.slack
         self.due = max(self.due, now-slack)+(size+27)/self.rate
 
-    def ended(self, session, offset:int):
-        "Store the end of a burst, sent up to `offset`"
-        if session in self._bursts: self._bursts[session] = self._bursts[session][0],offset,*self._bursts[session][2:]
+# %% ../../nbs/api/mavlink/08_ftp_server.ipynb #f32a0004
+class _Burst:
+    "A burst: first byte, time, rate, bytes sent to the peer before; `again`: its bytes may be on their way already"
+    def __init__(self, start:int, when:float, rate:float, before:int, again:bool):
+        store_attr()
+        self.end = self.last = self.all = None      # its end, the time of its last frame, and all bytes sent by then
+        self.missed,self.tail,self.probes = set(),0,0       # pieces requested singly; frames lost at its end; repeats
 
-    def note_read(self, session):
-        "Count a single requested frame as missed, if it was in a burst"
-        if session in self._bursts: self.missed += 1
+@patch
+def ended(self:FtpPace, session, offset:int, now:float):
+    "Store the end of a burst, sent up to `offset`, or that its last frame was sent again"
+    burst = self._bursts[session][-1]
+    if burst.end is None: burst.end,burst.last,burst.all = offset,now,self.sent
+    else: burst.probes += 1
+
+@patch
+def patience(self:FtpPace, seconds:float, probes:int)->float:
+    "Return the seconds until the last frame of a burst that took `seconds` is sent again"
+    usual = .5 if self.least is None else 1.5*self.least+(.02 if self.measured else .2)
+    queue = 4*self.frame/self.rate+(3 if self.starting else .25)*seconds
+    return (usual+queue)*2**(probes-1+min(max(0, self.vain-2), 5))
+
+@patch
+def note_read(self:FtpPace, session, offset:int, size:int, now:float):
+    "Account for a piece that was requested singly: it was lost if it's of one of the last bursts"
+    for burst in self._bursts.get(session, ()):
+        if burst.start<=offset<(burst.end or math.inf):
+            burst.missed.add(offset)
+            self.fills = True
+    self.pay(size, now)
+    self.due = min(self.due, now+.02+self.frame/self.rate)
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #12126374
 @patch
 def begin(self:FtpPace, session, offset:int, now:float)->int:
     "Begin a burst and return its number of frames"
     if now-self.due>self.forget: self._begin_anew()
-    if self.missed:
-        share = 1-self.missed*self.frame/max(self.sent-self._judged, self.frame)
-        self.missed,self._judged = 0,self.sent
-        if share<.8: self._slow_down(share)
-    elif session in self._bursts: self._measure(offset, now, *self._bursts[session])
-    self._bursts[session] = offset,offset,now,self.sent
+    if self.opened is not None: self.least,self.opened = min(self.least or math.inf, now-self.opened),None
+    bursts = self._bursts.setdefault(session, deque(maxlen=2))
+    ended = [burst for burst in bursts if burst.end is not None]
+    if ended and ended[-1] is bursts[-1]: self._measure(ended[-1], offset, now)
+    if self.fills: ended = [burst for burst in ended if burst is not bursts[-1]]
+    if ended and ended[-1].end>ended[-1].start: self._judge(ended[-1])
+    again = bursts[-1].end is None or offset<=bursts[-1].start if bursts else offset>0
+    bursts.append(_Burst(offset, now, self.rate, self.sent, again))
     return self.frames
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #b07d8bc2
 @patch
-def _measure(self:FtpPace, offset:int, now:float, start:int, end:int, when:float, sent:int):
+def _measure(self:FtpPace, burst:_Burst, offset:int, now:float):
     "Set the rate by the last burst, which has arrived if the next one begins at its end"
-    if start<end==offset:
-        since,most = (self._last,4*self.rate) if self.starting else (when,math.inf)     # without our own pauses
-        measured = (self.sent-sent)/max(now-since, 1e-4)
-        self.starting = self.starting and measured>self.rate
-        self.rate = max(min(1.25*measured, most), self.floor)
-        frames = max(self.rate*self.seconds/self.frame, self.first)
-        self.frames = int(min(frames, 2*self.frames, self.few if self.starting else self.most))
-    elif start<=offset<end: self._slow_down((offset-start)/(end-start))
+    burst.tail = -(-max(0, burst.end-offset)//most_data)
+    self.vain = self.vain+1 if burst.probes or burst.tail else 0
+    if self.vain and not self.fills:        # no holes are requested until the end of the file: all that it shows
+        too_fast = self.starting and self.vain>2
+        self.starting = self.starting and not too_fast
+        self.rate = max((.25 if too_fast else .9)*self.rate, self.floor)
+    if self.vain or burst.again or offset!=burst.end: return
+    waited,took = now-burst.last,burst.last-burst.when
+    since,most = (burst.last,4*self.rate) if self.starting else (burst.when,math.inf)     # without our own pauses
+    came = (burst.all-burst.before)/max(now-since-min(self.least or 0., waited), 1e-4)
+    calm = self.least is not None and abs(waited-self.least)<max(.05*took, .002)
+    self.least,self.measured = min(self.least or math.inf, waited),True
+    paced = (burst.all-burst.before)/max(took*burst.rate, 1)        # less than 1: the processor was slower
+    was,self.starting = self.starting,self.starting and came>self.rate and paced>.7
+    self.held = max(0, self.held-1)
+    if not self.held: self.limit = math.inf
+    faster = min(self.faster, 1+self.ahead/self.frames)
+    self.rate = max(min(faster*came, most, self.limit), self.floor)
+    if was and calm: self.safe = burst.rate
+    if was and not self.starting: self.rate,self.safe = max(self.rate, self.safe),self.safe/2
+    second,growth = self.rate/self.frame,2 if self.frames<self.few else 4
+    frames = max(min(max(20*self.least, .25), 1)*second, min(second, self.few), self.first)
+    self.frames = int(min(frames, growth*self.frames, self.few if self.starting else self.most))
+    self.calm = self.calm+1 if calm and paced>.95 and not self.starting and not self.crowded else 0
+    if self.calm>=2:            # no queue: start again from here
+        self.starting,self.frames,self.safe,self.calm,self.rate = True,2*self.first,self.rate,0,4*self.rate
 
 # %% ../../nbs/api/mavlink/08_ftp_server.ipynb #8fe0034c
 @patch
-def _slow_down(self:FtpPace, share:float): # Fraction of sent frames that arrived
-    "Reduce the rate after losses"
-    if share<.7: self.starting,self.crowded = False,True
-    self.rate = max(min(max(share, .5), .7)*self.rate, self.floor)
+def _judge(self:FtpPace, burst:_Burst):
+    "Reduce the rate if more was lost than in slower bursts"
+    lost = burst.tail+(len(burst.missed) if self.fills else burst.probes>0)
+    sent = -(-(burst.end-burst.start)//most_data) if self.fills else lost+1
+    self.losses.append((burst.rate, max(sent, lost), lost))
+    (n,lost,_),(known,noise,_) = self._lost(.85*burst.rate, 1.2*burst.rate),self._lost(0., .85*burst.rate)
+    fast,worse,rate = self._lost(1.2*burst.rate, math.inf)
+    share,noise = lost/n,noise/known if known>=16 else 0.
+    if known<16<=fast and 1-share<(1-worse/fast)*(rate/burst.rate)**.5: return      # slower, and as much is lost
+    excess = (share-noise)/max(1-noise, .1)
+    doubt = .1+2*(share*(1-share)/n+noise*(1-noise)/max(known, 16))**.5
+    if known<16 and self.starting: doubt = .5
+    if n<8 or excess<=doubt: return
+    self.starting,self.calm = False,0
+    self.rate = max(min(self.rate, max(1-excess, .2)*burst.rate), self.floor)
+    if known>=16: self.crowded,self.limit,self.held = True,self.rate,8
+
+@patch
+def _lost(self:FtpPace, least:float, most:float)->tuple:
+    "Return how many frames were sent in recent bursts with these rates, how many lost, and their mean rate"
+    found = [burst for burst in self.losses if least<=burst[0]<most]
+    sent = sum(sent for _,sent,_ in found)
+    return sent,sum(lost for *_,lost in found),sum(rate*sent for rate,sent,_ in found)/max(sent, 1)
