@@ -4,12 +4,12 @@
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #3214c1c5
 from __future__ import annotations
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from io import BytesIO
-from itertools import count
+from itertools import count, islice
 from pathlib import Path, PurePath
 from urllib.parse import unquote, urlsplit
-import asyncio, errno, os, re, stat
+import asyncio, errno, math, os, re, stat
 
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -19,7 +19,7 @@ from ..utils.files import FileEntry, local_name
 from ..utils.output import Progress
 from ..utils.sockets import get_web
 from ..wire.dialect import LinkError
-from .retransmission import RoundTrip
+from .retransmission import longest_back_off, RoundTrip
 from .protocol import Answer, comes_from, Lost
 from ..ftp.frames import (ftp_crc, FtpCode, FtpError, FtpFrame, FtpOp, FtpParts, most_data, path_data, read_ftp,
     read_ftp_url, read_listing)
@@ -28,14 +28,15 @@ from .remote_video import hosts_of
 _all_ = ['FtpError', 'FileEntry']
 
 # %% auto #0
-__all__ = ['RemoteFiles', 'FtpFile', 'FtpNumbers', 'in_turns', 'open_part', 'place_on_disk', 'keep_part', 'RemoteFile',
-           'FtpError', 'FileEntry']
+__all__ = ['RemoteFiles', 'FtpFile', 'FtpNumbers', 'open_part', 'place_on_disk', 'keep_part', 'RemoteFile', 'FtpError',
+           'FileEntry']
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #ab052711
 class RemoteFiles:
     "Files of one component, by MAVLink FTP"
     patience = 30.      # seconds without an answer before an operation fails
-    unanswered = 6      # requests to one who has never answered any, before we ask whether it answers others
+    jitter = .02        # seconds by which an answer may be late
+    unanswered = 8      # requests to one who has never answered any, before we ask whether it answers others
     most = 1<<16        # entries of a listing
     upload_tries = 5    # times a session is reopened in a row without progress
 
@@ -44,19 +45,34 @@ class RemoteFiles:
         self.trip = RoundTrip()     # time to an answer, behind the other traffic of the link
         self.answers = False        # True: it has answered once
 
+    def wait(self, copies:int=1)->float:
+        "Return the seconds until the next copy of a request; only from the fourth copy on they double"
+        trip = self.trip
+        if trip.srtt is None and self.remote.address in self.client.remotes:
+            trip = self.client.remotes[self.remote.address].round_trip      # that of commands
+        rto = trip.rto if trip.srtt is None else trip.srtt+max(4*trip.rttvar, self.jitter)
+        return min(rto*2**max(0, copies-3), max(rto, longest_back_off))
+
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #c9cf233a
 class FtpFile:
     "Download of one file"
-    most_holes = 32     # before they are filled
+    most_holes = 2048   # before they are filled
     most = 1<<32        # largest file, bytes
     tries = 5           # times it is reopened in a row without progress
+    patience = 4.       # seconds without an answer before it is reopened
 
     def __init__(self, files:RemoteFiles, path:str, sink, start:int=0):
         self.files,self.path,self.sink,self.start = files,path,sink,start
         self.number = files.client.ftp_numbers.session()
         self.session,self.parts,self.silent = None,None,0       # `silent`: bursts in a row without data
-        self.refused,self.came = None,None      # error of a burst; times of its first and last frame, their number
+        self.refused,self.came = None,None      # error of an answer; first and last time of a burst, its frames
         self.saved = start                      # contiguous bytes in the sink
+        self.is_empty = False                   # a piece without data came
+        self.request,self.ended = 0,False       # number of the burst's request; true when nothing more of it comes
+        self.began = self.last = self.earlier = 0.      # a burst's request, its last frame, an earlier request's answer
+        self.gap,self.rate = RoundTrip(),150.   # seconds between two frames; frames a second, of the last bursts
+        self.pieces,self.due = _Pieces(),0.     # requests on their way; time of the next one
+        self._news,self._expected = Answer(),None
 
     def __repr__(self): return f'FtpFile {self.path}: {self.parts or "not open"}'
     def fail(self, why:str): raise FtpError(FtpCode.FAIL, what=f'{self.path}, {why}')
@@ -67,7 +83,24 @@ class FtpFile:
         size = int.from_bytes(answer.data[:4], 'little')
         if size>self.most: raise ValueError(f'{self.path} has {size} bytes, more than {self.most}')
         if self.parts is None or self.parts.size!=size: self.parts = FtpParts(size, self.start)
-        self.session,self.silent = answer.session,0
+        self.session,self.silent,self.is_empty,self.pieces = answer.session,0,False,_Pieces()
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #14a00002
+class _Pieces:
+    "Requests for single pieces: each copy has a number of its own, so each answer is a round trip measured"
+    def __init__(self): self.sent,self.at,self.answered = {},{},clock.monotonic()  # by number, by offset; last answer
+
+    def note(self, number:int, offset:int, now:float):
+        "Note a request"
+        self.sent[number],self.at[offset] = (offset,now),now
+
+    def take(self, number:int, now:float)->tuple|None:
+        "Return `(offset, seconds)` of an answered request; `None` if it isn't ours"
+        offset,sent = self.sent.pop(number, (None,now))
+        if offset is None: return
+        self.answered = now
+        self.at.pop(offset, None)
+        return offset,now-sent
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #70c34994
 @patch
@@ -157,7 +190,7 @@ async def _ask(self:RemoteFiles, op:int, *paths, patience:float|None=None, **fie
         while (now := clock.monotonic())<end:
             self._send(request)
             copies += 1
-            msg = await wanted.wait(min(self.trip.wait(copies), end-now))
+            msg = await wanted.wait(min(self.wait(copies), end-now))
             if msg and copies==1 and op!=FtpOp.CALC_FILE_CRC32: self.trip.sample(clock.monotonic()-now)
             if msg is None:
                 if copies%self.unanswered==0 and await self._has_none() and not wanted.there: break
@@ -180,66 +213,135 @@ async def _open(self:RemoteFiles, op:int, path:str, number:int)->FtpFrame:
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #bc14cb97
 @patch
+@contextmanager
+def _receiving(self:FtpFile):
+    "Record what comes until the end of the outermost `with`, so that nothing is lost between two bursts"
+    if self._expected: yield
+    else:
+        with self.files.client.expecting(FILE_TRANSFER_PROTOCOL, self._take) as self._expected:
+            self._expected.then = lambda: self._news.set(True)
+            try: yield
+            finally: self._expected = None
+
+@patch
+async def _wait(self:FtpFile, seconds:float):
+    "Wait for the end of a burst, or for the last hole; raises `Lost` when the link is gone"
+    await self._news.wait(max(0., seconds))
+    self._news = Answer()
+    if isinstance(self._expected.value, Exception): raise self._expected.value
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #14a00003
+@patch
 def _take(self:FtpFile, msg)->bool:
-    "Record a frame, on the link's reader; return True after the last of the burst"
+    "Record a frame, on the link's reader"
     if not comes_from(msg, *self.files.remote.address): return False
-    frame = read_ftp(msg.payload)
-    if frame.req_opcode!=FtpOp.BURST_READ_FILE or frame.session!=self.session: return False
-    self.refused = frame.error
-    if not self.refused: self.parts.take(frame.offset, frame.data)
-    first,_,count = self.came or (clock.monotonic(),0,0)
-    self.came = first,clock.monotonic(),count+1
-    return bool(self.refused or frame.burst_complete or self.parts.end==self.parts.size)
+    frame,now = read_ftp(msg.payload),clock.monotonic()
+    if frame.session!=self.session: return False
+    if frame.req_opcode==FtpOp.READ_FILE: self._take_piece(frame, now)
+    if frame.req_opcode==FtpOp.BURST_READ_FILE: self._take_burst(frame, now)
+    if self.ended or self.refused or self.is_empty or self.parts.whole: self._news.set(True)
+    return False
+
+@patch
+def _take_piece(self:FtpFile, frame:FtpFrame, now:float):
+    "Record the answer to a request for a single piece"
+    if not (found := self.pieces.take((frame.seq-1)&0xffff, now)): return
+    offset,seconds = found
+    self.files.trip.sample(seconds)
+    if self.came: self.came = self.came[0],now,self.came[2]+1
+    elif now-seconds<self.began: self.earlier = now
+    self.refused = frame.error or self.refused
+    if not frame.error and not frame.data: self.is_empty = True
+    self.parts.take(offset, frame.data)
+
+@patch
+def _take_burst(self:FtpFile, frame:FtpFrame, now:float):
+    "Record a frame of a burst"
+    is_late = (self.request-frame.seq)&0xffff<2000          # the end of an earlier burst, once more
+    if not frame.error: self.parts.take(frame.offset, frame.data)
+    if is_late:
+        self.earlier = now
+        return
+    if self.came: self.gap.sample(now-self.last)
+    self.came,self.last = (self.came[0] if self.came else now, now, self.came[2]+1 if self.came else 1),now
+    self.refused = frame.error or self.refused
+    self.ended = bool(self.refused or frame.burst_complete or self.parts.end==self.parts.size)
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #1a20f3ac
+@patch(as_prop=True)
+def _soon(self:FtpFile)->float:
+    "Return the seconds in which a burst begins when no queue is before it"
+    least = self.files.trip.least
+    if least is None: return self.files.wait(1+self.silent)
+    frames = .25 if self.gap.srtt is None else 4*self.gap.srtt      # a few are before it, or other traffic
+    return (2*least+frames+self.files.jitter)*2**max(0, self.silent-1)
+
 @patch
-def _due(self:FtpFile, began:float, trip:RoundTrip)->float:
+def _due(self:FtpFile, began:float)->float:
     "Return the time limit for the next frame"
-    if self.came is None: return began+trip.wait(1+self.silent)
-    first,last,count = self.came
-    if count==1: return last+trip.rto
-    pause = (last-first)/(count-1)
-    return last+max(4*pause, 4*(trip.rttvar or 0), .1)
+    if self.came is None: return max(began, self.earlier)+self._soon
+    if self.gap.srtt is None: return self.last+self._soon
+    return self.last+max(2*self.gap.srtt, self.gap.srtt+4*self.gap.rttvar)+2*self.files.jitter
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #f681cb4f
 @patch
 async def burst(self:FtpFile):
-    "Request a burst from the end of the received parts, and take it; raises `FtpError`"
-    files,parts,trip = self.files,self.parts,self.files.trip
-    number,before = files.client.ftp_numbers.request(1000),parts.count
-    request = FtpFrame(number, FtpOp.BURST_READ_FILE, self.session, most_data, offset=parts.end)
-    self.refused = self.came = None
-    with files.client.expecting(FILE_TRANSFER_PROTOCOL, self._take) as ended:
-        began = clock.monotonic()
+    "Request a burst from the end of the received parts, and the holes meanwhile; take it. Raises `FtpError`"
+    files,parts = self.files,self.parts
+    self.request,before = files.client.ftp_numbers.request(2000),parts.count
+    request = FtpFrame(self.request, FtpOp.BURST_READ_FILE, self.session, most_data, offset=parts.end)
+    self.refused,self.came,self.ended = None,None,False
+    with self._receiving():
+        began = self.began = clock.monotonic()
         files._send(request)
-        while (left := self._due(began, trip)-clock.monotonic())>0 and not await ended.wait(left): pass
-    if self.came and not self.silent: trip.sample(self.came[0]-began)
+        while not (self.ended or self.refused or self.is_empty) and (left := self._due(began)-clock.monotonic())>0:
+            await self._wait(min(left, self._request_holes()))
+    if self.came: self._measure(began)
     self.silent = 0 if parts.count>before else self.silent+1
-    if self.refused: raise FtpError(self.refused.code, self.refused.errno, self.path)
+    self._check()
     if self.came and self.silent: self.fail('of which answers bring nothing')
 
-# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #f43a67a5
-async def in_turns(coroutines:list, # Coroutines to await
-                   most:int=6): # Number in parallel
-    "Await all; cancels the others if one raises"
-    waiting = iter(coroutines)
-    async def work():
-        for coroutine in waiting: await coroutine
-    tasks = [asyncio.ensure_future(work()) for _ in range(most)]
-    try: await asyncio.gather(*tasks)
-    finally:
-        for task in tasks: task.cancel()
-        for coroutine in waiting: coroutine.close()
+@patch
+def _check(self:FtpFile):
+    "Raise the refusal that came"
+    if self.is_empty: self.fail('of which answers bring nothing')
+    if self.refused: raise FtpError(self.refused.code, self.refused.errno, self.path)
+
+@patch
+def _measure(self:FtpFile, began:float):
+    "Note the rate at which frames of a burst came, and the time to the first one"
+    first,last,count = self.came
+    if not self.silent: self.files.trip.sample(first-began)
+    if count<4 or first==last: return
+    rate = (count-1)/(last-first)
+    self.rate = rate if self.gap.least is None else max(rate, .9*self.rate)
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #b66ff356
 @patch
+def _request_holes(self:FtpFile, more:float=0.)->float: # Seconds after which another copy does no harm
+    "Request the holes that aren't on their way, no faster than frames came; return the seconds until the next"
+    files,pieces,now,rto = self.files,self.pieces,clock.monotonic(),self.files.wait()
+    again,rto = math.inf,min(rto, max(rto/3, more)) if more else rto
+    for offset,size in self.parts.wanted(self.most_holes):
+        if (sent := pieces.at.get(offset)) is not None and sent+rto>now:
+            again = min(again, sent+rto)
+            continue
+        if self.due>now: return self.due-now
+        request = FtpFrame(files.client.ftp_numbers.request(), FtpOp.READ_FILE, self.session, size, offset=offset)
+        pieces.note(request.seq, offset, now)
+        files._send(request)
+        self.due,again = max(self.due, now-.002)+1/self.rate,min(again, now+rto)
+    return again-now
+
+@patch
 async def fill(self:FtpFile):
-    "Request all holes before the end; raises `FtpError` and `Lost`"
-    async def read(offset, size):
-        where = dict(session=self.session, offset=offset, size=size)
-        answer = await self.files._ask(FtpOp.READ_FILE, **where, patience=4.)
-        if not self.parts.take(offset, answer.data): self.fail('of which answers bring nothing')
-    await in_turns([read(*wanted) for wanted in self.parts.wanted()])
+    "Request all holes before the end, for a second; raises `FtpError` and `Lost`"
+    self.refused,pieces,end = None,self.pieces,clock.monotonic()+1
+    with self._receiving():
+        while self.parts.holes and not (self.refused or self.is_empty) and (now := clock.monotonic())<end:
+            if now-max(pieces.answered, self.last)>self.patience: raise Lost(f'{self.path}: no answer')
+            await self._wait(min(self._request_holes(2*len(self.parts.holes)/self.rate), end-now))
+    self._check()
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #dfd68901
 @patch
@@ -260,11 +362,15 @@ def _passes(error:Exception)->bool:
 @patch
 async def fetch(self:FtpFile, progress=None):
     "Fetch the whole file; raises `FtpError`, `Lost` and `OSError`"
+    with self._receiving(): await self._fetch(progress)
+
+@patch
+async def _fetch(self:FtpFile, progress):
     end,vain = clock.monotonic()+self.files.patience,0      # `vain`: refusals in a row
     while self.parts is None or not self.parts.whole:
         count = self.parts.count if self.parts else 0
         try:
-            if self.session is None or self.silent>1: await self.open()
+            if self.session is None or self.silent>3: await self.open()
             elif self.parts.end<self.parts.size and len(self.parts.holes)<self.most_holes: await self.burst()
             else: await self.fill()
         except (FtpError, Lost) as e:
@@ -302,9 +408,10 @@ async def fetch_checked(self:FtpFile, progress=None):
     for attempt in range(3):
         await self.fetch(progress)
         self.sink.truncate(self.parts.size)
-        same = await self.files._same_sum(self.path, await self._sum())
+        crc = await self._sum()
+        same,_ = await asyncio.gather(self.files._same_sum(self.path, crc), self.files._end(self.session))
         if same is None: same = not self.start          # no checksum: only what we fetched ourselves is trusted
-        if same: return await self.files._end(self.session)
+        if same: return
         self.parts = self.session = None        # it changed while we read, or what we had was another file's
         self.start = self.saved = 0
     self.fail('whose checksum is wrong')
@@ -502,14 +609,9 @@ async def _write_all(self:RemoteFiles, path:str, data:bytes, progress):
     "Open the file, write all parts, and close it; raises `FtpError` and `Lost`"
     left,number,vain = set(range(0, len(data), most_data)),self.client.ftp_numbers.session(),0
     session = (await self._open(FtpOp.CREATE_FILE, path, number)).session
-    async def write(at):
-        part = data[at:at+most_data]
-        await self._ask(FtpOp.WRITE_FILE, session=session, offset=at, data=part, patience=4.)
-        left.discard(at)
-        if progress: progress(max(0, len(data)-len(left)*most_data), len(data))
     while left:
         before = len(left)
-        try: await in_turns([write(at) for at in sorted(left)], 4)
+        try: await _Upload(self, session, data, left).write(progress)
         except (FtpError, Lost) as e:
             vain = 0 if len(left)<before else vain+1
             if not self._may_go_on(e, vain):
@@ -517,6 +619,73 @@ async def _write_all(self:RemoteFiles, path:str, data:bytes, progress):
                 raise FtpError(e.code, e.errno, path) if isinstance(e, FtpError) else e
             session = (await self._open(FtpOp.OPEN_FILE_WO, path, number)).session
     await self._ask(FtpOp.TERMINATE_SESSION, session=session)
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #14a00004
+class _Upload:
+    "Pieces on their way to an open file; `left` has the offsets of those that aren't there yet"
+    first = 4           # pieces on their way at first
+    patience = 4.       # seconds without an answer before the file is reopened
+
+    def __init__(self, files:RemoteFiles, session:int, data:bytes, left:set):
+        self.files,self.session,self.data,self.left = files,session,data,left
+        self.pieces,self.refused,self.news = _Pieces(),None,Answer()
+        self.window = float(self.first)                 # pieces on their way
+        self.least = math.inf                           # shortest round trip, s
+        self.rate,self.count,self.since = 0.,0,0.       # answers a second; those since a time
+
+    def take(self, msg)->bool:
+        "Record an answer, on the link's reader"
+        if not comes_from(msg, *self.files.remote.address): return False
+        frame,now = read_ftp(msg.payload),clock.monotonic()
+        if frame.req_opcode!=FtpOp.WRITE_FILE: return False
+        if not (found := self.pieces.take((frame.seq-1)&0xffff, now)): return False
+        self.refused = self.refused or frame.error
+        if not frame.error: self.left.discard(found[0])
+        self.adapt(found[1], now)
+        self.news.set(True)
+        return False
+
+    def adapt(self, seconds:float, now:float):
+        "Adapt the window to an answer after so many seconds"
+        trip = self.files.trip
+        trip.sample(seconds)
+        self.least,self.count = min(self.least, seconds),self.count+1
+        if (took := now-self.since)>=max(trip.srtt, .02): self.rate,self.count,self.since = self.count/took,0,now
+        is_queued = seconds>1.5*self.least+.005
+        most = 2+1.5*self.rate*self.least           # less than PX4's queue drops
+        self.window = max(self.first, min(self.window-1 if is_queued else self.window+1, most))
+
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #14a00005
+@patch
+async def write(self:_Upload, progress):
+    "Write all pieces; raises `FtpError` and `Lost`"
+    data,client = self.data,self.files.client
+    with client.expecting(FILE_TRANSFER_PROTOCOL, self.take) as expected:
+        expected.then = lambda: self.news.set(True)
+        self.since = clock.monotonic()
+        while self.left:
+            wait = self.send_due(clock.monotonic())
+            await self.news.wait(wait)
+            self.news = Answer()
+            if isinstance(expected.value, Exception): raise expected.value
+            if self.refused: raise self.refused
+            if clock.monotonic()-self.pieces.answered>self.patience: raise Lost(f'{client!r}: no answer to an upload')
+            if progress: progress(max(0, len(data)-len(self.left)*most_data), len(data))
+
+@patch
+def send_due(self:_Upload, now:float)->float:
+    "Send the pieces for which there's room; return the seconds until one is due again"
+    pieces,rto,trip = self.pieces,self.files.wait(),self.files.trip
+    usual = rto if trip.srtt is None else trip.srtt+max(4*trip.rttvar, .002)        # later ones are lost, or very late
+    flying = {at:sent for at,sent in pieces.at.items() if sent+rto>now}
+    room = int(self.window)-sum(sent+usual>now for sent in flying.values())
+    for at in islice((at for at in sorted(self.left) if at not in flying), max(0, room)):
+        part,number = self.data[at:at+most_data],self.files.client.ftp_numbers.request()
+        pieces.note(number, at, now)
+        self.files._send(FtpFrame(number, FtpOp.WRITE_FILE, self.session, len(part), offset=at, data=part))
+        flying[at] = now
+    ends = (sent+wait for sent in flying.values() for wait in (usual, rto))
+    return max(0., min((end for end in ends if end>now), default=now+rto)-now)
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #42bd7a58
 @patch
