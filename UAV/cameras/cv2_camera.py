@@ -68,16 +68,13 @@ class CV2Camera(_LiveCamera):
         self._reader = _begin_thread(self._read_on, f'reader {model}')
         self._watch = timers.every(max(read_timeout/4, .1), self._check_silence, delay=read_timeout)
 
-
-# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #c105ec25
-@patch
-def close(self:CV2Camera):
-    "Stop the reader, and release the source; may be called twice"
-    super(CV2Camera, self).close()
-    timers.cancel(self._watch)
-    self._newest.end(f'{self!r} is closed', forget=True)
-    ended = _has_ended(self._reader, self.open_timeout+self.read_timeout+1)         # a driver may hang
-    if not ended: self.log.error('%r does not let go of %s', self, _source_name(self.source))
+    def close(self):
+        "Stop the reader, and release the source; may be called twice"
+        super().close()
+        timers.cancel(self._watch)
+        self._newest.end(f'{self!r} is closed', forget=True)
+        ended = _has_ended(self._reader, self.open_timeout+self.read_timeout+1)         # a driver may hang
+        if not ended: self.log.error('%r does not let go of %s', self, _source_name(self.source))
 
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #16b66f2c
@@ -213,6 +210,8 @@ def _publish(self:CV2Camera, image):
     self._newer_waits = False
     if self.fault: self.set_fault(None)
 
+
+# %% ../../nbs/api/cameras/13_cv2_camera.ipynb #9ab5ed02
 @patch
 def _passes_over(self:CV2Camera)->bool:
     "Leave the next frame undecoded, as nobody has asked for one; false when it must be read"
@@ -222,6 +221,7 @@ def _passes_over(self:CV2Camera)->bool:
     self._note_frame()
     if self.fault: self.set_fault(None)
     return True
+
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #718025aa
 @patch
