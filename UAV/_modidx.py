@@ -7355,6 +7355,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                  'UAV.wire.frames.Outgoing.__getattr__': ( 'api/wire/frames.html#outgoing.__getattr__',
                                                                            'UAV/wire/frames.py'),
                                  'UAV.wire.frames.Outgoing.__init__': ('api/wire/frames.html#outgoing.__init__', 'UAV/wire/frames.py'),
+                                 'UAV.wire.frames.Outgoing.__reduce__': ('api/wire/frames.html#outgoing.__reduce__', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames.Outgoing.__repr__': ('api/wire/frames.html#outgoing.__repr__', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames.Outgoing.get_msgId': ('api/wire/frames.html#outgoing.get_msgid', 'UAV/wire/frames.py'),
                                  'UAV.wire.frames.Outgoing.get_type': ('api/wire/frames.html#outgoing.get_type', 'UAV/wire/frames.py'),

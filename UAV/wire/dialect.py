@@ -19,7 +19,6 @@ __all__ = ['storage_media', 'crc_extras', 'command_cancel', 'timesync', 'protoco
 # %% ../../nbs/api/wire/00_dialect.ipynb #44ed4632
 class Ack(int):
     "1 if a command was accepted, else 0, with its sender and reason"
-    target,lost,heard = None,'',''     # of one without an answer
     def __new__(cls, result:int|None, # MAV_RESULT; `None`: no answer
                 source:tuple|None=None, # `(system, component)` that answered
                 command:int|None=None, # MAV_CMD that was asked
@@ -30,7 +29,7 @@ class Ack(int):
                 copies:int=1): # How often the command was sent: a refusal may be the answer to a copy
         self = super().__new__(cls, result==mavlink.MAV_RESULT_ACCEPTED)
         self.result,self.source,self.command,self.param,self.copies = result,source,command,param,copies
-        if result is None: self.target,self.lost,self.heard = target,lost,heard
+        self.target,self.lost,self.heard = target,lost,heard
         return self
 
     @property

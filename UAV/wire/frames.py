@@ -101,6 +101,7 @@ _constructor = '''def build(frame, head, seq, sender):
     msg,header,n = new(cls),new(Header),frame[1]
     payload = frame[head:head+n]
     {fields}, = unpack(payload if n=={size} else payload.ljust({size}, zero)[:{size}])
+    {constants}
     msg._header,msg._msgbuf,msg._payload,msg._crc = header,frame,payload,frame[head+n]|frame[head+n+1]<<8
     header.msgId,header.mlen,header.seq,header.incompat_flags,header.compat_flags = {msg_id},n,seq,0,0
     header.srcSystem,header.srcComponent = sender
@@ -117,8 +118,10 @@ def _text(cls)->tuple:
     "`(text, constants)`: a constructor of `cls` as Python text, and what is the same for all its messages"
     sample,changing = cls(*[0]*len(cls.fieldnames)),{*cls.fieldnames, '_header', '_msgbuf', '_payload', '_crc'}
     constants = {name:value for name,value in vars(sample).items() if name not in changing}
-    fields = ','.join(f'msg.{name}' for name in cls.ordered_fieldnames)
-    return _constructor.format(fields=fields, size=cls.unpacker.size, msg_id=cls.id),constants
+    text = _constructor.format(
+        fields=','.join(f'msg.{name}' for name in cls.ordered_fieldnames), size=cls.unpacker.size, msg_id=cls.id,
+        constants='\n    '.join(f'msg.{name} = {name}' for name in constants))
+    return text,constants
 
 # %% ../../nbs/api/wire/01_frames.ipynb #9f7e4777
 def _is_plain(cls)->bool:
@@ -142,7 +145,6 @@ def _builder(cls):
     "A function of `(frame, head, seq, sender)` that makes the message in a frame, whose payload begins at `head`"
     if not _is_plain(cls): return _slow_builder(cls)
     text,names = _text(cls)
-    for name,value in names.items(): setattr(cls, name, value)      # what is equal in all its messages
     names.update(cls=cls, new=object.__new__, Header=mavlink.MAVLink_header)
     names.update(unpack=cls.unpacker.unpack, zero=b'\0', mark=_mark)
     exec(text, names)
@@ -238,6 +240,8 @@ class Outgoing:
     def __init__(self, cls, # pymavlink's class of the message
                  *values): # Of its fields, in the order of `cls.ordered_fieldnames`
         self.cls,self.values = cls,values
+
+    def __reduce__(self): return Outgoing,(self.cls,*self.values)
 
     def __getattr__(self, name):
         if name not in self.cls.fieldnames: raise AttributeError(name)
