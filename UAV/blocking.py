@@ -8,13 +8,13 @@ from concurrent.futures import Future
 from contextlib import suppress
 from functools import cache, partial, wraps
 from types import CoroutineType, FunctionType, MethodType
-import asyncio, atexit, inspect, math, selectors, signal, sys
+import _signal, asyncio, atexit, inspect, math, selectors, signal, sys      # `_signal`: without its enums, ten times as fast
 
 from fastcore.basics import patch
 import UAV
 from .logging import get_logger
 from .utils import clock
-from .utils.threads import Opened, ForkError
+from .utils.threads import _begin_thread, ForkError, Opened
 from .utils.sockets import LoopThread
 from .wire.dialect import LinkError
 from .wire.links import UDPLink
@@ -52,7 +52,6 @@ class BlockingMAVCom(Blocking):
         except UAVError as e: raise _short(e)
         super().__init__(target, SharedLoop('blocking'))
         _open.add(self)
-        _catch_interrupts()
         self._loop.run(_read_in_loop(target)).result()
 
     def close(self):
@@ -60,7 +59,6 @@ class BlockingMAVCom(Blocking):
         try: self._loop.close()                     # first, so what still runs can clean up over the link
         finally: self._target.close()
         _open.discard(self)
-        _catch_interrupts()
 
     def __enter__(self): return self
     def __exit__(self, *error): self.close()
@@ -71,7 +69,8 @@ async def _read_in_loop(com):
     for channel in com.channels:
         if not isinstance(channel.link, UDPLink): continue
         channel.read_in_loop(loop)
-        loop.readers[channel.link.sock] = partial(channel.take_all, 1)
+        loop.add_reader(channel.link.sock, loop.read, channel.take_all)
+        loop.readers[channel.link.sock] = partial(loop.read, channel.take_all, 1)
 
 
 # %% ../nbs/api/02_blocking.ipynb #6a301359
@@ -100,12 +99,14 @@ def _check(loop:SharedLoop):
 # %% ../nbs/api/02_blocking.ipynb #dfc50d78
 def _wait(awaitable, loop:SharedLoop):
     "Await it in `loop`, and return its result; close a coroutine that couldn't start"
+    began = False
     try:
         if asyncio._get_running_loop() is not None or loop.orphaned: _check(loop)
+        began = True
         return loop.wait(awaitable)
-    except (ForkError, LinkError, LoopClosed) as e:
-        if type(awaitable) is CoroutineType and not awaitable.cr_running: awaitable.close()
-        if not isinstance(e, LoopClosed): raise
+    except LoopClosed: began = False
+    finally:
+        if not began and type(awaitable) is CoroutineType and not awaitable.cr_running: awaitable.close()
     raise LinkError(_gone)
 
 
@@ -115,14 +116,24 @@ class _ReadingLoop(asyncio.SelectorEventLoop):
     def __init__(self):
         self.selector,self.task = selectors.DefaultSelector(),None
         self.readers = {}       # by socket: takes one datagram
+        self.reads_in = None    # the thread in which a reader is called
         super().__init__(self.selector)
+
+    def read(self, take, *args):
+        "Call a reader, from outside of the loop: a handler of its messages may wait for another `MAVCom`"
+        asyncio._set_running_loop(None)
+        self.reads_in = clock.get_ident()
+        try: take(*args)
+        finally:
+            self.reads_in = None
+            asyncio._set_running_loop(self)
 
     def read_for(self, future, # Set by a callback of a reader, or by anybody
                  timeout:float|None)->float|None: # s
         "Read until `future` is set or there's something else to do; return what is left of `timeout`"
         end = math.inf if timeout is None else clock.monotonic()+timeout
-        while not (future.done() or self._ready or self._scheduled):
-            for key,_ in self.selector.select(timeout):
+        while not (future.done() or self._ready or self._scheduled or self._debug):     # that complains of long steps
+            for key,_ in self.selector.select(None if timeout is None else min(timeout, 3600.)):
                 if key.fileobj not in self.readers: return timeout      # of the loop itself: another thread wakes it
                 self.readers[key.fileobj]()
             if timeout is not None and (timeout := max(0., end-clock.monotonic()))==0.: break
@@ -155,29 +166,30 @@ class SharedLoop(LoopThread):
     "An asyncio loop that a waiting caller runs, the leader; a thread runs it while nobody calls"
     rest = .01          # s after a call in which the thread leaves the loop to the next one
     patience = 5.       # s that an interrupted coroutine has for its clean-up
+    inside = property(lambda self: self.runner==clock.get_ident(), doc="Are we called by what the loop runs?")
+    runner = leader = None                      # threads: that runs the loop; that waits for its call and runs it
     def __init__(self, name:str): # Of the thread
-        self._calling = clock.Lock()            # held by the caller who leads
-        self.leader = None                      # its thread's identifier
+        self._calling = clock.Lock()            # held by the leader
         self._until,self.interrupted = math.inf,False       # when it gives its task up, monotonic s
         self._bell,self._sleeps = clock.Event(),False       # the bell ends a pause, or sleep, of the thread
-        self._followers = self._calls = 0
+        self._followers,self._calls,self._turned = 0,0,-math.inf        # `_turned`: the last turn of the loop
         super().__init__(name, _ReadingLoop())
 
     def wait(self, awaitable): # Awaited in the loop
         "Wait for its result; raises `LoopClosed`, also when `close` comes before the result"
-        if not self._calling.acquire(False): return self._follow(awaitable)
-        self.leader = clock.get_ident()         # first, so that the thread doesn't take the lead again
-        self._calls += 1
+        if self.inside: raise RuntimeError(_in_a_loop)
+        is_main = clock.get_ident()==clock.main_thread().ident
+        if is_main and _has_handlers() or not self._calling.acquire(False): return self._follow(awaitable)
+        has_default = is_main and _signal.getsignal(signal.SIGINT) is signal.default_int_handler
         try:
-            if not self._lead.acquire(False):
-                with suppress(RuntimeError): self.loop.call_soon_threadsafe(self.loop.stop)      # unless just closed
-                self._lead.acquire()
-            try: return self._run(awaitable)
-            finally: self._lead.release()
+            if has_default: _signal.signal(signal.SIGINT, self._on_interrupt)
+            return self._lead_with(awaitable)
         finally:
-            self.leader,self.interrupted,self._until = None,False,math.inf
+            if has_default: _signal.signal(signal.SIGINT, signal.default_int_handler)
+            interrupted,self.interrupted,self._until = self.interrupted,False,math.inf
             self._calling.release()
             if self._sleeps or self._followers or self._ending: self._ring()
+            if interrupted: raise KeyboardInterrupt from None
 
     def _ring(self): self._bell.set()
 
@@ -186,12 +198,30 @@ class SharedLoop(LoopThread):
 async def _await(awaitable): return await awaitable
 
 @patch
+def _lead_with(self:SharedLoop, awaitable):
+    "Take the loop, and run it until the result is there"
+    self.leader = clock.get_ident()             # first, so that the thread doesn't take the loop again
+    self._calls += 1
+    try:
+        if not self._lead.acquire(False):
+            with suppress(RuntimeError): self.loop.call_soon_threadsafe(self.loop.stop)      # unless just closed
+            self._lead.acquire()
+        self.runner = self.leader
+        try: return self._run(awaitable)
+        finally:
+            self.runner = self.loop.task = None
+            self._lead.release()
+    finally: self.leader = None
+
+@patch
 def _run(self:SharedLoop, awaitable):
-    "Run the loop until the result is there"
     if self._ending: raise LoopClosed(f'{self!r}')
     task = self.loop.begin(awaitable if type(awaitable) is CoroutineType else _await(awaitable))
     if not task.done(): self._finish(task)
-    if self.interrupted: raise KeyboardInterrupt
+    elif clock.monotonic()-self._turned>self.rest:          # a call that waits for nothing doesn't read either
+        self.loop.call_soon(self.loop.stop)
+        self.loop.run_forever()
+        self._turned = clock.monotonic()
     try: return task.result()
     except asyncio.CancelledError: raise LoopClosed('the loop was closed') from None
 
@@ -202,18 +232,8 @@ def _finish(self:SharedLoop, task):
     if self.interrupted: self.interrupt()
     try:
         while not task.done() and clock.monotonic()<self._until: self.loop.run_forever()
-    except BaseException:                       # raised by a signal handler of the program
-        if not task.done() and self._until==math.inf:
-            self.interrupt()
-            self._finish(task)
-        raise
-
-@patch
-def interrupt(self:SharedLoop):
-    "Cancel the leader's task; it has `patience` seconds to clean up"
-    self.interrupted,self._until = True,clock.monotonic()+self.patience
-    if self.loop.task: self.loop.task.cancel()
-    self.loop.call_soon_threadsafe(self.loop.call_later, self.patience, self.loop.stop)
+    finally: self._turned = clock.monotonic()
+    if not task.done(): raise KeyboardInterrupt     # its clean-up goes on
 
 
 # %% ../nbs/api/02_blocking.ipynb #10090006
@@ -255,7 +275,10 @@ def _hand_over(task, result:Future, ended:clock.Event):
 def _serve(self:SharedLoop):
     "The thread: run the loop while nobody calls"
     while not self._ended:
-        with self._lead: self.loop.run_forever()
+        with self._lead:
+            self.runner = clock.get_ident()
+            self.loop.run_forever()
+            self.runner,self._turned = None,clock.monotonic()
         self._pause()
 
 @patch
@@ -274,20 +297,32 @@ def _pause(self:SharedLoop):
 
 
 # %% ../nbs/api/02_blocking.ipynb #10090008
-def _on_interrupt(number, frame):
-    "Cancel the call that the main thread waits for; raise `KeyboardInterrupt` if there's none, or the second time"
-    me = clock.get_ident()
-    for com in _open:
-        loop = vars(com)['_loop']
-        if loop.leader==me and not loop.interrupted: return loop.interrupt()
-    signal.default_int_handler(number, frame)
+_names = 'SIGINT SIGTERM SIGHUP SIGALRM SIGUSR1 SIGUSR2 SIGQUIT SIGBREAK SIGCHLD SIGWINCH SIGCONT SIGVTALRM SIGPROF'
+_signals = [getattr(signal, name) for name in _names.split() if hasattr(signal, name)]
 
-def _catch_interrupts():
-    "While a `MAVCom` is open, have Ctrl-C cancel a call, as in `asyncio.run`; a handler of the program stays"
-    ours,pythons = _on_interrupt,signal.default_int_handler
-    before,after = (pythons,ours) if list(_open) else (ours,pythons)
-    if signal.getsignal(signal.SIGINT) is not before: return
-    with suppress(ValueError): signal.signal(signal.SIGINT, after)      # only the main thread may have handlers
+def _has_handlers()->bool:
+    "True if the program has a signal handler of its own"
+    default = signal.default_int_handler
+    return any(callable(f) and f is not default and not hasattr(f, 'is_ctrl_c') for f in map(_signal.getsignal, _signals))
+
+@patch
+def _on_interrupt(self:SharedLoop, number, frame):
+    "Cancel the leader's task; raise `KeyboardInterrupt` the second time"
+    if self.interrupted: signal.default_int_handler(number, frame)
+    self.interrupt()
+
+@patch
+def interrupt(self:SharedLoop):
+    "Cancel the leader's task; it has `patience` seconds to clean up"
+    self.interrupted,self._until = True,clock.monotonic()+self.patience
+    if self.loop.task: self.loop.task.cancel()
+    self.loop.call_soon_threadsafe(self.loop.call_later, self.patience, self.loop.stop)
+
+@patch
+def close(self:SharedLoop, timeout:float=5.): # Seconds until what does not end is left behind
+    "Cancel what runs, and end the thread; a handler that the loop runs doesn't wait for that"
+    if self.inside: _begin_thread(partial(self.close, timeout), 'closing a loop')
+    else: super(SharedLoop, self).close(timeout)
 
 
 # %% ../nbs/api/02_blocking.ipynb #ba7bf717
@@ -360,10 +395,10 @@ def _call(f, loop:SharedLoop):
 # %% ../nbs/api/02_blocking.ipynb #f9558874
 def _forward(name:str, f=None):
     "Return a method that calls the handle's method `name`; `f` is its class's function"
-    waits = inspect.iscoroutinefunction(f)
+    checks = f is not None and not inspect.iscoroutinefunction(f)       # a coroutine is checked when it's awaited
     def method(self, *args, **kwargs):
         loop = self._loop
-        if not waits: _check(loop)              # else when it's awaited
+        if checks: _check(loop)
         if kwargs: kwargs = {k: _bare(v) for k,v in kwargs.items()}
         try: return _wrapped(getattr(self._target, name)(*map(_bare, args), **kwargs), loop)
         except UAVError as e: raise _short(e)
@@ -397,16 +432,27 @@ def _exit(self, *error):
 # %% ../nbs/api/02_blocking.ipynb #feea58c4
 _special = '__call__ __contains__ __enter__ __exit__ __getitem__ __iter__ __len__ __next__'.split()
 
+class _Method:
+    "A method of a wrapper; what its handle has set in its place comes first"
+    def __init__(self, name:str, f): self.name,self.method = name,_forward(name, f)
+
+    def __get__(self, wrapper, kind=None):
+        if wrapper is None: return self.method
+        target = vars(wrapper)['_target']
+        if self.name in getattr(target, '__dict__', ()): return _wrapped(getattr(target, self.name), wrapper._loop)
+        return MethodType(self.method, wrapper)
+
 @cache
 def _kind(kind:type)->type:
     "Return the class of wrappers for handles of class `kind`"
     has = {name: value for c in reversed(kind.__mro__[:-1]) for name,value in vars(c).items()}
     functions = {name: f for name,f in has.items() if type(f) is FunctionType and not name.startswith('__')}
-    body = {name: _forward(name) for name in _special if name in has}
-    body.update((name, _forward(name, f)) for name,f in functions.items())     # quicker than `__getattr__`
+    body = {name: _Method(name, f) for name,f in functions.items()}     # quicker than `__getattr__`
+    body.update((name, _forward(name)) for name in _special if name in has)
     if '__aiter__' in has: body['__iter__'] = _iterate
     if '__aenter__' in has and '__enter__' not in has: body.update(__enter__=_enter, __exit__=_exit)
     return type(kind.__name__, (Blocking,), dict(body, __doc__=kind.__doc__))
+
 
 # %% ../nbs/api/02_blocking.ipynb #a84ab4e6
 def _together(name:str):

@@ -28,6 +28,7 @@ def end_as_with_ctrl_c():
         came.append(number)
         ctrl_c = signal.getsignal(signal.SIGINT)        # asyncio has its own
         (ctrl_c if callable(ctrl_c) else signal.default_int_handler)(signal.SIGINT, frame)
+    end.is_ctrl_c = True        # to `UAV.blocking`
     for name in ('SIGTERM','SIGHUP'):
         number = getattr(signal, name, None)            # Windows has no SIGHUP
         if number and signal.getsignal(number)!=signal.SIG_IGN: signal.signal(number, end)

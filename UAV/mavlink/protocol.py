@@ -426,7 +426,7 @@ def _wake(future):
     "Wake the coroutine that waits for `future`; called from any thread"
     import asyncio
     loop = future.get_loop()
-    if asyncio._get_running_loop() is loop: return _woken(future)
+    if asyncio._get_running_loop() is loop or getattr(loop,'reads_in',None)==clock.get_ident(): return _woken(future)
     try: loop.call_soon_threadsafe(_woken, future)
     except RuntimeError: pass           # the loop was closed while we waited
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 from datetime import datetime
 from math import inf
 from queue import Empty, SimpleQueue
-from threading import Condition, Event, Lock, RLock, Thread, current_thread, enumerate, get_ident, local
+from threading import Condition, Event, Lock, RLock, Thread, current_thread, enumerate, get_ident, local, main_thread
 from time import gmtime, localtime, monotonic, monotonic_ns, perf_counter, sleep, strftime, time, time_ns
 from time import thread_time        # of the processor: never simulated
 

@@ -6,7 +6,6 @@
 from __future__ import annotations
 from collections import deque
 from dataclasses import replace
-from operator import attrgetter
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
@@ -35,8 +34,8 @@ _checks = dict(rate=_positive, key_interval=_positive,
 def _setting(name:str):
     "Return an attribute that may be set while the encoder runs"
     def change(encoder, value): encoder._change(name, value)
-    doc = 'As for the constructor; a change counts from the next picture on'
-    return property(attrgetter(f'_{name}'), change, doc=doc)
+    def value(encoder): return getattr(encoder, f'_{name}')
+    return property(value, change, doc='As for the constructor; a change counts from the next picture on')
 
 # %% ../../nbs/api/video/01_encoder.ipynb #655a98de
 class Encoder(Closes):
