@@ -170,6 +170,7 @@ class SharedLoop(LoopThread):
     runner = leader = None                      # threads: that runs the loop; that waits for its call and runs it
     def __init__(self, name:str): # Of the thread
         self._calling = clock.Lock()            # held by the leader
+        self._main = clock.main_thread().ident
         self._until,self.interrupted = math.inf,False       # when it gives its task up, monotonic s
         self._bell,self._sleeps = clock.Event(),False       # the bell ends a pause, or sleep, of the thread
         self._followers,self._calls,self._turned = 0,0,-math.inf        # `_turned`: the last turn of the loop
@@ -178,14 +179,14 @@ class SharedLoop(LoopThread):
     def wait(self, awaitable): # Awaited in the loop
         "Wait for its result; raises `LoopClosed`, also when `close` comes before the result"
         if self.inside: raise RuntimeError(_in_a_loop)
-        is_main = clock.get_ident()==clock.main_thread().ident
+        is_main = clock.get_ident()==self._main
         if is_main and _has_handlers() or not self._calling.acquire(False): return self._follow(awaitable)
-        has_default = is_main and _signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        has_default = is_main and _signal.getsignal(_sigint) is _default
         try:
-            if has_default: _signal.signal(signal.SIGINT, self._on_interrupt)
+            if has_default: _signal.signal(_sigint, self._on_interrupt)
             return self._lead_with(awaitable)
         finally:
-            if has_default: _signal.signal(signal.SIGINT, signal.default_int_handler)
+            if has_default: _signal.signal(_sigint, _default)
             interrupted,self.interrupted,self._until = self.interrupted,False,math.inf
             self._calling.release()
             if self._sleeps or self._followers or self._ending: self._ring()
@@ -297,13 +298,16 @@ def _pause(self:SharedLoop):
 
 
 # %% ../nbs/api/02_blocking.ipynb #10090008
-_names = 'SIGINT SIGTERM SIGHUP SIGALRM SIGUSR1 SIGUSR2 SIGQUIT SIGBREAK SIGCHLD SIGWINCH SIGCONT SIGVTALRM SIGPROF'
-_signals = [getattr(signal, name) for name in _names.split() if hasattr(signal, name)]
+_names = 'SIGTERM SIGHUP SIGALRM SIGUSR1 SIGUSR2 SIGQUIT SIGBREAK SIGCHLD SIGWINCH SIGCONT SIGVTALRM SIGPROF'
+_signals = [int(getattr(signal, name)) for name in _names.split() if hasattr(signal, name)]
+_sigint,_default = int(signal.SIGINT),signal.default_int_handler
 
 def _has_handlers()->bool:
     "True if the program has a signal handler of its own"
-    default = signal.default_int_handler
-    return any(callable(f) and f is not default and not hasattr(f, 'is_ctrl_c') for f in map(_signal.getsignal, _signals))
+    ctrl_c = _signal.getsignal(_sigint)
+    if ctrl_c is _default and not any(map(callable, map(_signal.getsignal, _signals))): return False
+    handlers = {ctrl_c, *map(_signal.getsignal, _signals)}-{_default}
+    return any(callable(f) and not hasattr(f, 'is_ctrl_c') for f in handlers)
 
 @patch
 def _on_interrupt(self:SharedLoop, number, frame):
