@@ -391,11 +391,18 @@ def count_message(self:BaseComponent, msg):
     self.num_msgs_rcvd += 1
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #177876f2
+_see_each = BaseComponent.deliver,BaseComponent.count_message      # as they are made here
+
+@patch
+def _replaces(self:BaseComponent, own, # A method as our class was made with it
+             )->bool:
+    "True if another method has this name here: of a subclass or of the object, or one that wraps ours"
+    return getattr(getattr(self, own.__name__), '__func__', None) is not own
+
 @patch
 def _wants(self:BaseComponent, msg_id:int)->bool:
-    "True if a message for all is handled, expected or shown here; a subclass that overrides `deliver` gets each"
-    for name in ('deliver','count_message'):
-        if getattr(getattr(self, name), '__func__', None) is not getattr(BaseComponent, name): return True
+    "True if a message for all is handled, expected or shown here; a component that replaces `deliver` gets each"
+    if any(self._replaces(own) for own in _see_each): return True
     return bool(self._listeners) or msg_id in self._expectations or self.tables.takes(msg_id)
 
 # %% ../../nbs/api/mavlink/03_basecomponent.ipynb #7fd17962

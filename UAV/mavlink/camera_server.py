@@ -397,13 +397,32 @@ def _camera_image_captured(self:CameraServer, index:int=None, last:int=0):
     if not first<=end<count: raise Denied(f'no pictures {first} to {end}: {count} were taken')
     return (self._encode_picture(self.camera.picture(i)) for i in range(first, end+1))
 
-# %% ../../nbs/api/mavlink/11_camera_server.ipynb #76ee0b51
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #6a68f4ac
+_handlers = {   # of the messages in which events are sent, as they were made, and their message ids
+    CaptureStatus: (CameraServer._camera_capture_status, CAMERA_CAPTURE_STATUS),
+    CameraSettings: (CameraServer._camera_settings, CAMERA_SETTINGS),
+    StorageInformation: (CameraServer._storage_information, STORAGE_INFORMATION)}
+
+def _handler(event)->tuple:
+    "Return our handler of the message in which `event` is sent, and its message id"
+    return next(found for kind,found in _handlers.items() if isinstance(event, kind))
+
+@patch
+def _read_again(self:CameraServer, event, *values):
+    "Encode what the camera says instead of `event`, by our handler, one that overrides it, or another marked one"
+    own,msg_id = _handler(event)
+    handler = self.messages[msg_id]
+    return getattr(self, own.__name__)(*values) if handler.name==own.__name__ else handler(values)
+
 @patch
 def _is_current(self:CameraServer, event)->bool:
-    "True if the camera's own verb has returned `event`, and none has read anything since"
+    "True if the camera's own verb has returned `event`, none has read anything since, and we encode it ourselves"
+    own,msg_id = _handler(event)
+    if self.messages[msg_id].name!=own.__name__ or self._replaces(own): return False
     just_read = getattr(self.camera, '__dict__', {}).get('_just_read', ())      # its own: a wrapper's verbs may differ
     return any(event is one for one in just_read)
 
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #76ee0b51
 @patch
 @announced(CaptureStatus)
 def _announce_capture(self:CameraServer, event:CaptureStatus):
@@ -413,7 +432,7 @@ def _announce_capture(self:CameraServer, event:CaptureStatus):
     self._begun = clock.monotonic() if event.capturing and not changed else math.inf
     if self._begun<math.inf: return             # a heartbeat announces it, if it takes long
     as_it_is = not changed or self._is_current(event)
-    return self._encode_status(event) if as_it_is else self._camera_capture_status()
+    return self._encode_status(event) if as_it_is else self._read_again(event)
 
 @patch
 @announced(CameraSettings)
@@ -424,14 +443,14 @@ def _announce_settings(self:CameraServer, event:CameraSettings):
     self._announced.update(rests)
     self._runs_on = len(rests)<3
     if self._runs_on and same: return
-    return self._encode_settings(event) if self._is_current(event) else self._camera_settings()
+    return self._encode_settings(event) if self._is_current(event) else self._read_again(event)
 
 @patch
 @announced(StorageInformation)
 def _announce_storage(self:CameraServer, event:StorageInformation)->list:
     "Encode STORAGE_INFORMATION"
     if self._is_current(event): return [self._encode_storage(event)]
-    try: return self._storage_information(event.storage_id)
+    try: return self._read_again(event, event.storage_id)
     except CommandError: return [self._encode_storage(event)]       # it isn't listed any more
 
 @patch

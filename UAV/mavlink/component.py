@@ -38,6 +38,8 @@ def __getattr__(name):
     return mavutil
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #6e19bbae
+_send_message = BaseComponent.send_message      # as it was made
+
 class Stream:
     "A message sent periodically, encoded once for all who asked for it at this rate"
     def __init__(self, component, # The component that encodes and sends it
@@ -45,7 +47,7 @@ class Stream:
                  values:tuple, # Parameters of the request, such as an index
                  period:float, # µs
                  to:tuple|None, # `(system, component)` of the first receiver; `None`: all
-                 failed): # Called with the stream if the message can't be encoded
+                 failed): # Called with the stream and its receivers if the message can't be sent to them
         store_attr('component,msg_id,values,period,failed')
         self.receivers,self._sends = {to:to},clock.RLock()      # by asker
         self.job = component.timers.every(period/1e6, self.send, delay=period/1e6)
@@ -57,31 +59,36 @@ class Stream:
         return None if None in found else found[0] if len(found)==1 else found
 
     def send(self):
-        "Send it once"
+        "Send it once; a `send_message` of the component's own is called for each receiver"
         with self._sends:
-            try:
-                for msg in self.component._encode_requested(self.msg_id, self.values):
-                    if self.receivers: self.component.send_message(msg, self.to)
-            except Exception as e:
-                self.component.log.warning('the stream of message %s ends: %s', self.msg_id, e)
-                self.failed(self)
+            to = self.to
+            in_turn = isinstance(to, list) and self.component._replaces(_send_message)
+            for one in to if in_turn else [to]: self._send(one)
+
+    def _send(self, to:tuple|list|None):
+        try:
+            for msg in self.component._encode_requested(self.msg_id, self.values):
+                if self.receivers: self.component.send_message(msg, to)
+        except Exception as e:
+            self.component.log.warning('the stream of message %s ends: %s', self.msg_id, e)
+            self.failed(self, to)
 
     def stop(self, timeout:float=5.): # Seconds to wait for a message in preparation
         "Stop the stream"
         if not self.component.timers.cancel(self.job, timeout) and timeout: self._complain()
 
-    def _complain(self):
-        name = self.component.timers.name
-        self.component.log.error('message %s is not made: the thread %s hangs', self.msg_id, name)
-
 # %% ../../nbs/api/mavlink/04_component.ipynb #8eaf1c88
 @patch
-def leave(self:Stream, asker:tuple|None, timeout:float=5.): # Seconds to wait for a message in preparation
-    "Send it to one receiver less; stop the stream after the last"
-    self.receivers.pop(asker, None)
+def leave(self:Stream, timeout:float=5.): # Seconds to wait for a message in preparation
+    "Wait until one who is no receiver any more gets no more; stop the stream after the last"
     if not self.receivers: return self.stop(timeout)
     if timeout and not self._sends.acquire(timeout=timeout): self._complain()
     elif timeout: self._sends.release()
+
+@patch
+def _complain(self:Stream):
+    name = self.component.timers.name
+    self.component.log.error('message %s is not made: the thread %s hangs', self.msg_id, name)
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #32beee58
 class Streams(Part):
@@ -108,7 +115,7 @@ class Streams(Part):
 
     def _end(self, asker:tuple|None, key:tuple, timeout:float=5.):
         with self._lock: stream = self._drop(asker, key)
-        if stream: stream.leave(asker, timeout)
+        if stream: stream.leave(timeout)
 
     def _end_answer(self, asker:tuple, pending=None):
         "Stop an answer; if `pending` messages are given, only if nothing was added to them"
@@ -199,12 +206,13 @@ def _join(self:Streams, asker:tuple|None, key:tuple, period:float, to:tuple|None
             stream.receivers.clear()
         stream.receivers[asker] = to
         self._streams[asker,key] = stream
-    if other and other is not stream: other.leave(asker)
+    if other and other is not stream: other.leave()
 
 @patch
-def _fail(self:Streams, stream:Stream):
-    "End a stream for all its receivers"
-    for asker in list(stream.receivers): self._end(asker, (stream.msg_id,*stream.values))
+def _fail(self:Streams, stream:Stream, to:tuple|list|None):
+    "End a stream for these receivers, as in its `to`"
+    for asker,one in list(stream.receivers.items()):
+        if to is None or one==to or isinstance(to, list): self._end(asker, (stream.msg_id,*stream.values))
 
 # %% ../../nbs/api/mavlink/04_component.ipynb #e379e49a
 @patch

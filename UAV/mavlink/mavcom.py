@@ -12,7 +12,7 @@ from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from ..logging import get_logger, line_limit, LogLevels
 from .retransmission import Remotes
-from .protocol import check_id, opened
+from .protocol import check_id, _marks, opened
 from ..utils import clock
 from ..utils.clock import date_time_str, Seen, time_since_boot_ms, time_UTC_usec
 from ..utils.docs import show_unawaited
@@ -52,6 +52,7 @@ class MAVCom(Closes):
         self.signing = signing if signing is None or isinstance(signing, Signing) else Signing(signing)
         self.component,self.channels,self.wanted = {},[],Wanted(mavlink.MAVLINK_MSG_ID_HEARTBEAT)
         self.receivers,self._numbered = (),{}   # components that take messages (not those that are joining); by number
+        self._kinds = ()            # classes of the receivers
         self._takers = {}           # by message id: those that want it if it is for all, and of when that is
         self.here = set()           # addresses of our components
         self._everywhere,self._ways = [],{}     # `(channel, None)` for each link; where an address was seen
@@ -159,8 +160,13 @@ def deliver_to(self:MAVCom, component):
     with self._lock:
         is_ours = self.component.get(component.source_component) is component
         if not is_ours or component in self.receivers: return
-        self.receivers += (component,)
+        self._receive(*self.receivers, component)
         self._numbered[component.source_component] = component
+
+@patch
+def _receive(self:MAVCom, *components):
+    "Set those that messages are delivered to; under the lock"
+    self.receivers,self._kinds = components,tuple({type(c) for c in components})
 
 # %% ../../nbs/api/mavlink/02_mavcom.ipynb #78819268
 @patch
@@ -168,7 +174,7 @@ def remove_component(self:MAVCom, component):
     "Remove `component`; its `close` calls this"
     number = component.source_component
     with self._lock:
-        self.receivers = tuple(c for c in self.receivers if c is not component)
+        self._receive(*[c for c in self.receivers if c is not component])
         if self._numbered.get(number) is component: del self._numbered[number]
         if self.component.get(number) is not component: return
         del self.component[number]
@@ -209,8 +215,9 @@ def _addressed(self:MAVCom, msg_id:int, system:int, number:int)->tuple:
     if system not in (0, self.source_system): return ()
     if number:
         one = self._numbered.get(number)
-        return () if one is None else (one,)
-    as_of = self.receivers,self.wanted.changes
+        if one is not None and one.source_component==number: return (one,)
+        return tuple(c for c in self.receivers if c.source_component==number)       # one may have taken another number
+    as_of = self.receivers,self.wanted.changes,_marks.count,[kind.deliver for kind in self._kinds]
     before,takers = self._takers.get(msg_id, (None,()))
     if before!=as_of:
         takers = tuple(c for c in self.receivers if c._wants(msg_id))
@@ -292,12 +299,12 @@ def take(self:Channel, data:bytes, peer=None):
     try:
         reader = self.readers.get(peer) or self._new_reader(peer)
         reader.heard,reader.check = now,self._check if judged else None
+        before = reader.changes
         try:
-            before = reader.changes
             messages = reader.feed(data)
-            if reader.changes!=before: com._ways = {}
             if reader.seen: self.link.welcome(peer)     # before the answers to these messages go out
         finally:            # what was accepted goes on, whatever came after it
+            if reader.changes!=before: com._ways = {}
             passing,self._passing = self._passing,[]
             for frame in passing: com._forward(self, *frame)
         for msg in messages:
