@@ -8,7 +8,8 @@ from concurrent.futures import Future
 from contextlib import suppress
 from functools import cache, partial, wraps
 from types import CoroutineType, FunctionType, MethodType
-import _signal, asyncio, atexit, inspect, math, selectors, signal, sys      # `_signal`: without its enums, ten times as fast
+import _signal          # of `signal`, without its enums: ten times as fast
+import asyncio, atexit, inspect, math, selectors, signal, sys
 
 from fastcore.basics import patch
 import UAV
@@ -226,6 +227,8 @@ def _run(self:SharedLoop, awaitable):
     try: return task.result()
     except asyncio.CancelledError: raise LoopClosed('the loop was closed') from None
 
+
+# %% ../nbs/api/02_blocking.ipynb #10090009
 @patch
 def _finish(self:SharedLoop, task):
     "Run the loop until a task is done, or given up"
