@@ -100,15 +100,14 @@ def _check(loop:SharedLoop):
 # %% ../nbs/api/02_blocking.ipynb #dfc50d78
 def _wait(awaitable, loop:SharedLoop):
     "Await it in `loop`, and return its result; close a coroutine that couldn't start"
-    began = False
     try:
         if asyncio._get_running_loop() is not None or loop.orphaned: _check(loop)
-        began = True
         return loop.wait(awaitable)
-    except LoopClosed: began = False
-    finally:
-        if not began and type(awaitable) is CoroutineType and not awaitable.cr_running: awaitable.close()
-    raise LinkError(_gone)
+    except BaseException as e:
+        is_new = type(awaitable) is CoroutineType and inspect.getcoroutinestate(awaitable)==inspect.CORO_CREATED
+        if is_new: awaitable.close()
+        if isinstance(e, LoopClosed): raise LinkError(_gone) from None
+        raise
 
 
 # %% ../nbs/api/02_blocking.ipynb #10090002

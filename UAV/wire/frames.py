@@ -257,12 +257,11 @@ def pack(msg, # A pymavlink message
          mav, # The sender's encoder: its `seq`, `srcSystem` and `srcComponent` go into the frame
         )->bytes:
     "`msg` as a MAVLink 2 frame; raises `struct.error` when a field does not fit"
-    cls = type(msg)
-    values = msg.values if (is_bare := cls is Outgoing) else None
-    fields = _fields(msg.cls if is_bare else cls)
+    is_bare = type(msg) is Outgoing
+    fields = _fields(msg.cls if is_bare else type(msg))
     if not fields: return bytes(msg.pack(mav))
     to_bytes,values_of,msg_id,extra = fields
-    payload = to_bytes(*(values or values_of(msg))).rstrip(b'\0') or b'\0'
+    payload = to_bytes(*(msg.values if is_bare else values_of(msg))).rstrip(b'\0') or b'\0'
     sender = mav.seq,mav.srcSystem,mav.srcComponent
     frame = _head.pack(0xfd, len(payload), 0, 0, *sender, msg_id&0xffff, msg_id>>16)+payload
     return frame+crc(frame[1:]+extra).to_bytes(2,'little')
