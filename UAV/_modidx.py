@@ -7190,6 +7190,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                        'UAV.video.rtsp_server._Videos': ('api/video/rtsp_server.html#_videos', 'UAV/video/rtsp_server.py'),
                                        'UAV.video.rtsp_server._Videos.__getitem__': ( 'api/video/rtsp_server.html#_videos.__getitem__',
                                                                                       'UAV/video/rtsp_server.py'),
+                                       'UAV.video.rtsp_server._Videos.has_metadata': ( 'api/video/rtsp_server.html#_videos.has_metadata',
+                                                                                       'UAV/video/rtsp_server.py'),
                                        'UAV.video.rtsp_server._Viewer': ('api/video/rtsp_server.html#_viewer', 'UAV/video/rtsp_server.py'),
                                        'UAV.video.rtsp_server._Viewer.__init__': ( 'api/video/rtsp_server.html#_viewer.__init__',
                                                                                    'UAV/video/rtsp_server.py'),

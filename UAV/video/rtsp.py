@@ -397,6 +397,7 @@ class _Session:
     "One player's way from DESCRIBE, which calls `wake(path)` first, to PLAY; `state` is init, ready or playing"
     tracks = 'track1','track2'          # the pictures, and what their camera knew
     rtp = property(lambda self: self.streams['track1'], doc="The stream of pictures")
+    tcp = property(lambda self: any(way.tcp for way in self.transports.values()), doc="Inside the connection?")
     def __init__(self, videos, digest:_Digest|None=None, ports:tuple=(0,0), timeout:float=60., wake=lambda path: None,
                  has_metadata=lambda path: False):
         store_attr()            # `videos`: a `VideoFormat` by path; `ports`: ours, for RTP and RTCP; `timeout`: s
