@@ -7088,6 +7088,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                 'UAV.video.rtsp._Transport': ('api/video/rtsp.html#_transport', 'UAV/video/rtsp.py'),
                                 'UAV.video.rtsp._Transport.fits': ('api/video/rtsp.html#_transport.fits', 'UAV/video/rtsp.py'),
                                 'UAV.video.rtsp._Transport.header': ('api/video/rtsp.html#_transport.header', 'UAV/video/rtsp.py'),
+                                'UAV.video.rtsp._asks_for_klv': ('api/video/rtsp.html#_asks_for_klv', 'UAV/video/rtsp.py'),
                                 'UAV.video.rtsp._auth_fields': ('api/video/rtsp.html#_auth_fields', 'UAV/video/rtsp.py'),
                                 'UAV.video.rtsp._authorization': ('api/video/rtsp.html#_authorization', 'UAV/video/rtsp.py'),
                                 'UAV.video.rtsp._challenges': ('api/video/rtsp.html#_challenges', 'UAV/video/rtsp.py'),

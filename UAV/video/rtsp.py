@@ -484,6 +484,12 @@ def _locate(self:_Session, request:_Request)->tuple:
     if track in offered and video in self.videos: return video,track
     raise RTSPError(404)
 
+# %% ../../nbs/api/video/04_rtsp.ipynb #7b0e5652
+def _asks_for_klv(request:_Request)->bool:
+    "True if a DESCRIBE is from one who wants metadata, too"
+    query = request.uri.partition('?')[2].split('&')
+    return 'application/smpte336m' in request.headers.get('accept', '').lower() or 'klv' in query
+
 # %% ../../nbs/api/video/04_rtsp.ipynb #00b44737
 @patch
 def _describe(self:_Session, request:_Request)->_Response:
@@ -493,8 +499,8 @@ def _describe(self:_Session, request:_Request)->_Response:
     if not re.search(r'application/(sdp|\*)|\*/\*', accept): raise RTSPError(406)
     base,host = request.uri.partition('?')[0].rstrip('/'),urlsplit(request.uri).hostname or ''
     format,(pictures,metadata) = self.videos[path],self.tracks
-    text = _sdp(format, '::' if ':' in host else '0.0.0.0', name=path, control=pictures,
-                metadata=metadata if self.has_metadata(path) else None)
+    offered = _asks_for_klv(request) and self.has_metadata(path)
+    text = _sdp(format, '::' if ':' in host else '0.0.0.0', name=path, control=pictures, metadata=metadata if offered else None)
     return _Response(200, {'Content-Type': 'application/sdp', 'Content-Base': f'{base}/'}, text)
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #bcbfc9ae
