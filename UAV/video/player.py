@@ -16,6 +16,8 @@ from ..utils.lazy import av, np
 from ..utils.threads import _begin_thread, Closes, Opened
 from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned, NewestFrame
 from ..utils.sockets import host_in, plain_host
+from ..utils.pose import Place, Pose
+from .klv import FrameMetadata, MetadataTrack
 from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
 from .rtsp import _authorization, _challenges, _head_lines, _Interleaved, _RequestReader, _Response, RTSPError
 
@@ -109,8 +111,8 @@ async def __anext__(self:Player):
 def _play(self:Player):
     "Hand out pictures, until the file ends or the stream is lost"
     with closing(self._source.pictures()) as pictures:
-        for picture,came,utc in pictures:
-            if not self._pictures.put(Decoded(picture, self._pictures.number+1, came, utc)): raise _Stopped
+        for picture,*known in pictures:
+            if not self._pictures.put(Decoded(picture, self._pictures.number+1, *known)): raise _Stopped
             if self.fault: self.log.info('%s is back', _url_name(self.url))
             self.connected,self.fault = True,None
 
@@ -155,7 +157,8 @@ class Decoded:
     def __init__(self, decoded, # `av.VideoFrame`
                  number:int, # Counts the pictures of a player
                  time:float, # When it came, by the sender's time stamp, monotonic s; in a file, when it is due
-                 time_utc:float): # When it was taken, if the sender says so (RTCP), else when it came; s since 1970
+                 time_utc:float, # When it was taken, if the sender says so (KLV, RTCP), else when it came; s since 1970
+                 metadata:FrameMetadata|None=None): # What the camera knew then
         store_attr()
         self._turns = _frame_turns(decoded)
         size = decoded.width,decoded.height
@@ -177,6 +180,24 @@ class Decoded:
         reformat = av.video.reformatter.VideoReformatter().reformat
         here = dict(threads=1) if 'threads' in reformat.__doc__ else {}         # PyAV from 17 on
         return _turned(reformat(self.decoded, *size, 'bgr24', **here).to_ndarray(), self._turns)
+
+# %% ../../nbs/api/video/08_player.ipynb #7d3a2c02
+@patch(as_prop=True)
+def pose(self:Decoded)->Pose|None:
+    "Where the camera was and how it was held; `None`: nothing came with the picture"
+    return self.metadata and self.metadata.pose
+
+@patch
+def where(self:Decoded, x:float, y:float, # Pixel of `image`; 0,0 is the middle of the upper left one
+         )->Place|None:
+    "Return the place on the ground under a pixel, with its error; `None`: in the sky, or it can't be known"
+    if self.metadata is None: return None
+    (width,height),(transposed,columns,rows) = self.size,self._turns or (False,)*3
+    if columns: x = width-1-x
+    if rows: y = height-1-y
+    if transposed: x,y = y,x
+    return self.metadata.where(x, y, self.decoded.width, self.decoded.height)
+
 
 # %% ../../nbs/api/video/08_player.ipynb #4b2af606
 def _decoder(codec:str):
@@ -200,13 +221,13 @@ class _Decoding:
     def __init__(self): self._codec,self._decoder,self._inside,self._number = None,None,{},0
 
     def __call__(self, unit)->list:
-        "`(av.VideoFrame, time, time_utc)` of each picture that comes out, with the times of its own unit"
+        "`(av.VideoFrame, time, time_utc, metadata)` of each picture that comes out, with what its own unit had"
         if unit.format.codec!=self._codec: self._codec,self._decoder = unit.format.codec,_decoder(unit.format.codec)
         self._number += 1
-        self._inside[self._number] = times = unit.time,unit.time_utc
+        self._inside[self._number] = known = unit.time,unit.time_utc,unit.metadata
         self._inside.pop(self._number-self.most, None)
         pictures = _decode(self._decoder, unit.data, self._number)
-        return [(picture, *self._inside.pop(picture.pts, times)) for picture in pictures]
+        return [(picture, *self._inside.pop(picture.pts, known)) for picture in pictures]
 
 # %% ../../nbs/api/video/08_player.ipynb #c62616e2
 def _open_pictures(url, timeout:float=5., paced:bool=True, transport:str|None=None):
@@ -250,14 +271,14 @@ class _LivePictures(GetAttr):
         self.receiver,self.sinks = receiver,[]      # `sinks` get the access units as they came
 
     def pictures(self):
-        "`(av.VideoFrame, time, time_utc)` of each; raises `OSError`"
+        "`(av.VideoFrame, time, time_utc, metadata)` of each; raises `OSError`"
         vain,patience = None,self.receiver.patience         # since when no unit can be decoded, monotonic s
         with closing(self.receiver.units()) as units:
             decoding = _Decoding()
             for unit in units:
                 for sink in list(self.sinks): sink.put(unit)
                 pictures = decoding(unit)
-                for picture,time,utc in pictures: yield picture,min(time, clock.monotonic()),utc
+                for picture,time,*known in pictures: yield picture,min(time, clock.monotonic()),*known
                 if pictures: vain = None
                 elif vain is None: vain = clock.monotonic()
                 elif clock.monotonic()-vain>patience:
@@ -286,12 +307,25 @@ class _FilePictures:
         self._container.close()
 
     def pictures(self):
-        "`(av.VideoFrame, time, time_utc)` of each; raises `_Stopped`"
+        "`(av.VideoFrame, time, time_utc, metadata)` of each; raises `_Stopped`"
         began,began_utc = self._began = self._began or (clock.monotonic(),clock.time())
-        for picture in self._container.decode(video=0):
+        for picture,metadata,taken in self._decoded():
             due = picture.time or 0
             if self._stopped.wait(max(0, began+due-clock.monotonic()) if self._paced else 0): raise _Stopped
-            yield picture,began+due,began_utc+due
+            yield picture,began+due,taken or began_utc+due,metadata
+
+    def _decoded(self):
+        "`(av.VideoFrame, metadata, when it was taken)` of each"
+        video,track = self._container.streams.video[0],MetadataTrack()
+        klv = [stream for stream in self._container.streams.data if stream.name=='klv'][:1]
+        for packet in self._container.demux(video, *klv):
+            if packet.stream.index==video.index: yield from ((one, *track.of(_ticks(one))) for one in packet.decode())
+            elif packet.size: track.put(bytes(packet), _ticks(packet))
+
+def _ticks(one)->int|None:
+    "Return the time stamp of a packet or picture of PyAV in 1/90000 s"
+    return None if one.pts is None else round(one.pts*one.time_base*90_000)
+
 
 # %% ../../nbs/api/video/08_player.ipynb #29b1fd7b
 def strip(player, # `Player`
