@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/video/08_player.ipynb #36bde153
 from __future__ import annotations
+from collections import deque
 from contextlib import closing, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property
@@ -315,12 +316,15 @@ class _FilePictures:
             yield picture,began+due,taken or began_utc+due,metadata
 
     def _decoded(self):
-        "`(av.VideoFrame, metadata, when it was taken)` of each"
-        video,track = self._container.streams.video[0],MetadataTrack()
+        "`(av.VideoFrame, metadata, when it was taken)` of each; a set that stands behind its picture is found, too"
+        video,track,waits = self._container.streams.video[0],MetadataTrack(),deque()
         klv = [stream for stream in self._container.streams.data if stream.name=='klv'][:1]
+        ahead = 8 if klv else 0             # pictures
         for packet in self._container.demux(video, *klv):
-            if packet.stream.index==video.index: yield from ((one, *track.of(_ticks(one))) for one in packet.decode())
+            if packet.stream.index==video.index: waits.extend(packet.decode())
             elif packet.size: track.put(bytes(packet), _ticks(packet))
+            while len(waits)>ahead: yield (picture := waits.popleft()),*track.of(_ticks(picture))
+        for picture in waits: yield picture,*track.of(_ticks(picture))
 
 def _ticks(one)->int|None:
     "Return the time stamp of a packet or picture of PyAV in 1/90000 s"
