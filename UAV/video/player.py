@@ -19,7 +19,8 @@ from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns
 from ..utils.sockets import host_in, plain_host
 from ..utils.pose import Place, Pose
 from .klv import FrameMetadata, MetadataTrack
-from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
+from UAV.video.receivers import (_find, _listen_pair, _read_sdp, Receiver, RTPMetadata, RTPReader, RTPReceiver, _Stopped,
+    TSReceiver)
 from .rtsp import _authorization, _challenges, _head_lines, _Interleaved, _RequestReader, _Response, RTSPError
 
 # %% auto #0
@@ -405,11 +406,13 @@ class RTSPReceiver(Receiver):
         self._user = unquote(place.username or ''),unquote(place.password or '')
         super().__init__(place._replace(netloc=place.netloc.rpartition('@')[2]).geturl(), timeout)
         self.transport,self._challenge,self._count = transport,'',0         # how often it was answered
+        self._wants_klv = True          # until a server gives nothing any more when it's asked for
         self._forget()
 
     def _forget(self):
         "Nothing is agreed with the server yet, or no longer"
         self._sock,self._udp,self._answers,self._packets = None,None,_AnswerReader(),[]
+        self._klv,self._klv_channel = None,None     # the reader of the metadata, and their channel
         self._cseq,self._session,self._methods,self._alive = 0,None,'',30.
         self._ping_at,self._denied = 0.,0       # when to give a sign of life, monotonic s; how many were refused
         self._ping,self._waits = 'OPTIONS',False        # by what request; is there no answer to the last one yet?
@@ -532,11 +535,38 @@ def _agreed(self:RTSPReceiver, headers):
     self._alive = max(1, int(_find(r'timeout *= *(\d{1,6})', after, 60))/2)         # s; half the session's
     way = headers.get('transport', '')
     self._channel = int(_find(r'interleaved=(\d{1,3})', way, 0))
+    self._let_in(self._udp, way)
+
+@patch
+def _let_in(self:RTSPReceiver, socks, way:str):
+    "Send from our sockets to the ports in the server's `Transport`, so that a firewall lets packets of these in"
     port = int(_find(r'server_port=(\d{1,5})', way, 0))
-    if not (self._udp and port): return
+    if not (socks and port): return
     host,port = self._sock.getpeername()[0],min(port, 65534)
-    for n,sock in enumerate(self._udp):         # so that a firewall lets those of the server in
+    for n,sock in enumerate(socks):
         with suppress(OSError): sock.sendto(b'\x80\xc9\0\1\0\0\0\0', (host, port+n))     # empty RTCP report
+
+
+# %% ../../nbs/api/video/08_player.ipynb #7d3a2c11
+@patch
+def _setup_klv(self:RTSPReceiver, payload_type:int, rate:int, control:str, session_url:str):
+    "Agree with the server on the way of the metadata, if it likes; raises `_Moved` to begin anew without"
+    socks,wish = [],'RTP/AVP/TCP;unicast;interleaved=2-3'
+    if self._udp:
+        socks = _listen_pair(self._sock.getsockname()[0])
+        self._udp += socks              # closed with the others
+        port = socks[0].getsockname()[1]
+        wish = f'RTP/AVP;unicast;client_port={port}-{port+1}'
+    self._wants_klv = False             # if that fails, then for good
+    try: code,headers,_ = self._ask('SETUP', _resolve(session_url, control), also=range(400, 600), Transport=wish)
+    except OSError as e: raise _Moved(self._at) from e
+    self._wants_klv = True
+    way = headers.get('transport', '')
+    channel = 2 if socks else int(_find(r'interleaved=(\d{1,3})', way, 2))
+    if code!=200 or abs(channel-self._channel)<2: return
+    self._klv,self._klv_channel = RTPMetadata(self._reader, payload_type, rate),channel
+    self._let_in(socks, way)
+
 
 # %% ../../nbs/api/video/08_player.ipynb #1656c868
 @patch
@@ -552,7 +582,8 @@ def _listen_until(self:RTSPReceiver, until, silent_at):
     for n,sock in enumerate(self._udp or ()):
         if sock not in ready: continue
         packet,(host,*_) = sock.recvfrom(1<<16)
-        if host==self._sock.getpeername()[0]: self._packets.append((self._channel+n, packet))         # no stranger's
+        channel = self._channel+n if n<2 else self._klv_channel+n-2
+        if host==self._sock.getpeername()[0]: self._packets.append((channel, packet))                 # no stranger's
 
 # %% ../../nbs/api/video/08_player.ipynb #8def4bf9
 @patch
@@ -580,6 +611,8 @@ def _arrived(self:RTSPReceiver):
     packets,self._packets = self._packets,[]
     for channel,packet in packets:
         if channel==self._channel+1: self._reader.clock.report(packet)
+        elif self._klv and channel==self._klv_channel: self._klv(packet)
+        elif self._klv and channel==self._klv_channel+1: self._klv.clock.report(packet)
     return [packet for channel,packet in packets if channel==self._channel]
 
 # %% ../../nbs/api/video/08_player.ipynb #01ef658f
@@ -619,6 +652,7 @@ def _watch(self:RTSPReceiver):
             media,url,session_url = self._describe()
             self._setup(url)
             self._reader = RTPReader(media.codec, media.headers, media.payload_type)
+            if media.klv and self._wants_klv: self._setup_klv(*media.klv, session_url)
             self._ask('PLAY', session_url, Range='npt=0.000-')
             for packet in self._play(session_url): yield from self._read(packet)
         finally:            # say goodbye, without waiting for the answer

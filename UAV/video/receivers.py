@@ -21,7 +21,7 @@ from .units import (AccessUnit, _begins_decoding, byte_stream, clock_rate, codec
     nal_units, _parameter_sets as _set_kinds, _slices, VideoFormat)
 
 # %% auto #0
-__all__ = ['ts_size', 'Receiver', 'TSReceiver', 'RTPReceiver', 'listen_host', 'RTPReader']
+__all__ = ['ts_size', 'Receiver', 'TSReceiver', 'RTPReceiver', 'listen_host', 'RTPReader', 'RTPMetadata']
 
 # %% ../../nbs/api/video/03_receivers.ipynb #a3bf5f35
 class _Stopped(Exception): "The receiver was stopped"
@@ -213,6 +213,7 @@ class _Media:
     headers:bytes=b'' # The parameter sets, as a byte stream
     control:str='' # Its URL for RTSP, often relative
     session_control:str='' # The URL of all of it
+    klv:tuple=() # Payload type, clock rate and URL of the KLV beside it, if there is any
 
 # %% ../../nbs/api/video/03_receivers.ipynb #b72d834a
 def _parameter_sets(fmtp)->bytes:
@@ -233,6 +234,13 @@ def _find(pattern:str, text:str, default='')->str:
     found = re.search(pattern, text, re.M|re.I)
     return found[1].strip() if found else default
 
+# %% ../../nbs/api/video/03_receivers.ipynb #6c2f1b10
+def _klv_medium(section:str)->tuple:
+    "Return payload type, clock rate and URL of a medium of KLV (RFC 6597); empty for others"
+    found = re.search(r'^a=rtpmap: *(\d+) +SMPTE336M/(\d{1,9})', section, re.M|re.I)
+    return (int(found[1]),int(found[2]),_find(r'^a=control:(.*)', section)) if found else ()
+
+
 # %% ../../nbs/api/video/03_receivers.ipynb #f89b283e
 def _read_sdp(text:str)->_Media:
     "Return the first H.264 or H.265 video of an SDP; raises `ValueError` when it has none"
@@ -243,7 +251,8 @@ def _read_sdp(text:str)->_Media:
         fmtp = _find(rf'^a=fmtp: *{found[1]} +(.*)', section)
         host = _find(r'^c=IN IP[46] ([^/\s]+)', section) or _find(r'^c=IN IP[46] ([^/\s]+)', session)
         return _Media(found[2].lower(), int(found[1]), host, int(_find(r'^m=video (\d+)', section, 0)),
-            _parameter_sets(fmtp), _find(r'^a=control:(.*)', section), _find(r'^a=control:(.*)', session))
+            _parameter_sets(fmtp), _find(r'^a=control:(.*)', section), _find(r'^a=control:(.*)', session),
+            next(filter(None, map(_klv_medium, sections)), ()))
     raise ValueError('the SDP has no H.264 or H.265 video')
 
 # %% ../../nbs/api/video/03_receivers.ipynb #2f4331ab
@@ -429,7 +438,7 @@ class RTPReader:
                  headers:bytes=b'', # Parameter sets, when the description of the stream has them
                  payload_type:int|None=None): # Only these packets; `None` takes all
         store_attr('codec,payload_type')
-        self.clock = _SenderClock()
+        self.clock,self.track = _SenderClock(),MetadataTrack(bits=32)      # `track`: of the KLV beside it
         self._make,self._reorder = _UnitMaker(codec, headers),_Reorder()
         self._data,self._timestamp,self._last = bytearray(),None,None
         self._whole = True                                      # `None`: it was too large, and is counted already
@@ -505,9 +514,48 @@ def _complete(self:RTPReader)->list:
     "Return an access unit of the picture that is at its end, when all of it came"
     data,whole = bytes(self._data),self._whole
     self._data,self._whole,self._sliced = bytearray(),True,False
-    if whole: return self._make(data, self.clock.utc(self._timestamp), self._timestamp) if data else []
+    if whole and data:
+        metadata,taken = self.track.of(self._timestamp)
+        return self._make(data, taken or self.clock.utc(self._timestamp), self._timestamp, metadata)
     self._make.lost += whole is False
     return []
+
+# %% ../../nbs/api/video/03_receivers.ipynb #6c2f1b13
+class RTPMetadata:
+    "RTP packets of KLV in, sets for the pictures of a reader out (RFC 6597)"
+    most = 1<<16                # bytes; no set is so large
+    def __init__(self, video:RTPReader, # The reader of the video beside it, which gets them
+                 payload_type:int|None=None, # Only these packets; `None` takes all
+                 rate:int=clock_rate): # Of its time stamps, Hz
+        store_attr()
+        self.clock,self._data,self._stamp,self._last = _SenderClock(),bytearray(),None,None
+
+    def __call__(self, packet:bytes):
+        "Take a packet"
+        parts = _rtp_parts(packet)
+        if parts is None or self.payload_type not in (None,parts[0]): return
+        _,marker,sequence,stamp,payload = parts
+        missing = self._last is not None and sequence!=(self._last+1)&0xffff
+        if stamp!=self._stamp and not missing: self._keep()         # of a sender without marks
+        if missing or stamp!=self._stamp: self._data = bytearray()
+        self._last,self._stamp = sequence,stamp
+        if len(self._data)<=self.most: self._data += payload
+        if marker: self._keep()
+
+    def _keep(self):
+        "Give the video what has come together"
+        data,self._data = bytes(self._data),bytearray()
+        if 0<len(data)<=self.most: self.video.track.put(data, self._beside(self._stamp))
+
+    def _beside(self, stamp:int)->int|None:
+        "Return the video's time stamp at one of ours; `None` when it isn't known yet"
+        now,theirs,ours = self.video._timestamp,self.video.clock,self.clock
+        if self.rate!=clock_rate or now is None: return None
+        if abs((stamp-now+2**31)%2**32-2**31)<clock_rate: return stamp      # they begin at the same number
+        if theirs._at is None or ours._at is None: return None
+        early = 45                      # 0.5 ms, since NTP rounds: no set comes too late for its picture
+        return (theirs._timestamp+round((ours.utc(stamp)-theirs._at)*clock_rate)-early)%2**32
+
 
 # %% ../../nbs/api/video/03_receivers.ipynb #2c6ade4e
 ts_size = 188
