@@ -99,6 +99,12 @@ def _as_packet(unit:AccessUnit, stream, show:int, decode:int|None=None, duration
     packet.pts,packet.dts,packet.duration = show,show if decode is None else decode,duration
     return packet
 
+# %% ../../nbs/api/video/02_senders.ipynb #7b0e5621
+def _klv_of(unit:AccessUnit)->bytes:
+    "Return the set of a picture, of at least its time; empty when it's larger than one PES packet may be"
+    data = (unit.metadata or FrameMetadata(unit.time_utc or NAN)).data
+    return data if len(data)<=60_000 else b''
+
 # %% ../../nbs/api/video/02_senders.ipynb #7b0e5602
 def _crc32(data:bytes)->int:
     "Return the checksum of a table (ISO/IEC 13818-1, annex A): like zlib's, but with the highest bit first"
@@ -109,7 +115,7 @@ def _crc32(data:bytes)->int:
     return crc
 
 # %% ../../nbs/api/video/02_senders.ipynb #7b0e5605
-_klv = dict(pid=257, tables=4096, video=256, most=60_000)      # PIDs: FFmpeg has the other two; bytes of a set
+_klv = dict(pid=257, tables=4096, video=256)        # PIDs; FFmpeg has the other two
 _named = b'\x05\x04KLVA'                                       # registration descriptor
 _in_cells = _named+b'\x26\x09\x01\x00\xffKLVA\x00\x0f' + b'\x27\x09\xc0\x04\xe2\xc0\x00\x08\xc0\x00\x00'    # 500 kbit/s, 8 kB
 
@@ -131,7 +137,7 @@ class _KLVPackets:
         self.synchronous,self._packets,self._cells,self._tables = synchronous,0,0,{}    # `_tables`: with KLV, by those without
 
     def add(self, packets:bytes, # Of a picture, from FFmpeg's muxer
-            data:bytes, # Its set
+            data:bytes, # Its set; empty: none
            )->bytes:
         "Return all packets of the picture: each table with a stream for KLV, and the set behind the first"
         whole,pids = bytearray(packets),{}          # `pids`: where each has its first packet
@@ -141,7 +147,7 @@ class _KLVPackets:
             if pid==_klv['tables']: whole[at+4:at+188] = self._declared(bytes(whole[at:at+188]))[4:]
         after,video = pids.get(_klv['tables'], -188)+188,pids[_klv['video']]
         stamp = video+13+(whole[video+4]+1 if whole[video+3]&0x20 else 0)       # when to show the picture
-        whole[after:after] = self._packed(data, bytes(whole[stamp:stamp+5])) if len(data)<=_klv['most'] else b''
+        whole[after:after] = self._packed(data, bytes(whole[stamp:stamp+5]))
         return bytes(whole)
 
     def _declared(self, table:bytes)->bytes:
@@ -153,6 +159,7 @@ class _KLVPackets:
 @patch
 def _packed(self:_KLVPackets, data:bytes, stamp:bytes)->bytes:
     "Return a set in packets; `stamp`: five bytes"
+    if not data: return b''
     if self.synchronous: data = bytes([0, self._cells, 0xdf])+len(data).to_bytes(2, 'big')+data     # a whole cell
     self._cells = self._cells+1 & 255
     begin = b'\0\0\1'+(b'\xfc' if self.synchronous else b'\xbd')+(len(data)+8).to_bytes(2, 'big')
@@ -202,7 +209,7 @@ class TSMuxer:
         self._bytes.seek(0)
         self._bytes.truncate()
         if not self._metadata: return packets
-        return self._metadata.add(packets, (unit.metadata or FrameMetadata(unit.time_utc or NAN)).data)
+        return self._metadata.add(packets, _klv_of(unit))
 
 # %% ../../nbs/api/video/02_senders.ipynb #d2348ffb
 class TSSender(UDPSink):
