@@ -508,7 +508,11 @@ def _describe(self:RTSPReceiver):
     "Describe the server's video: `(Media, its URL, URL of the presentation)`"
     _,headers,_ = self._ask('OPTIONS', self._at, also=(400,403,404,405,454,455,501,551))
     self._methods = headers.get('public', '')
-    _,headers,body = self._ask('DESCRIBE', self._at, Accept='application/sdp')
+    code,accept = 0,'application/sdp'           # our own server offers KLV only to those who take it
+    if self._wants_klv:
+        wish = f'{accept}, application/smpte336m'
+        code,headers,body = self._ask('DESCRIBE', self._at, also=(400,406,415,501), Accept=wish)
+    if code!=200: _,headers,body = self._ask('DESCRIBE', self._at, Accept=accept)
     try: media = _read_sdp(body)
     except ValueError as e: raise ConnectionError(str(e)) from None
     base = urljoin(self._at, headers.get('content-base') or headers.get('content-location') or self._at)
