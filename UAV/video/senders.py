@@ -140,10 +140,22 @@ class TSMuxer:
         show,decode = self._ticks(unit)
         if self._data: self._mux_metadata(unit, show, decode)       # first: a reader has it when the picture comes
         self._container.mux(_as_packet(unit, self._stream, show, decode))
-        packets = self._bytes.getvalue()
-        self._bytes.seek(0)
-        self._bytes.truncate()
-        return packets
+        return self._taken()
+
+# %% ../../nbs/api/video/02_senders.ipynb #0dde0d3b
+@patch
+def _taken(self:TSMuxer)->bytes:
+    "Return the packets that are ready"
+    packets = self._bytes.getvalue()
+    self._bytes.seek(0)
+    self._bytes.truncate()
+    return packets
+
+@patch
+def finish(self:TSMuxer)->bytes:
+    "Close it, and return its last packets"
+    self.close()
+    return self._taken()
 
 # %% ../../nbs/api/video/02_senders.ipynb #d2348ffb
 class TSSender(UDPSink):
