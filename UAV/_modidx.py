@@ -1777,6 +1777,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                 'UAV.cli.camera._folder_here': ('api/cli/camera.html#_folder_here', 'UAV/cli/camera.py'),
                                 'UAV.cli.camera._format': ('api/cli/camera.html#_format', 'UAV/cli/camera.py'),
                                 'UAV.cli.camera._get': ('api/cli/camera.html#_get', 'UAV/cli/camera.py'),
+                                'UAV.cli.camera._gpx': ('api/cli/camera.html#_gpx', 'UAV/cli/camera.py'),
                                 'UAV.cli.camera._info': ('api/cli/camera.html#_info', 'UAV/cli/camera.py'),
                                 'UAV.cli.camera._information': ('api/cli/camera.html#_information', 'UAV/cli/camera.py'),
                                 'UAV.cli.camera._list': ('api/cli/camera.html#_list', 'UAV/cli/camera.py'),

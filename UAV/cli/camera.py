@@ -470,6 +470,21 @@ async def _remove(visit, paths:list[str], # Files on the camera
         await files.remove(path)
         visit.report(f'{path} is deleted', path=path)
 
+# %% ../../nbs/api/cli/03_camera.ipynb #9b7c0002
+@_verb('gpx pictures --to flight.gpx', 'gpx pictures > flight.gpx', offline=True)
+async def _gpx(visit, places:list[str], # Local folders with recordings and pictures, or such files
+               to:str=None, # File to write; default: print it
+               every:_pause=1.): # Seconds between two points of the track, at least
+    "Write the track of a flight as GPX, with a waypoint for each picture"
+    if not places: raise ValueError('which folder? `fetch /media --to pictures` fills one')
+    from UAV.cameras.gpx import flight_gpx
+    text = flight_gpx(*places, every=every)
+    points,pictures = text.count('<trkpt'),text.count('<wpt')
+    if to is None: return visit.show(Result(text.rstrip(), verb='gpx', gpx=text, points=points, pictures=pictures))
+    with open(to, 'x', encoding='utf-8') as f: f.write(text)
+    said = f'{to}: {points} points, {pictures} pictures'
+    visit.show(Result(said, verb='gpx', saved=to, points=points, pictures=pictures))
+
 # %% ../../nbs/api/cli/03_camera.ipynb #5d502622
 def _setting(table, name:str, width:int=0)->Result:
     "Describe a setting in a `settings` table, with its allowed values"
