@@ -8,30 +8,33 @@ from contextlib import contextmanager, ExitStack, nullcontext
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
-import os, re, signal
-from fastcore.basics import basic_repr
-from ..cameras import Camera, CameraError, SimCamera, SimDualCamera, Storage
+import itertools, os, re, signal
+from fastcore.basics import basic_repr, patch, store_attr
+from ..cameras import Camera, CameraError, CameraInformation, SimCamera, SimDualCamera, Storage
 from .common import (address, between, key_in, links, listed, log_to, number, on_links, or_exit, place_for,
-    run_with_options, StatusPrinter)
-from ..gimbals import circle, FixedMount, Gimbal, hover, SimVehicle
-from ..mavlink import CameraServer
+    run_with_options, sentence, StatusPrinter, _words_of)
+from .config import clashes, Configuration, gimbal_components, read_config
+from ..gimbals import circle, FixedMount, Gimbal, GimbalError, hover, SimVehicle
+from ..logging import get_logger
+from ..mavlink import CameraServer, mavlink
 from ..mavlink.camera_server import _checked_name
 from ..utils import clock
 from ..utils.devices import device_schemes, device_url, open_device
 from ..utils.files import read_secret
-from ..utils.threads import Closes
+from ..utils.threads import _begin_thread, _has_ended, Closes
 from ..utils.values import known, one_of
 from ..wire.signing import Signing
 from argparse import ArgumentTypeError
 from typing import Literal
 
 # %% auto #0
-__all__ = ['main', 'serve_camera', 'add_streams', 'serving', 'Aboard']
+__all__ = ['main', 'log', 'serve_camera', 'Payload', 'Slot', 'add_streams', 'serving', 'Aboard']
 
 # %% ../../nbs/api/cli/02_serve.ipynb #4b62626b
-def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
+def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; other options count more than its own
+    connection:str='udpout:127.0.0.1:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
     device:str=None, # Camera/gimbal: siyi|viewsheen|topotek://HOST, onvif://USER:PASSWORD@HOST, gphoto2://, picamera://
-    camera:str=None, # sim (the default), dual (with heat), 0, /dev/video0, FILE, URL, PIPELINE.toml, or 'source ! …'
+    camera:list[str]=None, # sim (the default), dual (with heat), 0, /dev/video0, FILE, URL, PIPELINE.toml, 'source ! …'
     system:number=1, # System id of the vehicle
     component:between(100, 105, int)=100, # Component id of the camera, 100 to 105
     name:str=None, # Name that ground stations show; default: the model
@@ -56,22 +59,29 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
     role:Literal['both','device']='both', # Gimbal role: device if an autopilot manages it (ArduPilot: MNT1_TYPE 6)
     mounted:_mounting=None, # Fixed camera: down, forward, or ROLL,PITCH,YAW in degrees
     path:Literal['hover','circle']=None, # Simulate a vehicle that flies this path
-    autopilot:bool=False): # Also simulate the autopilot: QGroundControl shows no camera without one
-    """Serve a camera to ground stations until Ctrl-C, with stills, video and storage
+    autopilot:bool=False, # Also simulate the autopilot: QGroundControl shows no camera without one
+    given=()): # Names of the options that were typed
+    """Serve cameras to ground stations until Ctrl-C, with stills, video and storage
 
     examples:
       uav-camera-server      # a simulated camera, for an autopilot or Python on this machine
       uav-camera-server --camera 0 --connection /dev/serial0,921600     # USB, behind an autopilot
       uav-camera-server --device siyi://192.168.144.25      # camera and gimbal of a SIYI
       uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # a file, sent as RTP
-      uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal"""
+      uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal
+      uav-camera-server --camera 0 --camera 2      # two cameras, components 100 and 101
+      uav-camera-server --config cameras.toml      # all cameras and gimbals of a vehicle"""
     return _serve(SimpleNamespace(**locals()))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
-_groups = {'the link':'connection system component sign guard forward',
+_groups = {'several cameras':'config', 'the link':'connection system component sign guard forward',
            'the camera':'device camera name mounted folder quota storage',
            'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate',
            'gimbal and vehicle':'gimbal role path autopilot'}
+_levels = dict(                     # where each option stands in a file
+    vehicle='connection system sign guard forward rtsp rtsp_user rtsp_password_file host path autopilot',
+    both='folder quota mounted codec size rate bitrate',        # of a camera, or on top, for all
+    camera='device camera component name gimbal storage rtp mpegts tcp', gimbal='device component role')
 main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3fa5d9e4
@@ -83,55 +93,276 @@ def _named(guard)->str:
 def _serve(typed):
     "Serve, and print the status until Ctrl-C"
     log_to(printer := StatusPrinter())
+    found = None
     try:
         with ExitStack() as stack:
-            with or_exit('uav-camera-server'): camera,com = _opened(typed, stack)
-            _introduce(camera, com, printer)
-            for status in _statuses(camera, com): printer.status(*status)
+            with or_exit('uav-camera-server'): payload = stack.enter_context(Payload(found := _described(typed)))
+            _introduce(payload, printer)
+            for rows in payload.statuses(): printer.statuses(rows)
     except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
-    printer.line(f'stopped; the pictures are in {" and ".join(_places(typed))}')
+    places = [place for one in found.cameras.values() for place in _places(one)] if found else []
+    if places: printer.line(f'stopped; the pictures are in {" and ".join(places)}')
 
-def _introduce(camera, com, printer:StatusPrinter):
+def _introduce(payload, printer:StatusPrinter):
     "Print what is served, and on which links"
+    com,cameras = payload.com,payload.cameras.values()
     for component_id,component in com.component.items():
         device = getattr(component, 'camera', None) or getattr(component, 'gimbal', None)
         model = device and (getattr(component, 'name', None) or device.information.model)
         name = f'{device.information.vendor} {model}' if device else type(component).__name__
         printer.line(f'{name} is {com.source_system}/{component_id}')
-    server = next(c for c in com.component.values() if isinstance(c, CameraServer))
+    for slot in (*cameras, *payload.gimbals.values()):
+        if slot.fault: printer.line(f'  {slot.name} is missing: {slot.fault}')
     for channel in com.channels: printer.line(f'  on {channel.name}')
-    if server.guard: printer.line(f'  only these may format, reset and delete: {_named(server.guard)}')
-    for storage in repr(camera.storages).splitlines()*(len(camera.storages)>1): printer.line(f'  storage {storage}')
-    for stream in camera.streams:
-        printer.line(f'  {stream.kind}: {stream.uri(server.video.host_for())}, {stream.format}')
+    guard = payload.found.vehicle.guard
+    if guard: printer.line(f'  only these may format, reset and delete: {_named(guard)}')
+    for slot in cameras:
+        for text in payload.shown(slot): printer.line(f'  {text}')
 
 # %% ../../nbs/api/cli/02_serve.ipynb #00cdc623
-def _opened(typed, stack:ExitStack)->tuple:
-    "Open everything and return `(camera, MAVCom)`; raises `ValueError`, `CameraError`, `MAVError` or `OSError`"
-    if typed.name is not None: _checked_name(typed.name, '--name')
-    connections = links(typed.connection)
-    signing = _signing_of(typed)
-    streams,places = _wanted_streams(typed),_places(typed)
-    rtsp = stack.enter_context(_with_password(streams, _viewer(typed.rtsp_user, typed.rtsp_password_file)))
-    storage = dict(folder=typed.folder, quota=typed.quota)
-    if typed.storage: storage = dict(storages=[Storage(place, typed.quota, name=Path(place).name) for place in places])
-    gimbal,camera = _device(typed, stack, storage)
-    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, typed.camera or 'sim',
-                                        typed.role, typed.mounted, **({} if camera or typed.camera else storage)))
-    camera = camera or _camera_of(typed, stack, aboard, storage)
-    camera.mounted = typed.mounted
-    if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
-    bitrate = None if typed.bitrate is None else int(typed.bitrate*1e6)
-    add_streams(camera, [] if _on_card(camera) else streams, rtsp, codec=typed.codec, size=typed.size,
-                rate=typed.rate, bitrate=bitrate)
-    com = serving(camera, connections, typed.system, typed.component, typed.host, typed.guard, typed.name,
-                  aboard.components, signing=signing, forward=typed.forward)
-    return camera,stack.enter_context(com)
+def _described(typed)->Configuration:
+    "Return what the options describe; raises `ValueError`, or `ConfigError` and `OSError` for a file"
+    if typed.config: return _from_file(typed)
+    if isinstance(typed.camera, str): typed.camera = [typed.camera]
+    gimbals = {'gimbal': SimpleNamespace(device=typed.gimbal, component=mavlink.MAV_COMP_ID_GIMBAL, role=typed.role)}
+    ours = dict(gimbal='gimbal' if typed.gimbal else None)
+    if len(typed.camera or ())<2:
+        one = SimpleNamespace(**vars(typed)|ours|dict(camera=typed.camera and typed.camera[0]))
+        if one.name is not None: _checked_name(one.name, '--name')
+        return Configuration(typed, gimbals if typed.gimbal else {}, {'camera': one})
+    for name in ('device','name','storage','rtp','mpegts','tcp'):
+        if getattr(typed, name): raise ValueError(f'--{name} is of one camera: write a file for several, and --config')
+    cameras = {}
+    for source in typed.camera:
+        stem = _stem(source)
+        name = next(name for n in itertools.count(1) if (name := stem+(f'_{n}' if n>1 else '')) not in cameras)
+        component = typed.component if not cameras and 'component' in typed.given else None
+        own = dict(camera=source, component=component, folder=str(Path(typed.folder, name)))
+        cameras[name] = SimpleNamespace(**vars(typed)|ours|own)
+    found = Configuration(typed, gimbals if typed.gimbal else {}, cameras)
+    for text,*_ in clashes(found): raise ValueError(text)
+    return found
+
+# %% ../../nbs/api/cli/02_serve.ipynb #c0f20000
+def _stem(source:str)->str:
+    "Return a name for a camera of the command line"
+    if source.isdigit(): return f'video{source}'
+    stem = re.sub(r'[^A-Za-z0-9_-]+', '_', Path(source).stem)[:20].strip('_')
+    return 'camera' if ' ! ' in source or '://' in source or not stem else stem
+
+def _from_file(typed)->Configuration:
+    "Read `--config`; what was typed counts more than the file"
+    own = set(_levels['camera'].split())|set(_levels['gimbal'].split())
+    for name in typed.given:
+        if name in own: raise ValueError(f'--{name} is of one camera: write it in {typed.config}')
+    given = {name: value for name,value in typed.given.items() if name!='config'}
+    return read_config(typed.config, _words_of(serve_camera), _levels, given, checks=[_mistakes])
+
+def _mistakes(found:Configuration):
+    "Yield `(sentence, *path)` of what only this room can check"
+    v,sims = found.vehicle,[g for g in found.gimbals.values() if g.device=='sim']
+    trials = dict(connection=lambda: links(v.connection), guard=lambda: _signing_of(v),
+                  rtsp_user=lambda: _viewer(v.rtsp_user, v.rtsp_password_file))
+    for key,trial in trials.items():
+        try: trial()
+        except (ValueError, OSError) as e: yield re.sub(r'--(?=[a-z])', '', sentence(e)),key
+    if v.rtsp_user and v.rtsp<0: yield 'rtsp_user needs an RTSP server, and rtsp = -1 has none','rtsp_user'
+    if v.path and not (v.autopilot or sims): yield 'path needs a gimbal with device = "sim", or autopilot','path'
+    for name,one in found.cameras.items():
+        if one.quota is not None and not one.quota>=0: yield 'quota is 0 MiB or more','cameras',name,'quota'
+        try: _places(one)
+        except ValueError as e: yield sentence(e).removeprefix('--'),'cameras',name,'storage'
+
+# %% ../../nbs/api/cli/02_serve.ipynb #c0f20002
+class Payload(Closes):
+    "The cameras and gimbals of a vehicle, open and on its links; `with` closes all"
+    def __init__(self, found:Configuration):
+        "Raises `ValueError`, `CameraError`, `GimbalError`, `MAVError` or `OSError`"
+        self.found,self.changed,self._open = found,clock.Event(),ExitStack()
+        self.waits = found.document is not None or len(found.cameras)>1     # for those that are missing
+        self.cameras,self.gimbals,self.com = {},{},None
+        try: self._begin(found.vehicle)
+        except BaseException:
+            self.close()
+            raise
+
+    def close(self):
+        "Leave the links, and close all; safe to call twice"
+        self._open.close()
+
+    def _begin(self, v):
+        "Open all, and the links last"
+        found,enter = self.found,self._open.enter_context
+        connections,signing = links(v.connection),_signing_of(v)
+        for one in found.cameras.values(): _places(one)
+        watcher,wanted = _viewer(v.rtsp_user, v.rtsp_password_file),_wanted_streams(v)
+        self.rtsp = enter(_rtsp_server(wanted, watcher, self.waits))
+        self.vehicle = _flying(v.path, v.autopilot, *self._hanging())
+        for kind,make in (('gimbals',self._gimbal_slot),('cameras',self._camera_slot)):
+            for n,(name,table) in enumerate(getattr(found, kind).items()):
+                slot = getattr(self, kind)[name] = enter(make(n, name, table))
+                self._open_slot(slot, kind)
+        self.com = enter(on_links(connections, source_system=v.system, signing=signing, forward=v.forward))
+        for slot in (*self.cameras.values(), *self.gimbals.values()):
+            self._open.callback(slot.stop)              # before the links close
+            slot.join(self.com)
+        if v.autopilot: self.com.add_component(_autopilot(self.vehicle))
+
+# %% ../../nbs/api/cli/02_serve.ipynb #c0f20008
+@patch
+def _open_slot(self:Payload, slot, kind:str):
+    "Open a device, or have it tried again later"
+    try: slot.open()
+    except ValueError as e: raise self.found.wrong(str(e), kind, slot.name) from e
+    except _faults as e:
+        if not self.waits: raise
+        slot.note(sentence(e))
+
+# %% ../../nbs/api/cli/02_serve.ipynb #c0f20004
+_faults = CameraError,GimbalError,OSError,ImportError
+log = get_logger('server')
+
+class _Missing:
+    "A camera that isn't there: a name and a fault"
+    streams = pictures = ()
+    def __init__(self, slot): self.information,self.slot = CameraInformation(model=slot.name[:31]),slot
+    fault = property(lambda self: self.slot.fault)
+
+class Slot(Closes):
+    "A device of a vehicle, or why it's missing, and the component that serves it"
+    again,silent = 5.,6.        # s between two attempts; s without heartbeats, so that ground stations ask anew
+    def __init__(self, name:str, opens, # Function of an `ExitStack` that returns the device
+                 serves): # Function of the device, or `None`, that returns its components
+        store_attr()
+        self.device = self.fault = self._thread = self._com = None
+        self.servers,self._open,self._closing = [],ExitStack(),clock.Event()
+
+    def note(self, fault:str|None):
+        "Set the fault, and log a new one"
+        if fault and fault!=self.fault: log.warning('%s: %s', self.name, fault)
+        self.fault = fault
+
+    def open(self):
+        "Open the device; raises as its driver does"
+        with ExitStack() as stack:
+            device = self.opens(stack)
+            if self._closing.is_set(): return           # it took too long
+            self.device,self._open = device,stack.pop_all()
+        self.note(None)
+
+    def stop(self):
+        "Try no more"
+        self._closing.set()
+        if not _has_ended(self._thread, 10.): log.error('%s: its driver does not return', self.name)
+
+    def close(self):
+        "Close the device; safe to call twice"
+        self.stop()
+        self._open.close()
+
+# %% ../../nbs/api/cli/02_serve.ipynb #c0f20005
+@patch
+def join(self:Slot, com): # `MAVCom`
+    "Serve the device; one that is missing is tried again"
+    self.servers = [com.add_component(server) for server in self.serves(self.device)]
+    if self.device is None: self._thread = _begin_thread(lambda: self._come(com), f'wait for {self.name}')
+
+@patch
+def _come(self:Slot, com):
+    "Wait until the device is there, and serve it"
+    while not self._closing.wait(self.again):
+        try: self.open()
+        except Exception as e:
+            if not isinstance(e, (*_faults, ValueError)): log.exception('%s', self.name)
+            self.note(sentence(e))
+            continue
+        if self.device is None: return
+        log.info('%s is there', self.name)
+        waits = bool(self.servers)
+        for server in self.servers: server.close()
+        if waits and self._closing.wait(self.silent): return
+        return self.join(com)
+
+# %% ../../nbs/api/cli/02_serve.ipynb #c0f20006
+@patch
+def _hanging(self:Payload)->tuple:
+    "True if a gimbal is simulated; true if a simulated camera hangs from one"
+    sims = {name for name,gimbal in self.found.gimbals.items() if gimbal.device=='sim'}
+    return bool(sims),any(c.gimbal in sims and (c.camera or 'sim') in _simulated for c in self.found.cameras.values())
+
+@patch
+def _gimbal_slot(self:Payload, n:int, name:str, table)->Slot:
+    on_it = [c for c in self.found.cameras.values() if c.gimbal==name]
+    own = next((c for c in on_it if not (c.camera or c.device)), None)  # the one that is the gimbal's camera
+    first = own or next(iter(on_it), None)
+    for camera in on_it: camera.leads = camera is first             # its commands go to the gimbal, too
+    def opens(stack):
+        v,source = self.found.vehicle,'' if first is None else first.camera or 'sim'
+        storage = _storage(own) if own else {}
+        mounted = getattr(first, 'mounted', None)
+        return stack.enter_context(Aboard(table.device, v.path, v.autopilot, source, table.role, mounted, self.vehicle,
+                                          table.component, n+1, **storage))
+    return Slot(name, opens, lambda aboard: [aboard.server] if aboard else [])
+
+# %% ../../nbs/api/cli/02_serve.ipynb #c0f20007
+@patch
+def _camera_slot(self:Payload, n:int, name:str, one)->Slot:
+    several,made = self.waits,SimpleNamespace(aboard=None)
+    def opens(stack):
+        camera,made.aboard = self._open_camera(one, stack, name if several else '')
+        camera.subscribe(lambda event: self.changed.set())
+        return camera
+    def serves(camera):
+        how = dict(guard=one.guard, video_host=one.host, name=one.name or (name if several else None))
+        slot = self.cameras[name]
+        servers = [CameraServer(one.component, camera=_Missing(slot) if camera is None else camera, **how)]
+        return servers+([made.aboard.server] if camera and made.aboard else [])
+    return Slot(name, opens, serves)
+
+@patch
+def _open_camera(self:Payload, one, stack:ExitStack, name:str)->tuple:
+    "Open a camera with its streams; returns it with the `Aboard` of a gimbal that came with it, or `None`"
+    storage = _storage(one)
+    gimbal,camera = _device(one, stack, storage)
+    own = aboard = None
+    if gimbal:
+        how = dict(zip(('component','number'), self._spare(one)))
+        aboard = own = stack.enter_context(Aboard(gimbal, camera=one.camera or 'sim', role=getattr(one, 'role', 'both'),
+                                                  mounted=one.mounted, vehicle=self.vehicle, **how))
+    elif one.gimbal is not None: aboard = self._gimbal(one.gimbal)
+    camera = camera or _camera_of(one, stack, aboard, storage, self)
+    camera.mounted = one.mounted
+    if aboard: camera.gimbal_device_id = aboard.server.gimbal_device_id
+    bitrate = None if one.bitrate is None else int(one.bitrate*1e6)
+    wanted = [] if _on_card(camera) else _wanted_streams(one)
+    add_streams(camera, wanted, self.rtsp, name, codec=one.codec, size=one.size, rate=one.rate, bitrate=bitrate)
+    return camera,own
+
+@patch
+def _spare(self:Payload, one)->tuple:
+    "Return component and number of the gimbal that may come with a camera's device"
+    given = [gimbal.component for gimbal in self.found.gimbals.values()]
+    free = [n for n in gimbal_components if n not in given]
+    place = [c for c in self.found.cameras.values() if c.device].index(one)
+    if place>=len(free): raise ValueError(f'a vehicle has {len(gimbal_components)} gimbals at most')
+    return free[place],len(given)+place+1
+
+@patch
+def _gimbal(self:Payload, name:str):
+    "Return the `Aboard` of a gimbal; raises `CameraError` while it's missing"
+    slot = self.gimbals[name]
+    if slot.device is None: raise CameraError(f'gimbal {name} is missing: {slot.fault}')
+    return slot.device
 
 # %% ../../nbs/api/cli/02_serve.ipynb #e2ed96e7
-def _places(typed)->list:
+def _places(one)->list:
     "Return the folders of all storages"
-    return [typed.folder] if typed.storage is None else [typed.folder, *listed('--storage', typed.storage)]
+    return [one.folder] if one.storage is None else [one.folder, *listed('--storage', one.storage)]
+
+def _storage(one)->dict:
+    "Return `folder` and `quota`, or `storages`, of a camera"
+    if not one.storage: return dict(folder=one.folder, quota=one.quota)
+    return dict(storages=[Storage(place, one.quota, name=Path(place).name) for place in _places(one)])
 
 # %% ../../nbs/api/cli/02_serve.ipynb #64f0c6f9
 def _device(typed, stack:ExitStack, storage:dict)->tuple:
@@ -147,17 +378,24 @@ def _device(typed, stack:ExitStack, storage:dict)->tuple:
     return gimbal,camera
 
 # %% ../../nbs/api/cli/02_serve.ipynb #5b1fa3d8
-def _camera_of(typed, stack:ExitStack, aboard:Aboard, storage:dict)->Camera:
+def _camera_of(one, stack:ExitStack, aboard:Aboard|None, storage:dict, payload)->Camera:
     "Open that of the gimbal, or `--camera` with the gimbal's camera verbs; raises `ValueError`, `CameraError`"
-    own = getattr(aboard.gimbal, 'camera', None)
-    orders = aboard.gimbal if _takes_orders(aboard.gimbal) else None
-    if own and not (orders or typed.camera):
-        raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
-    if orders and not typed.camera:
-        from UAV.gimbals.driver import gimbal_camera
-        return own or stack.enter_context(gimbal_camera(orders, **storage))
+    gimbal = aboard and aboard.gimbal
+    own,leads = getattr(gimbal, 'camera', None),getattr(one, 'leads', True)
+    orders = gimbal if leads and _takes_orders(gimbal) else None
+    if not one.camera:
+        from_file = payload.found.document is not None
+        if own and not orders and not from_file:
+            url = device_url(payload.found.gimbals[one.gimbal].device)
+            raise ValueError(f'--gimbal {url} has its own camera: write --device, or add --camera')
+        if own: return own
+        if orders:
+            from UAV.gimbals.driver import gimbal_camera
+            return stack.enter_context(gimbal_camera(orders, **storage))
+        if from_file: raise ValueError('its gimbal has no camera: write camera, such as "/dev/video0"')
     if orders and own: own.close()
-    return stack.enter_context(_make_camera(typed.camera or 'sim', typed.size, aboard.mount, orders, **storage))
+    mount = aboard.mount if aboard else payload.vehicle and FixedMount(payload.vehicle, one.mounted or _ahead)
+    return stack.enter_context(_make_camera(one.camera or 'sim', one.size, mount, orders, **storage))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #834fa745
 def _takes_orders(gimbal)->bool:
@@ -174,13 +412,15 @@ def _on_card(camera)->bool:
 
 def _is_device(text:str)->bool: return text.partition('://')[0].lower() in device_schemes()
 
+_simulated = dict(sim=SimCamera, dual=SimDualCamera)
+
 def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **storage)->Camera:
     "Open the camera described by `text`, the video of `gimbal`; a simulated one hangs on `mount`. Raises `CameraError`"
     def of(kind):
         if gimbal is None: return kind
         from UAV.gimbals.driver import camera_kind
         return camera_kind(gimbal, kind)
-    simulated = dict(sim=SimCamera, dual=SimDualCamera).get(text)
+    simulated = _simulated.get(text)
     if simulated: return of(simulated)(*(size or (640,480)), mount=mount, **storage)
     if text.endswith('.toml') or ' ! ' in text:
         from UAV.cameras.gst_cam import GSTCamera
@@ -196,30 +436,32 @@ def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **stor
     return of(CV2Camera)(text, **own_size, **storage)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #738ce307
-def _streams_of(camera, kind:str, host:str, port:int)->list:
+def _streams_of(camera, kind:str, host:str, port:int, name:str='')->list:
     "Return (kind, host, port, further arguments of `Camera.add_stream`) of each stream"
-    if 'ir' not in getattr(camera, 'sources', ()): return [(kind, host, port, {})]
-    named,beside = ('',0) if kind=='rtsp' else (f' {kind}',2 if port else 0)
-    return [(kind, host, port, dict(name=f'shown{named}')),
-            (kind, host, port+beside, dict(name=f'thermal{named}', source='ir'))]
+    two,rtsp = 'ir' in getattr(camera, 'sources', ()),kind=='rtsp'
+    named,beside = ('',0) if rtsp else (f' {kind}',2 if port else 0)
+    if not two: return [(kind, host, port, dict(name=name+named) if name else {})]
+    return [(kind, host, port, dict(name=f'{name or "shown"}{named}')),
+            (kind, host, port+beside, dict(name=f'{name} ir{named}' if name else f'thermal{named}', source='ir'))]
 
 # %% ../../nbs/api/cli/02_serve.ipynb #f1bec6c7
 def add_streams(camera, # A Camera
                 wanted:list, # (kind, host, port) of each stream, as from `_wanted_streams`
-                rtsp=None, # RTSP server, as from `_with_password`
+                rtsp=None, # RTSP server, as from `_rtsp_server`
+                name:str='', # Of the streams, and of the RTSP path; empty: the model and a number
                 **how): # `codec`, `size`, `rate` and `bitrate` of `Camera.add_stream`
     "Add streams to the camera; raises `CameraError` for one that can't be opened"
-    for kind,host,port,eye in [stream for one in wanted for stream in _streams_of(camera, *one)]:
+    for kind,host,port,eye in [stream for one in wanted for stream in _streams_of(camera, *one, name)]:
         own = dict(server=rtsp) if kind=='rtsp' else {}
         with place_for(f'{kind} stream', host, port, CameraError, '--rtsp 0' if kind=='rtsp' else ''):
             camera.add_stream(kind=kind, host=host, port=port, **how, **eye, **own)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #79f91b00
-def _with_password(wanted:list, watcher:dict):
-    "Open an `RTSPServer` for a user of `_viewer`, or yield `None` for all; raises `ValueError` or `CameraError`"
-    if not watcher: return nullcontext()
+def _rtsp_server(wanted:list, watcher:dict, several:bool=False):
+    "Open an `RTSPServer` for a user or several cameras, or yield `None`; raises `ValueError` or `CameraError`"
     host,port = next((place for kind,*place in wanted if kind=='rtsp'), (None,None))
-    if port is None: raise ValueError('--rtsp-user needs an RTSP server, and --rtsp -1 has none')
+    if watcher and port is None: raise ValueError('--rtsp-user needs an RTSP server, and --rtsp -1 has none')
+    if not watcher and (port is None or not several): return nullcontext()
     from UAV.video.rtsp_server import RTSPServer
     with place_for('rtsp stream', host, port, CameraError, '--rtsp 0'): return RTSPServer(port, host, **watcher)
 
@@ -314,13 +556,14 @@ def _make_gimbal(text:str, vehicle:SimVehicle|None=None, stand_in:bool=False, **
     gimbal.close()
     raise ValueError(f'--gimbal {device_url(text)} is a camera, and no gimbal: write --camera')
 
-def _gimbal_server(gimbal:Gimbal, role:str, camera:str):
+def _gimbal_server(gimbal:Gimbal, role:str, camera:str, component:int, number:int|None):
     "Return the server of a gimbal, which takes camera commands if it has the only camera, and tracks if it can"
+    how = dict(gimbal=gimbal, role=role, gimbal_device_id=number)
     if _takes_orders(gimbal) and _is_device(camera):
         from UAV.mavlink import GimbalCameraServer
-        return GimbalCameraServer(gimbal=gimbal, role=role)
+        return GimbalCameraServer(component, **how)
     from UAV.mavlink import GimbalServer
-    server = GimbalServer(gimbal=gimbal, role=role)
+    server = GimbalServer(component, **how)
     if role!='device' and hasattr(gimbal, 'track_point'):
         from UAV.mavlink.viewsheen_server import _Tracking
         server.add_part(_Tracking(server))
@@ -331,6 +574,14 @@ def _autopilot(vehicle:SimVehicle):
     return SimAutopilot(vehicle)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #37c97044
+_ahead = 0.,-20.,0.         # where a camera without a gimbal looks
+
+def _flying(path:str|None, autopilot:bool, sim:bool, hangs:bool)->SimVehicle|None:
+    "Return the simulated vehicle, if `sim` gimbals or cameras that hang from them need one; raises `ValueError`"
+    if path and not (autopilot or sim): raise ValueError('--path needs --gimbal sim, or --autopilot')
+    flies = Aboard.paths[one_of('--path', path or 'hover', Aboard.paths)]
+    return SimVehicle(flies()) if path or autopilot or hangs else None
+
 class Aboard(Closes):
     "Gimbal, vehicle and autopilot beside a camera, or some of them"
     paths = dict(hover=hover, circle=circle)
@@ -341,19 +592,21 @@ class Aboard(Closes):
         camera:str='sim', # Camera, as for `_make_camera`
         role:str='both', # Role of the gimbal server: 'both', or 'device' if an autopilot manages it
         mounted:tuple|None=None, # As from `_mounting`; `None`: ahead, 20° down
+        vehicle:SimVehicle|None=None, # One that is there, with its autopilot
+        component:int=mavlink.MAV_COMP_ID_GIMBAL, # Of the gimbal
+        number:int=1, # Of the gimbal device, for a `role` of 'both'
         **storage # `folder`, `quota` and `storages` of the gimbal's own camera
     ):
-        if path and not (autopilot or gimbal=='sim'): raise ValueError('--path needs --gimbal sim, or --autopilot')
         one_of('--role', role, ('both','device'))
-        flies = self.paths[one_of('--path', path or 'hover', self.paths)]
-        hangs = gimbal=='sim' and camera in ('sim','dual')             # a simulated camera from a simulated gimbal
-        self.vehicle = SimVehicle(flies()) if path or autopilot or hangs else None
+        is_sim = gimbal=='sim'
+        self.vehicle = vehicle or _flying(path, autopilot, is_sim, is_sim and camera in _simulated)
         made = isinstance(gimbal, str)
         self.gimbal = _make_gimbal(gimbal, self.vehicle, not (path or autopilot), **storage) if made else gimbal
-        self.server = _gimbal_server(self.gimbal, role, camera) if gimbal else None
-        self.pilot = _autopilot(self.vehicle) if autopilot else None
-        fixed = self.gimbal or mounted or (0.,-20.,0.)
-        self.mount = self.gimbal if gimbal=='sim' else self.vehicle and FixedMount(self.vehicle, fixed)
+        how = dict(component=component, number=number if role=='both' else None)
+        self.server = _gimbal_server(self.gimbal, role, camera, **how) if gimbal else None
+        self.pilot = _autopilot(self.vehicle) if autopilot and not vehicle else None
+        fixed = self.gimbal or mounted or _ahead
+        self.mount = self.gimbal if is_sim else self.vehicle and FixedMount(self.vehicle, fixed)
 
     components = property(lambda self: [c for c in (self.server, self.pilot) if c], doc="What goes on MAVLink")
     __repr__ = basic_repr('vehicle,gimbal')
@@ -375,39 +628,68 @@ def _size(mib:float)->str: return f'{mib/1024:.1f} GiB' if mib>=1024 else f'{mib
 def _clock(seconds:float)->str: return f'{int(seconds)//60}:{int(seconds)%60:02}'
 
 # %% ../../nbs/api/cli/02_serve.ipynb #5cc43a1f
-def _gimbal_of(com)->tuple:
-    "Return the direction of the served gimbal, and its fault or owner; empty where unknown"
-    server = next((c for c in com.component.values() if hasattr(c, 'gimbal')), None)
-    if server is None: return '',''
-    if fault := getattr(server.gimbal, 'fault', None): return '',f'FAULT: {fault}'
-    now = server.attitude()
-    direction = f'{now.pitch:.0f}° {now.yaw:.0f}°, ' if known(now.pitch) and known(now.yaw) else ''
-    return direction,server.control.owner
+def _gimbals_of(com)->list:
+    "Return `(direction, fault or owner)` of each served gimbal; empty where unknown"
+    found = []
+    for server in [c for c in com.component.values() if hasattr(c, 'gimbal')]:
+        fault,now = getattr(server.gimbal, 'fault', None),server.attitude()
+        turned = f'{now.pitch:.0f}° {now.yaw:.0f}°, ' if known(now.pitch) and known(now.yaw) else ''
+        found.append(('',f'FAULT: {fault}') if fault else (turned,server.control.owner))
+    return found
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3a65f7fd
-def _status_of(camera, com)->tuple:
-    "Return the status as `(line, the part that is worth a line in a log)`"
-    ours = {(com.source_system, number) for number in com.component}
-    others = [r.name for r in com.remotes.values() if r.type is not None and not r.lost and r.address not in ours]
+def _camera_status(camera)->tuple:
+    "Return the status of a camera: parts worth a line in a log, parts that change all the time, the free space"
     films = sum(len(storage.recordings) for storage in camera.storages)
     steady = [f'FAULT: {camera.fault}'] if camera.fault else []
     steady += [*map(_viewers, camera.streams), _count(len(camera.pictures), 'picture'), _count(films, 'recording')]
     moving = [f'REC {_clock(camera.recording_time)}'] if camera.recording else []
-    direction,owner = _gimbal_of(com)
-    if owner: moving.append(f'gimbal {direction}{owner}')
-    free = f'{_size(camera.storages.photo.information().available)} free'
-    hears = f'hears {", ".join(sorted(others)) or "nothing"}'
-    return ' | '.join([*steady, *moving, free, hears]),(*steady, camera.recording, owner, hears)
+    return steady,moving,f'{_size(camera.storages.photo.information().available)} free'
+
+def _hears(com)->str:
+    "Return which other components are received"
+    ours = {(com.source_system, number) for number in com.component}
+    others = [r.name for r in com.remotes.values() if r.type is not None and not r.lost and r.address not in ours]
+    return f'hears {", ".join(sorted(others)) or "nothing"}'
+
+def _status_of(camera, com)->tuple:
+    "Return the status of one camera, gimbals and links as `(line, the part that is worth a line in a log)`"
+    (steady,moving,free),hears,gimbals = _camera_status(camera),_hears(com),_gimbals_of(com)
+    turned = [f'gimbal {direction}{owner}' for direction,owner in gimbals if owner]
+    owners = [owner for _,owner in gimbals]
+    return ' | '.join([*steady, *moving, *turned, free, hears]),(*steady, bool(moving), *owners, hears)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #2605d907
-def _statuses(camera, com, period:float=1.):
+@patch
+def status(self:Payload)->list:
+    "Return `(line, the part worth a line in a log)` of each camera, and of the vehicle; one for a single camera"
+    if not self.waits: return [_status_of(next(iter(self.cameras.values())).device, self.com)]
+    rows = []
+    for name,slot in self.cameras.items():
+        at = f'{name} {self.com.source_system}/{self.found.cameras[name].component}'
+        if slot.device is None: rows.append((f'{at} | FAULT: {slot.fault}', slot.fault))
+        else:
+            steady,moving,free = _camera_status(slot.device)
+            rows.append((' | '.join([at, *steady, *moving, free]), (*steady, bool(moving))))
+    missing = [f'gimbal {name} FAULT: {slot.fault}' for name,slot in self.gimbals.items() if slot.fault]
+    gimbals = _gimbals_of(self.com)
+    turned = [f'gimbal {direction}{owner}' for direction,owner in gimbals if owner]
+    hears = _hears(self.com)
+    return [*rows, (' | '.join([*missing, *turned, hears]), (*missing, *(owner for _,owner in gimbals), hears))]
+
+@patch
+def statuses(self:Payload, period:float=1.):
     "Yield the status, again and again"
-    changed = clock.Event()
-    def note(event): changed.set()
-    camera.subscribe(note)
-    try:
-        while True:
-            changed.clear()
-            yield _status_of(camera, com)
-            changed.wait(period)
-    finally: camera.unsubscribe(note)
+    while True:
+        self.changed.clear()
+        yield self.status()
+        self.changed.wait(period)
+
+@patch
+def shown(self:Payload, slot:Slot)->list:
+    "Return lines about the storages and streams of a camera"
+    camera,server = slot.device,slot.servers[0]
+    if camera is None: return []
+    named = f'{slot.name} ' if self.waits else ''
+    storages = [f'{named}storage {one}' for one in repr(camera.storages).splitlines()*(len(camera.storages)>1)]
+    return storages+[f'{named}{s.kind}: {s.uri(server.video.host_for())}, {s.format}' for s in camera.streams]
