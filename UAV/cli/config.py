@@ -57,10 +57,13 @@ class Document:
         found = (self.lines.get(path[:n]) for n in range(len(path), 0, -1))
         return next((line for line in found if line), 1)
 
+_hints = {"Illegal character '\\n'":'a text has no closing quote', 'Invalid value':'a text stands in quotes'}
+
 def _placed(error:Exception, last:int)->tuple:
     "Return `(line, sentence)` of an error of `tomllib`"
     found = re.search(r' \(at (?:line (\d+), column \d+|end of document)\)', str(error))
-    return int(found[1] or last) if found else last,re.sub(r' \(at .*', '', str(error))
+    text = re.sub(r' \(at .*', '', str(error))
+    return int(found[1] or last) if found else last,'; '.join(filter(None, (text, _hints.get(text))))
 
 # %% ../../nbs/api/cli/02_config.ipynb #c0f10015
 @patch
@@ -111,7 +114,7 @@ def _named(value)->str:
 def _instead(name:str, names)->str:
     "Return a hint at the closest of `names`, or at all of them"
     close = get_close_matches(name.lower().replace('-', '_'), names, 1)
-    return f'did you mean {close[0]}?' if close else f'there is {", ".join(names) or "none"}'
+    return f'did you mean {close[0]}?' if close else f'there {"is" if len(names)==1 else "are"} {", ".join(names)}'
 
 def option_value(name:str, # Option
                  kind, # Its type on the command line
@@ -295,7 +298,8 @@ def _no_camera(name:str, camera, gimbals:dict, has):
     if not (shown.strip() and shown.isprintable() and len(shown.encode())<=31) or '/' in name:
         yield f'a name is a text of 1 to 31 bytes without a /, not {shown!r}',*at,'name'
     if gimbal and gimbal not in gimbals:
-        yield f'there is no [gimbals.{gimbal}]; {_instead(gimbal, [*gimbals])}',*at,'gimbal'
+        hint = f'; {_instead(gimbal, [*gimbals])}' if gimbals else ''
+        yield f'there is no [gimbals.{gimbal}]{hint}',*at,'gimbal'
     if device and (why := _no_device('device', device)): yield why,*at,'device'
     own = gimbal and (gimbal not in gimbals or gimbals[gimbal].device!='sim')       # it may have a camera of its own
     if not (own or has(*at, 'camera') or has(*at, 'device')):

@@ -195,8 +195,8 @@ class Payload(Closes):
         found,enter = self.found,self._open.enter_context
         connections,signing = links(v.connection),_signing_of(v)
         for one in found.cameras.values(): _places(one)
-        watcher,wanted = _viewer(v.rtsp_user, v.rtsp_password_file),_wanted_streams(v)
-        self.rtsp = enter(_rtsp_server(wanted, watcher, self.waits))
+        watcher = _viewer(v.rtsp_user, v.rtsp_password_file)
+        self.rtsp = enter(_rtsp_server([('rtsp', '', v.rtsp)] if v.rtsp>=0 else [], watcher, self.waits))
         self.vehicle = _flying(v.path, v.autopilot, *self._hanging())
         for kind,make in (('gimbals',self._gimbal_slot),('cameras',self._camera_slot)):
             for n,(name,table) in enumerate(getattr(found, kind).items()):
