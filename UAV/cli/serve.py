@@ -4,31 +4,25 @@
 
 # %% ../../nbs/api/cli/02_serve.ipynb #96c43ae0
 from __future__ import annotations
-from contextlib import contextmanager, ExitStack, nullcontext
+from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
-import itertools, os, re, signal
-from fastcore.basics import basic_repr, patch, store_attr
-from ..cameras import Camera, CameraError, CameraInformation, SimCamera, SimDualCamera, Storage
-from .common import (address, between, key_in, links, listed, log_to, number, on_links, or_exit, place_for,
-    run_with_options, sentence, StatusPrinter, _words_of)
-from .config import clashes, Configuration, gimbal_components, read_config
-from ..gimbals import circle, FixedMount, Gimbal, GimbalError, hover, SimVehicle
-from ..logging import get_logger
-from ..mavlink import CameraServer, mavlink
+import itertools, re, signal
+from UAV.cli.common import (address, between, links, log_to, number, or_exit, run_with_options, sentence, StatusPrinter,
+    _words_of)
+from .config import clashes, Configuration, read_config
+from .payload import add_streams, Aboard, Payload, serving, _places, _signing_of, _viewer
+from ..mavlink import mavlink
 from ..mavlink.camera_server import _checked_name
-from ..utils import clock
-from ..utils.devices import device_schemes, device_url, open_device
-from ..utils.files import read_secret
-from ..utils.threads import _begin_thread, _has_ended, Closes
-from ..utils.values import known, one_of
-from ..wire.signing import Signing
+from ..utils.values import known
 from argparse import ArgumentTypeError
 from typing import Literal
 
+_all_ = ['add_streams', 'Aboard', 'serving']
+
 # %% auto #0
-__all__ = ['main', 'log', 'serve_camera', 'Payload', 'Slot', 'add_streams', 'serving', 'Aboard']
+__all__ = ['main', 'serve_camera', 'add_streams', 'Aboard', 'serving']
 
 # %% ../../nbs/api/cli/02_serve.ipynb #4b62626b
 def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; other options count more than its own
@@ -98,11 +92,12 @@ def _serve(typed):
         with ExitStack() as stack:
             with or_exit('uav-camera-server'): payload = stack.enter_context(Payload(found := _described(typed)))
             _introduce(payload, printer)
-            for rows in payload.statuses(): printer.statuses(rows)
+            for rows in _statuses(payload): printer.statuses(rows)
     except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
     places = [place for one in found.cameras.values() for place in _places(one)] if found else []
     if places: printer.line(f'stopped; the pictures are in {" and ".join(places)}')
 
+# %% ../../nbs/api/cli/02_serve.ipynb #c0f20009
 def _introduce(payload, printer:StatusPrinter):
     "Print what is served, and on which links"
     com,cameras = payload.com,payload.cameras.values()
@@ -116,8 +111,10 @@ def _introduce(payload, printer:StatusPrinter):
     for channel in com.channels: printer.line(f'  on {channel.name}')
     guard = payload.found.vehicle.guard
     if guard: printer.line(f'  only these may format, reset and delete: {_named(guard)}')
-    for slot in cameras:
-        for text in payload.shown(slot): printer.line(f'  {text}')
+    for slot in filter(lambda slot: slot.device, cameras):
+        camera,named = slot.device,f'{slot.name} ' if payload.waits else ''
+        for storage in repr(camera.storages).splitlines()*(len(camera.storages)>1): printer.line(f'  {named}storage {storage}')
+        for s in camera.streams: printer.line(f'  {named}{s.kind}: {s.uri(slot.servers[0].video.host_for())}, {s.format}')
 
 # %% ../../nbs/api/cli/02_serve.ipynb #00cdc623
 def _described(typed)->Configuration:
@@ -173,315 +170,6 @@ def _mistakes(found:Configuration):
         try: _places(one)
         except ValueError as e: yield sentence(e).removeprefix('--'),'cameras',name,'storage'
 
-# %% ../../nbs/api/cli/02_serve.ipynb #c0f20002
-class Payload(Closes):
-    "The cameras and gimbals of a vehicle, open and on its links; `with` closes all"
-    def __init__(self, found:Configuration):
-        "Raises `ValueError`, `CameraError`, `GimbalError`, `MAVError` or `OSError`"
-        self.found,self.changed,self._open = found,clock.Event(),ExitStack()
-        self.waits = found.document is not None or len(found.cameras)>1     # for those that are missing
-        self.cameras,self.gimbals,self.com = {},{},None
-        try: self._begin(found.vehicle)
-        except BaseException:
-            self.close()
-            raise
-
-    def close(self):
-        "Leave the links, and close all; safe to call twice"
-        self._open.close()
-
-    def _begin(self, v):
-        "Open all, and the links last"
-        found,enter = self.found,self._open.enter_context
-        connections,signing = links(v.connection),_signing_of(v)
-        for one in found.cameras.values(): _places(one)
-        watcher = _viewer(v.rtsp_user, v.rtsp_password_file)
-        self.rtsp = enter(_rtsp_server([('rtsp', '', v.rtsp)] if v.rtsp>=0 else [], watcher, self.waits))
-        self.vehicle = _flying(v.path, v.autopilot, *self._hanging())
-        for kind,make in (('gimbals',self._gimbal_slot),('cameras',self._camera_slot)):
-            for n,(name,table) in enumerate(getattr(found, kind).items()):
-                slot = getattr(self, kind)[name] = enter(make(n, name, table))
-                self._open_slot(slot, kind)
-        self.com = enter(on_links(connections, source_system=v.system, signing=signing, forward=v.forward))
-        for slot in (*self.cameras.values(), *self.gimbals.values()):
-            self._open.callback(slot.stop)              # before the links close
-            slot.join(self.com)
-        if v.autopilot: self.com.add_component(_autopilot(self.vehicle))
-
-# %% ../../nbs/api/cli/02_serve.ipynb #c0f20008
-@patch
-def _open_slot(self:Payload, slot, kind:str):
-    "Open a device, or have it tried again later"
-    try: slot.open()
-    except ValueError as e: raise self.found.wrong(str(e), kind, slot.name) from e
-    except _faults as e:
-        if not self.waits: raise
-        slot.note(sentence(e))
-
-# %% ../../nbs/api/cli/02_serve.ipynb #c0f20004
-_faults = CameraError,GimbalError,OSError,ImportError
-log = get_logger('server')
-
-class _Missing:
-    "A camera that isn't there: a name and a fault"
-    streams = pictures = ()
-    def __init__(self, slot): self.information,self.slot = CameraInformation(model=slot.name[:31]),slot
-    fault = property(lambda self: self.slot.fault)
-
-class Slot(Closes):
-    "A device of a vehicle, or why it's missing, and the component that serves it"
-    again,silent = 5.,6.        # s between two attempts; s without heartbeats, so that ground stations ask anew
-    def __init__(self, name:str, opens, # Function of an `ExitStack` that returns the device
-                 serves): # Function of the device, or `None`, that returns its components
-        store_attr()
-        self.device = self.fault = self._thread = self._com = None
-        self.servers,self._open,self._closing = [],ExitStack(),clock.Event()
-
-    def note(self, fault:str|None):
-        "Set the fault, and log a new one"
-        if fault and fault!=self.fault: log.warning('%s: %s', self.name, fault)
-        self.fault = fault
-
-    def open(self):
-        "Open the device; raises as its driver does"
-        with ExitStack() as stack:
-            device = self.opens(stack)
-            if self._closing.is_set(): return           # it took too long
-            self.device,self._open = device,stack.pop_all()
-        self.note(None)
-
-    def stop(self):
-        "Try no more"
-        self._closing.set()
-        if not _has_ended(self._thread, 10.): log.error('%s: its driver does not return', self.name)
-
-    def close(self):
-        "Close the device; safe to call twice"
-        self.stop()
-        self._open.close()
-
-# %% ../../nbs/api/cli/02_serve.ipynb #c0f20005
-@patch
-def join(self:Slot, com): # `MAVCom`
-    "Serve the device; one that is missing is tried again"
-    self.servers = [com.add_component(server) for server in self.serves(self.device)]
-    if self.device is None: self._thread = _begin_thread(lambda: self._come(com), f'wait for {self.name}')
-
-@patch
-def _come(self:Slot, com):
-    "Wait until the device is there, and serve it"
-    while not self._closing.wait(self.again):
-        try: self.open()
-        except Exception as e:
-            if not isinstance(e, (*_faults, ValueError)): log.exception('%s', self.name)
-            self.note(sentence(e))
-            continue
-        if self.device is None: return
-        log.info('%s is there', self.name)
-        waits = bool(self.servers)
-        for server in self.servers: server.close()
-        if waits and self._closing.wait(self.silent): return
-        return self.join(com)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #c0f20006
-@patch
-def _hanging(self:Payload)->tuple:
-    "True if a gimbal is simulated; true if a simulated camera hangs from one"
-    sims = {name for name,gimbal in self.found.gimbals.items() if gimbal.device=='sim'}
-    return bool(sims),any(c.gimbal in sims and (c.camera or 'sim') in _simulated for c in self.found.cameras.values())
-
-@patch
-def _gimbal_slot(self:Payload, n:int, name:str, table)->Slot:
-    on_it = [c for c in self.found.cameras.values() if c.gimbal==name]
-    own = next((c for c in on_it if not (c.camera or c.device)), None)  # the one that is the gimbal's camera
-    first = own or next(iter(on_it), None)
-    for camera in on_it: camera.leads = camera is first             # its commands go to the gimbal, too
-    def opens(stack):
-        v,source = self.found.vehicle,'' if first is None else first.camera or 'sim'
-        storage = _storage(own) if own else {}
-        mounted = getattr(first, 'mounted', None)
-        return stack.enter_context(Aboard(table.device, v.path, v.autopilot, source, table.role, mounted, self.vehicle,
-                                          table.component, n+1, **storage))
-    return Slot(name, opens, lambda aboard: [aboard.server] if aboard else [])
-
-# %% ../../nbs/api/cli/02_serve.ipynb #c0f20007
-@patch
-def _camera_slot(self:Payload, n:int, name:str, one)->Slot:
-    several,made = self.waits,SimpleNamespace(aboard=None)
-    def opens(stack):
-        camera,made.aboard = self._open_camera(one, stack, name if several else '')
-        camera.subscribe(lambda event: self.changed.set())
-        return camera
-    def serves(camera):
-        how = dict(guard=one.guard, video_host=one.host, name=one.name or (name if several else None))
-        slot = self.cameras[name]
-        servers = [CameraServer(one.component, camera=_Missing(slot) if camera is None else camera, **how)]
-        return servers+([made.aboard.server] if camera and made.aboard else [])
-    return Slot(name, opens, serves)
-
-@patch
-def _open_camera(self:Payload, one, stack:ExitStack, name:str)->tuple:
-    "Open a camera with its streams; returns it with the `Aboard` of a gimbal that came with it, or `None`"
-    storage = _storage(one)
-    gimbal,camera = _device(one, stack, storage)
-    own = aboard = None
-    if gimbal:
-        how = dict(zip(('component','number'), self._spare(one)))
-        aboard = own = stack.enter_context(Aboard(gimbal, camera=one.camera or 'sim', role=getattr(one, 'role', 'both'),
-                                                  mounted=one.mounted, vehicle=self.vehicle, **how))
-    elif one.gimbal is not None: aboard = self._gimbal(one.gimbal)
-    camera = camera or _camera_of(one, stack, aboard, storage, self)
-    camera.mounted = one.mounted
-    if aboard: camera.gimbal_device_id = aboard.server.gimbal_device_id
-    bitrate = None if one.bitrate is None else int(one.bitrate*1e6)
-    wanted = [] if _on_card(camera) else _wanted_streams(one)
-    add_streams(camera, wanted, self.rtsp, name, codec=one.codec, size=one.size, rate=one.rate, bitrate=bitrate)
-    return camera,own
-
-@patch
-def _spare(self:Payload, one)->tuple:
-    "Return component and number of the gimbal that may come with a camera's device"
-    given = [gimbal.component for gimbal in self.found.gimbals.values()]
-    free = [n for n in gimbal_components if n not in given]
-    place = [c for c in self.found.cameras.values() if c.device].index(one)
-    if place>=len(free): raise ValueError(f'a vehicle has {len(gimbal_components)} gimbals at most')
-    return free[place],len(given)+place+1
-
-@patch
-def _gimbal(self:Payload, name:str):
-    "Return the `Aboard` of a gimbal; raises `CameraError` while it's missing"
-    slot = self.gimbals[name]
-    if slot.device is None: raise CameraError(f'gimbal {name} is missing: {slot.fault}')
-    return slot.device
-
-# %% ../../nbs/api/cli/02_serve.ipynb #e2ed96e7
-def _places(one)->list:
-    "Return the folders of all storages"
-    return [one.folder] if one.storage is None else [one.folder, *listed('--storage', one.storage)]
-
-def _storage(one)->dict:
-    "Return `folder` and `quota`, or `storages`, of a camera"
-    if not one.storage: return dict(folder=one.folder, quota=one.quota)
-    return dict(storages=[Storage(place, one.quota, name=Path(place).name) for place in _places(one)])
-
-# %% ../../nbs/api/cli/02_serve.ipynb #64f0c6f9
-def _device(typed, stack:ExitStack, storage:dict)->tuple:
-    "Open `--device` and return `(gimbal, camera)`, either may be `None`; raises `ValueError`, and errors of its driver"
-    if typed.device is None: return None,None
-    device = stack.enter_context(open_device(typed.device, **({} if typed.camera else storage)))
-    gimbal,camera = (device,device.camera) if isinstance(device, Gimbal) else (None,device)
-    shown = device_url(typed.device)            # without its password
-    if gimbal and typed.gimbal: raise ValueError(f'--device {shown} is the gimbal: leave --gimbal out')
-    if _takes_orders(gimbal): return gimbal,None if typed.camera else camera         # `--camera` is its video
-    if camera and typed.camera: raise ValueError(f'--device {shown} has its own camera: leave --camera out')
-    if not (camera or typed.camera): raise ValueError(f'--device {shown} gives no picture: add --camera rtsp://HOST/…')
-    return gimbal,camera
-
-# %% ../../nbs/api/cli/02_serve.ipynb #5b1fa3d8
-def _camera_of(one, stack:ExitStack, aboard:Aboard|None, storage:dict, payload)->Camera:
-    "Open that of the gimbal, or `--camera` with the gimbal's camera verbs; raises `ValueError`, `CameraError`"
-    gimbal = aboard and aboard.gimbal
-    own,leads = getattr(gimbal, 'camera', None),getattr(one, 'leads', True)
-    orders = gimbal if leads and _takes_orders(gimbal) else None
-    if not one.camera:
-        from_file = payload.found.document is not None
-        if own and not orders and not from_file:
-            url = device_url(payload.found.gimbals[one.gimbal].device)
-            raise ValueError(f'--gimbal {url} has its own camera: write --device, or add --camera')
-        if own: return own
-        if orders:
-            from UAV.gimbals.driver import gimbal_camera
-            return stack.enter_context(gimbal_camera(orders, **storage))
-        if from_file: raise ValueError('its gimbal has no camera: write camera, such as "/dev/video0"')
-    if orders and own: own.close()
-    mount = aboard.mount if aboard else payload.vehicle and FixedMount(payload.vehicle, one.mounted or _ahead)
-    return stack.enter_context(_make_camera(one.camera or 'sim', one.size, mount, orders, **storage))
-
-# %% ../../nbs/api/cli/02_serve.ipynb #834fa745
-def _takes_orders(gimbal)->bool:
-    "True if a gimbal's driver has camera verbs; only then the drivers are loaded"
-    if not hasattr(gimbal, 'set_camera_zoom'): return False
-    from UAV.gimbals.driver import takes_orders
-    return takes_orders(gimbal)
-
-def _on_card(camera)->bool:
-    "True if a camera sends no video here; it's that of a gimbal"
-    if not hasattr(camera, 'gimbal'): return False
-    from UAV.gimbals.driver import CardCamera
-    return isinstance(camera, CardCamera)
-
-def _is_device(text:str)->bool: return text.partition('://')[0].lower() in device_schemes()
-
-_simulated = dict(sim=SimCamera, dual=SimDualCamera)
-
-def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **storage)->Camera:
-    "Open the camera described by `text`, the video of `gimbal`; a simulated one hangs on `mount`. Raises `CameraError`"
-    def of(kind):
-        if gimbal is None: return kind
-        from UAV.gimbals.driver import camera_kind
-        return camera_kind(gimbal, kind)
-    simulated = _simulated.get(text)
-    if simulated: return of(simulated)(*(size or (640,480)), mount=mount, **storage)
-    if text.endswith('.toml') or ' ! ' in text:
-        from UAV.cameras.gst_cam import GSTCamera
-        return of(GSTCamera)(text, **storage)
-    width,height = size or (None,None)
-    if _is_device(text):
-        device = open_device(text, **storage)
-        if isinstance(device, Camera): return device
-        device.close()
-        raise ValueError(f'--camera {device_url(text)} is a gimbal: write --device')
-    own_size = dict(width=width, height=height) if text.isdigit() or text.startswith('/dev/') else {}
-    from UAV.cameras import CV2Camera
-    return of(CV2Camera)(text, **own_size, **storage)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #738ce307
-def _streams_of(camera, kind:str, host:str, port:int, name:str='')->list:
-    "Return (kind, host, port, further arguments of `Camera.add_stream`) of each stream"
-    two,rtsp = 'ir' in getattr(camera, 'sources', ()),kind=='rtsp'
-    named,beside = ('',0) if rtsp else (f' {kind}',2 if port else 0)
-    if not two: return [(kind, host, port, dict(name=name+named) if name else {})]
-    return [(kind, host, port, dict(name=f'{name or "shown"}{named}')),
-            (kind, host, port+beside, dict(name=f'{name} ir{named}' if name else f'thermal{named}', source='ir'))]
-
-# %% ../../nbs/api/cli/02_serve.ipynb #f1bec6c7
-def add_streams(camera, # A Camera
-                wanted:list, # (kind, host, port) of each stream, as from `_wanted_streams`
-                rtsp=None, # RTSP server, as from `_rtsp_server`
-                name:str='', # Of the streams, and of the RTSP path; empty: the model and a number
-                **how): # `codec`, `size`, `rate` and `bitrate` of `Camera.add_stream`
-    "Add streams to the camera; raises `CameraError` for one that can't be opened"
-    for kind,host,port,eye in [stream for one in wanted for stream in _streams_of(camera, *one, name)]:
-        own = dict(server=rtsp) if kind=='rtsp' else {}
-        with place_for(f'{kind} stream', host, port, CameraError, '--rtsp 0' if kind=='rtsp' else ''):
-            camera.add_stream(kind=kind, host=host, port=port, **how, **eye, **own)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #79f91b00
-def _rtsp_server(wanted:list, watcher:dict, several:bool=False):
-    "Open an `RTSPServer` for a user or several cameras, or yield `None`; raises `ValueError` or `CameraError`"
-    host,port = next((place for kind,*place in wanted if kind=='rtsp'), (None,None))
-    if watcher and port is None: raise ValueError('--rtsp-user needs an RTSP server, and --rtsp -1 has none')
-    if not watcher and (port is None or not several): return nullcontext()
-    from UAV.video.rtsp_server import RTSPServer
-    with place_for('rtsp stream', host, port, CameraError, '--rtsp 0'): return RTSPServer(port, host, **watcher)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #e308caa4
-@contextmanager
-def serving(camera, # A Camera
-            connections:list, # Connection strings
-            system:int=1, # System id of the vehicle
-            component:int=100, # Component id, 100 to 105
-            host:str|None=None, # Our address for viewers; `None`: the one that each viewer reaches
-            guard=None, # Clients with destructive commands, as for `CameraServer`
-            name:str|None=None, # Its name at ground stations; `None`: the model
-            components=(), # Further components of the vehicle
-            **how): # `signing` and `forward` of `MAVCom`
-    "Serve `camera` on these links, and return their `MAVCom`, as a context manager"
-    with on_links(connections, source_system=system, **how) as com:
-        com.add_component(CameraServer(component, camera=camera, guard=guard, video_host=host, name=name))
-        for other in components: com.add_component(other)
-        yield com
-
 # %% ../../nbs/api/cli/02_serve.ipynb #d05ee97a
 def _picture_size(text:str)->tuple:
     "Convert a size such as '1280x720' to (width, height), px"
@@ -497,15 +185,6 @@ def _host_port(text:str)->tuple:
         raise ArgumentTypeError(f'write HOST:PORT, such as 192.168.1.10:5600, not {text!r}')
     return host.strip('[]'),int(port)
 
-# %% ../../nbs/api/cli/02_serve.ipynb #3c572bf0
-def _wanted_streams(typed)->list:
-    "Return (kind, host, port) of each stream; port 0 is a free one"
-    found = [('rtsp', '', typed.rtsp)] if typed.rtsp>=0 else []
-    if typed.rtp: found.append(('rtp', *typed.rtp))
-    if typed.mpegts: found.append(('mpegts', *typed.mpegts))
-    if typed.tcp is not None: found.append(('tcp', '', typed.tcp))
-    return found
-
 # %% ../../nbs/api/cli/02_serve.ipynb #f4b0aecc
 def _mounting(text:str)->tuple:
     "Convert down, forward or ROLL,PITCH,YAW to three angles, degrees"
@@ -514,18 +193,6 @@ def _mounting(text:str)->tuple:
     if found := re.fullmatch(','.join([number]*3), text): angles = tuple(map(float, found.groups()))
     if angles and all(-360<=angle<=360 for angle in angles): return angles
     raise ArgumentTypeError(f'write down, forward, or ROLL,PITCH,YAW in degrees, not {text!r}')
-
-# %% ../../nbs/api/cli/02_serve.ipynb #fbf8e396
-def _viewer(user:str|None, file:str|None=None)->dict:
-    "Return `user` and `password` of `RTSPServer`; none if all may watch. Raises `ValueError` or `OSError`"
-    typed = os.environ.get('UAV_RTSP_PASSWORD')
-    if file is not None: typed = read_secret(Path(file)).decode().partition('\n')[0].strip()
-    if user is None and typed is None: return {}
-    if user is None: raise ValueError('a password of RTSP needs --rtsp-user')
-    if not typed: raise ValueError('--rtsp-user needs a password, in UAV_RTSP_PASSWORD or --rtsp-password-file')
-    if not user or not user.isprintable() or set(user)&set(':"\\'):
-        raise ValueError(f'--rtsp-user is a name without colons and quotes, not {user!r}')
-    return dict(user=user, password=typed)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #2c0206f7
 def _guarding(text:str)->str|list:
@@ -536,83 +203,6 @@ def _guarding(text:str)->str|list:
     if not all(n and all(1<=i<=255 for i in n) for n in numbers):
         raise ArgumentTypeError(f'write signed, or systems and addresses such as 255,254/190, not {text!r}')
     return [n[0] if len(n)==1 else n for n in numbers]
-
-def _signing_of(typed):
-    "Return the key, or the `Signing` of a server with `--guard signed`; raises `ValueError`, or `OSError` for its file"
-    key = key_in(typed.sign)
-    if typed.guard!='signed': return key
-    if not key: raise ValueError('--guard signed needs a key: --sign')
-    return Signing(key, accept_unsigned=lambda msg_id, source: True)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #320df580
-def _make_gimbal(text:str, vehicle:SimVehicle|None=None, stand_in:bool=False, **storage)->Gimbal:
-    "Open the gimbal described by `text`; a `stand_in` is used until a vehicle is received. Raises `ValueError`"
-    if text=='sim':
-        from UAV.gimbals import SimGimbal
-        return SimGimbal(vehicle, stand_in=stand_in)
-    try: gimbal = open_device(text, **storage)
-    except ValueError as e: raise ValueError(f'--gimbal is sim or a URL such as viewsheen://HOST: {e}') from None
-    if isinstance(gimbal, Gimbal): return gimbal
-    gimbal.close()
-    raise ValueError(f'--gimbal {device_url(text)} is a camera, and no gimbal: write --camera')
-
-def _gimbal_server(gimbal:Gimbal, role:str, camera:str, component:int, number:int|None):
-    "Return the server of a gimbal, which takes camera commands if it has the only camera, and tracks if it can"
-    how = dict(gimbal=gimbal, role=role, gimbal_device_id=number)
-    if _takes_orders(gimbal) and _is_device(camera):
-        from UAV.mavlink import GimbalCameraServer
-        return GimbalCameraServer(component, **how)
-    from UAV.mavlink import GimbalServer
-    server = GimbalServer(component, **how)
-    if role!='device' and hasattr(gimbal, 'track_point'):
-        from UAV.mavlink.viewsheen_server import _Tracking
-        server.add_part(_Tracking(server))
-    return server
-
-def _autopilot(vehicle:SimVehicle):
-    from UAV.mavlink import SimAutopilot
-    return SimAutopilot(vehicle)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #37c97044
-_ahead = 0.,-20.,0.         # where a camera without a gimbal looks
-
-def _flying(path:str|None, autopilot:bool, sim:bool, hangs:bool)->SimVehicle|None:
-    "Return the simulated vehicle, if `sim` gimbals or cameras that hang from them need one; raises `ValueError`"
-    if path and not (autopilot or sim): raise ValueError('--path needs --gimbal sim, or --autopilot')
-    flies = Aboard.paths[one_of('--path', path or 'hover', Aboard.paths)]
-    return SimVehicle(flies()) if path or autopilot or hangs else None
-
-class Aboard(Closes):
-    "Gimbal, vehicle and autopilot beside a camera, or some of them"
-    paths = dict(hover=hover, circle=circle)
-    def __init__(self,
-        gimbal:str|Gimbal|None=None, # 'sim', a URL as for `open_device`, or an open gimbal; `None`: none
-        path:str|None=None, # 'hover' or 'circle', 30 m up; `None`: it hovers until a vehicle is received
-        autopilot:bool=False, # Add a simulated autopilot for the vehicle
-        camera:str='sim', # Camera, as for `_make_camera`
-        role:str='both', # Role of the gimbal server: 'both', or 'device' if an autopilot manages it
-        mounted:tuple|None=None, # As from `_mounting`; `None`: ahead, 20° down
-        vehicle:SimVehicle|None=None, # One that is there, with its autopilot
-        component:int=mavlink.MAV_COMP_ID_GIMBAL, # Of the gimbal
-        number:int=1, # Of the gimbal device, for a `role` of 'both'
-        **storage # `folder`, `quota` and `storages` of the gimbal's own camera
-    ):
-        one_of('--role', role, ('both','device'))
-        is_sim = gimbal=='sim'
-        self.vehicle = vehicle or _flying(path, autopilot, is_sim, is_sim and camera in _simulated)
-        made = isinstance(gimbal, str)
-        self.gimbal = _make_gimbal(gimbal, self.vehicle, not (path or autopilot), **storage) if made else gimbal
-        how = dict(component=component, number=number if role=='both' else None)
-        self.server = _gimbal_server(self.gimbal, role, camera, **how) if gimbal else None
-        self.pilot = _autopilot(self.vehicle) if autopilot and not vehicle else None
-        fixed = self.gimbal or mounted or _ahead
-        self.mount = self.gimbal if is_sim else self.vehicle and FixedMount(self.vehicle, fixed)
-
-    components = property(lambda self: [c for c in (self.server, self.pilot) if c], doc="What goes on MAVLink")
-    __repr__ = basic_repr('vehicle,gimbal')
-    def close(self):
-        "Close the gimbal"
-        if self.gimbal: self.gimbal.close()
 
 # %% ../../nbs/api/cli/02_serve.ipynb #34bc1278
 def _count(number:int, what:str)->str: return f'{number} {what}{"" if number==1 else "s"}'
@@ -637,6 +227,11 @@ def _gimbals_of(com)->list:
         found.append(('',f'FAULT: {fault}') if fault else (turned,server.control.owner))
     return found
 
+def _turned(com)->tuple:
+    "Return texts about the served gimbals, and the part worth a line in a log"
+    found = _gimbals_of(com)
+    return [f'gimbal {direction}{owner}' for direction,owner in found if owner],[owner for _,owner in found]
+
 # %% ../../nbs/api/cli/02_serve.ipynb #3a65f7fd
 def _camera_status(camera)->tuple:
     "Return the status of a camera: parts worth a line in a log, parts that change all the time, the free space"
@@ -654,42 +249,26 @@ def _hears(com)->str:
 
 def _status_of(camera, com)->tuple:
     "Return the status of one camera, gimbals and links as `(line, the part that is worth a line in a log)`"
-    (steady,moving,free),hears,gimbals = _camera_status(camera),_hears(com),_gimbals_of(com)
-    turned = [f'gimbal {direction}{owner}' for direction,owner in gimbals if owner]
-    owners = [owner for _,owner in gimbals]
+    (steady,moving,free),(turned,owners),hears = _camera_status(camera),_turned(com),_hears(com)
     return ' | '.join([*steady, *moving, *turned, free, hears]),(*steady, bool(moving), *owners, hears)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #2605d907
-@patch
-def status(self:Payload)->list:
+def _rows(payload)->list:
     "Return `(line, the part worth a line in a log)` of each camera, and of the vehicle; one for a single camera"
-    if not self.waits: return [_status_of(next(iter(self.cameras.values())).device, self.com)]
+    com,slots = payload.com,payload.cameras
+    if not payload.waits: return [_status_of(*(slot.device for slot in slots.values()), com)]
     rows = []
-    for name,slot in self.cameras.items():
-        at = f'{name} {self.com.source_system}/{self.found.cameras[name].component}'
-        if slot.device is None: rows.append((f'{at} | FAULT: {slot.fault}', slot.fault))
-        else:
-            steady,moving,free = _camera_status(slot.device)
-            rows.append((' | '.join([at, *steady, *moving, free]), (*steady, bool(moving))))
-    missing = [f'gimbal {name} FAULT: {slot.fault}' for name,slot in self.gimbals.items() if slot.fault]
-    gimbals = _gimbals_of(self.com)
-    turned = [f'gimbal {direction}{owner}' for direction,owner in gimbals if owner]
-    hears = _hears(self.com)
-    return [*rows, (' | '.join([*missing, *turned, hears]), (*missing, *(owner for _,owner in gimbals), hears))]
+    for name,slot in slots.items():
+        at = f'{name} {com.source_system}/{slot.component}'
+        steady,moving,free = _camera_status(slot.device) if slot.device else ([f'FAULT: {slot.fault}'],[],'')
+        rows.append((' | '.join(filter(None, [at, *steady, *moving, free])), (*steady, bool(moving))))
+    missing = [f'gimbal {name} FAULT: {slot.fault}' for name,slot in payload.gimbals.items() if slot.fault]
+    (turned,owners),hears = _turned(com),_hears(com)
+    return [*rows, (' | '.join([*missing, *turned, hears]), (*missing, *owners, hears))]
 
-@patch
-def statuses(self:Payload, period:float=1.):
-    "Yield the status, again and again"
+def _statuses(payload, period:float=1.):
+    "Yield the rows of the status, again and again"
     while True:
-        self.changed.clear()
-        yield self.status()
-        self.changed.wait(period)
-
-@patch
-def shown(self:Payload, slot:Slot)->list:
-    "Return lines about the storages and streams of a camera"
-    camera,server = slot.device,slot.servers[0]
-    if camera is None: return []
-    named = f'{slot.name} ' if self.waits else ''
-    storages = [f'{named}storage {one}' for one in repr(camera.storages).splitlines()*(len(camera.storages)>1)]
-    return storages+[f'{named}{s.kind}: {s.uri(server.video.host_for())}, {s.format}' for s in camera.streams]
+        payload.changed.clear()
+        yield _rows(payload)
+        payload.changed.wait(period)
