@@ -30,7 +30,7 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
     device:str=None, # Camera/gimbal: siyi|viewsheen|topotek://HOST, onvif://USER:PASSWORD@HOST, gphoto2://, picamera://
     camera:list[str]=None, # sim (the default), dual (with heat), 0, /dev/video0, FILE, URL, PIPELINE.toml, 'source ! …'
     system:number=1, # System id of the vehicle
-    component:between(100, 105, int)=100, # Component id of the camera, 100 to 105
+    component:between(100, 105, int)=100, # Component id of the camera, or of the first of several, 100 to 105
     name:str=None, # Name that ground stations show; default: the model
     folder:str='uav_pictures', # Folder for pictures and recordings
     quota:float=None, # Limit each storage to this many MiB; default: the whole disk
@@ -130,11 +130,10 @@ def _described(typed)->Configuration:
     for name in ('device','name','storage','rtp','mpegts','tcp'):
         if getattr(typed, name): raise ValueError(f'--{name} is of one camera: write a file for several, and --config')
     cameras = {}
-    for source in typed.camera:
+    for n,source in enumerate(typed.camera):
         stem = _stem(source)
-        name = next(name for n in itertools.count(1) if (name := stem+(f'_{n}' if n>1 else '')) not in cameras)
-        component = typed.component if not cameras and 'component' in typed.given else None
-        own = dict(camera=source, component=component, folder=str(Path(typed.folder, name)))
+        name = next(name for k in itertools.count(1) if (name := stem+(f'_{k}' if k>1 else '')) not in cameras)
+        own = dict(camera=source, component=typed.component+n, folder=str(Path(typed.folder, name)))
         cameras[name] = SimpleNamespace(**vars(typed)|ours|own)
     found = Configuration(typed, gimbals if typed.gimbal else {}, cameras)
     for text,*_ in clashes(found): raise ValueError(text)
