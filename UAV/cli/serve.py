@@ -56,7 +56,9 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
     role:Literal['both','device']='both', # Gimbal role: device if an autopilot manages it (ArduPilot: MNT1_TYPE 6)
     mounted:_mounting=None, # Fixed camera: down, forward, or ROLL,PITCH,YAW in degrees
     path:Literal['hover','circle']=None, # Simulate a vehicle that flies this path
-    autopilot:bool=False): # Also simulate the autopilot: QGroundControl shows no camera without one
+    autopilot:bool=False, # Also simulate the autopilot: QGroundControl shows no camera without one
+    discover:bool=False, # Print the cameras and gimbals that could be served, as a configuration file, and exit
+    json:bool=False): # With --discover: print JSON, one object per line
     """Serve a camera to ground stations until Ctrl-C, with stills, video and storage
 
     examples:
@@ -64,14 +66,24 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
       uav-camera-server --camera 0 --connection /dev/serial0,921600     # USB, behind an autopilot
       uav-camera-server --device siyi://192.168.144.25      # camera and gimbal of a SIYI
       uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # a file, sent as RTP
-      uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal"""
+      uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal
+      uav-camera-server --discover > cameras.toml      # what is plugged in, or on the network"""
+    if discover or json: return _discover(discover, json)
     return _serve(SimpleNamespace(**locals()))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
 _groups = {'the link':'connection system component sign guard forward',
            'the camera':'device camera name mounted folder quota storage',
            'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate',
-           'gimbal and vehicle':'gimbal role path autopilot'}
+           'gimbal and vehicle':'gimbal role path autopilot', 'what is there':'discover json'}
+
+def _discover(found:bool, as_json:bool)->int:
+    "Print what could be served; raises `SystemExit` for `--json` alone"
+    from UAV.cli.discover import print_found
+    with or_exit('uav-camera-server'):
+        if not found: raise ValueError('--json is for --discover')
+    return print_found(as_json)
+
 main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3fa5d9e4
