@@ -163,8 +163,10 @@ for n in range(found.count()): print(found.get_name(n), found.get_value(n), sep=
 
 def search_gphoto(seconds:float=3.): # Until it's given up
     "Yield a `Found` for each camera body on USB, or a text"
-    try: done = subprocess.run([sys.executable, '-c', _list_bodies], capture_output=True, text=True, timeout=seconds, errors='replace')
-    except subprocess.TimeoutExpired: raise TimeoutError(f'libgphoto2 lists no bodies in {seconds:g} s: does a USB device hang?') from None
+    command = [sys.executable, '-c', _list_bodies]
+    try: done = subprocess.run(command, capture_output=True, text=True, timeout=seconds, errors='replace')
+    except subprocess.TimeoutExpired:
+        raise TimeoutError(f'libgphoto2 lists no bodies in {seconds:g} s: does a USB device hang?') from None
     if done.returncode:
         why = (done.stderr.splitlines() or [f'exit code {done.returncode}'])[-1]
         yield 'gphoto2 is missing: pip install gphoto2' if 'ModuleNotFoundError' in why else f'libgphoto2 failed: {why}'

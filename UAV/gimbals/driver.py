@@ -367,7 +367,7 @@ def ask_by_udp(host:str, port:int, # Of a device in one of our networks
                question:bytes, read, # Function of a datagram that returns what it found there, or `None`
                seconds:float=3., # To wait at most
                pause:float=.7): # s until it's asked again
-    "Return what `read` found in an answer, `None` without one; raises `OSError` when the host is in none of our networks"
+    "Return what `read` found in an answer, or `None`; raises `OSError` when the host is in none of our networks"
     family,*_,peer = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
     end = clock.monotonic()+seconds
     with socket.socket(family, socket.SOCK_DGRAM) as sock:
@@ -388,7 +388,7 @@ def search_by_udp(maker:str, host:str, port:int, question:bytes, read, seconds:f
         if e.errno not in (errno.ENETUNREACH, errno.EHOSTUNREACH, errno.EADDRNOTAVAIL): raise
         own = f'{host.rpartition(".")[0]}.20/24'
         yield f'{host} is in no network of this computer: if you have a {maker}, sudo ip addr add {own} dev eth0'
-    else: yield found or f'nothing answered at {host}:{port}: it takes half a minute to start, and may have another address' 
+    else: yield found or f'nothing answered at {host}:{port}: it takes half a minute to start, or has another address'
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #6305f8f6
 class PhotoSeries:

@@ -346,9 +346,10 @@ def search_siyi(seconds:float=3., # It waits so long for an answer
     "Yield a `Found` for the SIYI at this address, or a text"
     place = f'siyi://{host}'+(f':{port}' if port!=37260 else '')
     def read(data):
-        ids = [frame.data for frame in SiyiReader().feed(data) if frame.cmd==Cmd.hardware and frame.ctrl==2 and len(frame.data)>=2]
-        if not ids: return None
-        hardware = ids[0].rstrip(b'\0').decode('ascii', 'replace')
+        frames = [f for f in SiyiReader().feed(data) if f.cmd==Cmd.hardware and f.ctrl==2 and len(f.data)>=2]
+        if not frames: return None
+        hardware = frames[0].data.rstrip(b'\0').decode('ascii', 'replace')
         model = MODELS.get(hardware[:2].upper(), SiyiModel())
-        return Found(f'SIYI {model.name}'.replace('SIYI SIYI', 'SIYI'), dict(device=place), (f'camera and gimbal, hardware {hardware}',))
+        name = f'SIYI {model.name}'.replace('SIYI SIYI', 'SIYI')
+        return Found(name, dict(device=place), (f'camera and gimbal, hardware {hardware}',))
     return search_by_udp('SIYI', host, port, siyi_frame(Cmd.hardware), read, seconds)

@@ -97,7 +97,9 @@ def probe_matches(data:bytes, host:str, # Where it came from
     return [one for one in found if one]
 
 # %% ../../nbs/api/gimbals/12_ws_discovery.ipynb #0d120016
-_port,_if4,_if6 = 3702,(socket.IPPROTO_IP, getattr(socket, 'IP_MULTICAST_IF', 32)),(41, getattr(socket, 'IPV6_MULTICAST_IF', 17))
+_port = 3702
+_if4 = socket.IPPROTO_IP,getattr(socket, 'IP_MULTICAST_IF', 32)
+_if6 = socket.IPPROTO_IPV6,getattr(socket, 'IPV6_MULTICAST_IF', 17)
 
 def _all_places()->list:
     "Return (family, address, socket option that chooses the interface, its name) for each interface and family"
@@ -186,6 +188,8 @@ def _found(matches:list)->Found:
     return Found(one.name or one.hardware or 'ONVIF camera', dict(device=one.url), tuple(filter(None, notes)), trouble)
 
 # %% ../../nbs/api/gimbals/12_ws_discovery.ipynb #0d12001e
+_try = 'is it in the same network, its discovery switched on, and UDP from its port 3702 let in by the firewall?'
+
 def search_onvif(seconds:float=3., # It listens so long
                  places=None): # Where to ask, as from `_all_places`; `None`: on all interfaces
     "Yield a `Found` for each ONVIF camera that answers, and a text when none does"
@@ -195,6 +199,5 @@ def search_onvif(seconds:float=3., # It listens so long
     for matches in answers.devices(): yield _found(matches)
     if answers.dropped: yield f'{answers.dropped} answers more were left out: does somebody play with the network?'
     if answers.found: yield 'anyone on the network can answer: compare the address before you write a password'
-    elif names: yield (f'no camera answered on {", ".join(sorted(names))}: is it in the same network, and its discovery switched on? '
-                       'A firewall must let answers in from UDP port 3702')
+    elif names: yield f'no camera answered on {", ".join(sorted(names))}: {_try}'
     else: yield 'no network to ask on'
