@@ -55,6 +55,8 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
     mounted:_mounting=None, # Fixed camera: down, forward, or ROLL,PITCH,YAW in degrees
     path:Literal['hover','circle']=None, # Simulate a vehicle that flies this path
     autopilot:bool=False, # Also simulate the autopilot: QGroundControl shows no camera without one
+    discover:bool=False, # Print what could be served, as a file for --config, and exit
+    json:bool=False, # With --discover: print JSON, one object per line
     given=()): # Names of the options that were typed
     """Serve cameras to ground stations until Ctrl-C, with stills, video and storage
 
@@ -65,11 +67,13 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
       uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # a file, sent as RTP
       uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal
       uav-camera-server --camera 0 --camera 2      # two cameras, components 100 and 101
-      uav-camera-server --config cameras.toml      # all cameras and gimbals of a vehicle"""
+      uav-camera-server --config cameras.toml      # all cameras and gimbals of a vehicle
+      uav-camera-server --discover > cameras.toml      # what is plugged in, or on the network"""
+    if discover or json: return _discover(discover, json)
     return _serve(SimpleNamespace(**locals()))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
-_groups = {'several cameras':'config', 'the link':'connection system component sign guard forward',
+_groups = {'several cameras':'config discover json', 'the link':'connection system component sign guard forward',
            'the camera':'device camera name mounted folder quota storage',
            'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate record',
            'gimbal and vehicle':'gimbal role path autopilot'}
@@ -77,6 +81,14 @@ _levels = dict(                     # where each option stands in a file
     vehicle='connection system sign guard forward rtsp rtsp_user rtsp_password_file host path autopilot',
     both='folder quota mounted codec size rate bitrate record',        # of a camera, or on top, for all
     camera='device camera component name gimbal storage rtp mpegts tcp', gimbal='device component role')
+
+def _discover(found:bool, as_json:bool)->int:
+    "Print what could be served; raises `SystemExit` for `--json` alone"
+    from UAV.cli.discover import print_found
+    with or_exit('uav-camera-server'):
+        if not found: raise ValueError('--json is for --discover')
+    return print_found(as_json)
+
 main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3fa5d9e4
