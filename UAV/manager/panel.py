@@ -32,6 +32,7 @@ class Panel(Closes):
     "A control panel for cameras and gimbals"
     id,kind,lives = '','',()        # `lives`: names of coroutine methods that run all the time
     fleet = None                    # a `Fleet`, with vehicles and links
+    tiles = None                    # the base map, as from `tiles_of`
     def __init__(self, camera_client=None, # A `CameraClient` that is on a link
                  gimbal_client=None, # A `GimbalClient` that is on a link
                  auto=None, reset=None, pause=None, # Functions or coroutine functions, each with a button
