@@ -43,6 +43,7 @@ class Encoder(Closes):
     silence = 2.        # s without a frame that are a fault
     pause = .5          # s after an error, before it tries again
     patience = 2.       # s that a source or a sink may keep us waiting
+    metadata_of = None  # function of a frame (`None`: its source encodes) and its time (s since 1970) to `FrameMetadata`
     size,bitrate,rate,key_interval = map(_setting, ('size','bitrate','rate','key_interval'))
 
     def __init__(self, source, # Of frames: `watching()` and `next(after, timeout)`
@@ -57,6 +58,7 @@ class Encoder(Closes):
         self.format,self.fault,self.measured = None,None,_Measured()     # last known; what is wrong now; what came out
         self._sinks,self._changed,self._delivering = {},clock.Condition(),clock.RLock()
         self._thread,self._codec,self._key_wanted,self._closed,self._number = None,None,False,False,-1
+        self._complained = False        # did `metadata_of` raise?
         self._planned = None,None       # shape of the frames, and their format; anew after each change
         store_attr()
 
@@ -171,10 +173,21 @@ def _wanted(self:Encoder, image)->VideoFormat:
     bitrate = self.bitrate or sensible_bitrate(*size, self.rate, self.codec)
     return VideoFormat(self.codec, *size, self.rate, bitrate)
 
+# %% ../../nbs/api/video/01_encoder.ipynb #5d0e33a2
+@patch
+def _metadata(self:Encoder, frame, time_utc:float):
+    "Return the `FrameMetadata` of a frame, or `None`"
+    if self.metadata_of is None: return getattr(frame, 'metadata', None)        # a frame that was received has its own
+    try: return self.metadata_of(frame, time_utc)
+    except Exception as e:
+        if not self._complained: _log.warning('%s: no metadata: %r', self.name, e, exc_info=e)
+        self._complained = True
+
 # %% ../../nbs/api/video/01_encoder.ipynb #c670b470
 @patch
 def _encode(self:Encoder, frame, time:float)->list:
     "Return the access units of this frame"
+    metadata = self._metadata(frame, frame.time_utc)
     with self._changed:
         key,self._key_wanted = self._key_wanted,False
         shape,wanted = self._planned
@@ -184,12 +197,12 @@ def _encode(self:Encoder, frame, time:float)->list:
     if self._codec and (self._codec.wanted is wanted or self._codec.wanted==wanted):
         last = self._codec.key_time         # long enough ago?
         key = key or last is not None and time-last>self.key_interval-.5/wanted.rate
-        try: return self._codec.encode(frame, time, key)
+        try: return self._codec.encode(frame, time, key, metadata)
         except av.FFmpegError as e:
             if not _is_hardware(self._codec.name): raise
             _log.warning('%s: %s failed, the processor goes on: %s', self.name, self._codec.name, e)
             self.hardware = False
-    self._codec,units = _open_codec(wanted, frame, time, self.hardware)
+    self._codec,units = _open_codec(wanted, frame, time, self.hardware, metadata)
     return units
 
 # %% ../../nbs/api/video/01_encoder.ipynb #59f9a288
@@ -361,5 +374,6 @@ def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
         made = replace(made, headers=byte_stream(self._sets), **known)
     elif made is None: return
     self._number,self._came = self._number+1,now
-    decode = self._decode_times(taken)
-    self._deliver(AccessUnit(data, key, taken, clock.time()-now+taken, self._number, made, decode))
+    decode,taken_utc = self._decode_times(taken),clock.time()-now+taken
+    metadata = self._metadata(None, taken_utc)
+    self._deliver(AccessUnit(data, key, taken, taken_utc, self._number, made, decode, metadata))

@@ -15,6 +15,8 @@ from ..utils import clock
 from ..utils.lazy import av
 from ..utils.threads import Closes
 from ..utils.sockets import _shut, is_group, listen_tcp, Loop, plain_host
+from ..utils.values import NAN
+from .klv import FrameMetadata
 from .units import AccessUnit, clock_rate, Sink
 
 # %% auto #0
@@ -102,14 +104,14 @@ class TSMuxer:
     "Puts access units into an MPEG transport stream"
     def __init__(self, name:str='video'): # Of the program; players show it as the title
         self.name,self.codec = name,None
-        self._bytes,self._container,self._stream = io.BytesIO(),None,None
+        self._bytes,self._container,self._stream,self._data = io.BytesIO(),None,None,None   # `_data`: of metadata
         self._ticks = _Ticks()
 
     def __del__(self): self.close()             # PyAV up to 16 breaks memory when an open container is forgotten
     def close(self):
         "Give back what FFmpeg holds"
         if self._container: self._container.close()
-        self._container = self._stream = self.codec = None
+        self._container = self._stream = self._data = self.codec = None
 
     def _open(self, unit:AccessUnit):
         "Begin a stream for units like this one"
@@ -119,13 +121,25 @@ class TSMuxer:
         self._container = av.open(self._bytes, 'w', format='mpegts', options=flags)
         self._container.metadata.update(service_name=self.name, service_provider='UAV')
         self._stream,self.codec = _add_video(self._container, unit),unit.format.codec
+        if unit.metadata is None: return
+        self._data = self._container.add_data_stream('klv')
+        self._data.time_base = self._stream.time_base
+
+    def _mux_metadata(self, unit:AccessUnit, show:int, decode:int):
+        "Put the frame's KLV into its own stream; FFmpeg waits with a picture until each stream has something"
+        metadata = unit.metadata or FrameMetadata(unit.time_utc or NAN)
+        packet = av.Packet(metadata.data)
+        packet.stream,packet.time_base,packet.pts,packet.dts = self._data,self._data.time_base,show,min(show, decode)
+        self._container.mux(packet)
 
     def mux(self, unit:AccessUnit, # The next picture
            )->bytes:
         "Return its packets, 188 bytes each; empty before the first key frame"
         if unit.key and unit.format.codec!=self.codec: self._open(unit)
         if self._stream is None: return b''
-        self._container.mux(_as_packet(unit, self._stream, *self._ticks(unit)))
+        show,decode = self._ticks(unit)
+        if self._data: self._mux_metadata(unit, show, decode)       # first: a reader has it when the picture comes
+        self._container.mux(_as_packet(unit, self._stream, show, decode))
         packets = self._bytes.getvalue()
         self._bytes.seek(0)
         self._bytes.truncate()
