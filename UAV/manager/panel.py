@@ -309,6 +309,7 @@ class Row:
     async def close(self): "Leave the device in order"
     async def picture(self, after:int)->tuple|None: "Return `(number, JPEG)` of a picture later than `after`, if any"
     def thumbnail(self, key:int)->bytes|None: "Return the JPEG of a captured picture, or `None`"
+    def sight(self, number:int)->list|None: "Return what places on the ground in that picture follow from, or `None`"
 
     def buttons(self)->dict:
         "Return `{name: state}` of its buttons"

@@ -208,7 +208,7 @@ class _Messages:
     async def poll(self, seen:str='', after:dict|None=None):
         "Wait for an update, see `Gui.poll`"
         new = await self.gui.poll(seen, after)
-        pictures = [[id, number, _age_of(self.gui.rows.get(id), number)] for id,number,_ in new.pictures]
+        pictures = [[id, number, *_about(self.gui.rows.get(id), number)] for id,number,_ in new.pictures]
         return dict(tag=new.tag, status=new.status, pictures=pictures),[jpeg for *_,jpeg in new.pictures]
 
     async def act(self, do:str, of:str|None=None, args:dict|None=None):
@@ -233,10 +233,10 @@ class _Messages:
         await asyncio.gather(*releases, return_exceptions=True)         # a row may be gone
 
 # %% ../../nbs/api/manager/09_server.ipynb #400e3d77
-def _age_of(row, number:int)->float|None:
-    "Return the seconds since that picture came to the panel; `None` if unknown"
+def _about(row, number:int)->tuple:
+    "Return the seconds since that picture came to the panel, and its `sight`; `None` if unknown"
     when = row.preview.newest.when(number) if row and row.preview else None
-    return when and round(clock.monotonic()-when, 3)
+    return when and round(clock.monotonic()-when, 3),row and row.sight(number)
 
 # %% ../../nbs/api/manager/09_server.ipynb #c398a948
 @patch

@@ -10,7 +10,7 @@ from functools import partial
 from html import unescape
 from pathlib import Path
 from urllib.parse import quote, urlsplit
-import asyncio, json, re
+import asyncio, re
 
 # %% auto #0
 __all__ = ['Tiles', 'tiles_of']

@@ -17,7 +17,7 @@ const TILES = [[18, 137294, 91776, 8.544616699, 47.3983492, 8.54598999, 47.39741
 const SIZE = [1600, 1000], ANY = { least: 0, most: 22 }
 const middle = ([, , , west, north, east, south]) => ({ lat: (north + south) / 2, lon: (west + east) / 2 })
 // The scale at which a tile of this zoom is as large as `pixels`
-const scaleFor = (z, { lat }, pixels = 256) => pixels * 2 ** z / (360 * 111195 * Math.cos(lat * Math.PI / 180))
+const scaleFor = (z, { lat }, pixels = 256) => pixels * 2 ** z / (360 * 111319.49 * Math.cos(lat * Math.PI / 180))
 
 test('A tile lies where its corners are, to a hundredth of a pixel, at all latitudes and over the date line', () => {
   for (const tile of TILES) {
@@ -84,8 +84,8 @@ test('As sharp as the screen, but no finer than there is, and not too many', () 
 test('Distances stay those on the ground', () => {
   for (const lat of [0, 47.4, -78.2, 84.9, 89.9]) {
     const north = distance({ lat: lat + .001, lon: 8 }, { lat, lon: 8 }), east = distance({ lat, lon: 8.001 }, { lat, lon: 8 })
-    assert.ok(Math.abs(north / 111.195 - 1) < .01, lat + ': ' + north)
-    assert.ok(Math.abs(east / 111.195 / Math.cos(lat * Math.PI / 180) - 1) < 1e-6)
+    assert.ok(Math.abs(north / 111.31949 - 1) < .01, lat + ': ' + north)
+    assert.ok(Math.abs(east / 111.31949 / Math.cos(lat * Math.PI / 180) - 1) < 1e-6)
     assert.ok(Math.abs(unmercator(mercator(lat)) - lat) < 1e-9)
   }
 })

@@ -312,7 +312,17 @@ export function drawCross(pen, place) {
   }
 }
 
-export function drawMap(pen, parts, { main, anchor, cross, aim, base }) {
+// Where you clicked on the picture.
+export function drawSpot(pen, spot) {
+  if (!spot) return
+  const { x, y } = pen.at(spot), shape = [[0, 0], [-6, -11], [-6, -17], [0, -21], [6, -17], [6, -11]]
+  const pin = shape.map(([right, down]) => [x + right, y + down])
+  drawLine(pen, pin, pen.colours.ground, 4, { closed: true })
+  drawLine(pen, pin, pen.colours.cross, 1, { closed: true, fill: pen.colours.cross })
+  drawDisc(pen, { x, y: y - 14 }, 2.5, pen.colours.ground)
+}
+
+export function drawMap(pen, parts, { main, anchor, cross, aim, base, spot }) {
   drawGrid(pen, anchor)
   base.draw(pen)
   drawFootprints(pen, parts, main)
@@ -320,6 +330,7 @@ export function drawMap(pen, parts, { main, anchor, cross, aim, base }) {
   drawSights(pen, parts, main)
   drawPictures(pen, parts)
   drawVehicles(pen, parts)
+  drawSpot(pen, spot)
   drawCross(pen, cross)
   if (aim) drawCross(pen, pen.view)
   drawScale(pen)
@@ -612,10 +623,10 @@ export function mapView(row) {
   return { node, update: status => changed(state.status = status), open, stop: () => asking.stop(still()) }
 }
 
-export function drawState(pen, { of }, state, hands, presses, base) {
+export function drawState(pen, { of, spot }, state, hands, presses, base) {
   presses.update(state.follow)
   if (!state.settle(pen.size)) return
   const { view, anchor, cross } = state, aim = hands.matches(':focus-visible')
   const at = place => toPixel(place, view, pen.size)
-  drawMap({ ...pen, view, at }, state.parts(), { main: of, anchor, cross, aim, base })
+  drawMap({ ...pen, view, at }, state.parts(), { main: of, anchor, cross, aim, base, spot })
 }

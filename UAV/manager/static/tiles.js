@@ -9,7 +9,7 @@ import { h, say, show } from './parts.js'
 // Web Mercator: a place has degrees of longitude to the east, and to the north as many as make a small square as high
 // as it is wide. So tiles, tracks and footprints lie on each other at every latitude. It ends at 85.05°, and at a pole
 // a degree to the east is next to nothing, so it is never taken as nothing.
-export const DEGREE_METRES = 111195
+export const DEGREE_METRES = 111319.49
 export function eastward({ lat }) { return DEGREE_METRES * Math.max(1e-5, Math.cos(lat * Math.PI / 180)) }
 export function mercator(lat) { return Math.asinh(Math.tan(lat * Math.PI / 180)) * 180 / Math.PI }
 export function unmercator(north) { return Math.atan(Math.sinh(north * Math.PI / 180)) * 180 / Math.PI }
