@@ -56,7 +56,8 @@ export function wireOf(ask, slow = 12 * PATIENCE) {
   return {
     poll, act, files, thumbnail: (of, key) => image('thumbnail', { of, key }),
     map: async () => (await ask('map', {}, 2 * PATIENCE)).message.map,
-    tiles: async () => (await ask('tiles', {}, 2 * PATIENCE)).message.tiles, tile: place => image('tile', place),
+    tiles: async () => (await ask('tiles', {}, 2 * PATIENCE)).message.tiles,
+    tile: ({ z, x, y }) => image('tile', { z, x, y }),
     photo: (of, path) => image('photo', { of, path }),
     download: (of, path) => ticket(of, path, false), play: (of, path) => ticket(of, path, true),
   }
