@@ -46,6 +46,7 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
     tcp:between(0, 65535, int)=None, # Serve MPEG-TS over TCP on this port
     host:address=None, # Our address in stream URLs; default: the one that reaches each client
     codec:Literal['h264','h265']='h264', # Video codec
+    record:Literal['mp4','ts']='mp4', # Recordings: MP4, or MPEG-TS with place and attitude for each frame (KLV)
     size:_picture_size=None, # Video size, such as 1280x720; default: the camera's
     rate:between(.1, 240)=15., # Frames per second, at most
     bitrate:between(.01, 1000)=None, # Video bit rate, Mbit/s; default: by size and rate
@@ -70,7 +71,7 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
 _groups = {'the link':'connection system component sign guard forward',
            'the camera':'device camera name mounted folder quota storage',
-           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate',
+           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate record',
            'gimbal and vehicle':'gimbal role path autopilot'}
 main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)
 
@@ -119,7 +120,7 @@ def _opened(typed, stack:ExitStack)->tuple:
     aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, typed.camera or 'sim',
                                         typed.role, typed.mounted, **({} if camera or typed.camera else storage)))
     camera = camera or _camera_of(typed, stack, aboard, storage)
-    camera.mounted = typed.mounted
+    camera.mounted,camera.record_as = typed.mounted,typed.record
     if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
     bitrate = None if typed.bitrate is None else int(typed.bitrate*1e6)
     add_streams(camera, [] if _on_card(camera) else streams, rtsp, codec=typed.codec, size=typed.size,
