@@ -6,6 +6,7 @@
 from __future__ import annotations
 from collections import deque
 from contextlib import ExitStack, suppress
+from dataclasses import replace
 import asyncio, math
 
 from fastcore.basics import patch
@@ -17,9 +18,9 @@ from .camera_status import battery_of, picture_of
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS, from_int32
 from ..utils import clock
 from ..utils.values import known, NAN
-from ..video.klv import FrameMetadata
 from ..utils.geo import euler, metres, moved, product, quaternion, turned, unit
 from ..utils.pose import Place, Pose
+from ..video.klv import Accuracy, FrameMetadata
 from ..wire.dialect import address, MAVError
 
 # %% auto #0
@@ -272,10 +273,6 @@ def features(self:_CameraGround)->list:
     return [_feature('footprint', 'Polygon', [[*ring, ring[0]]], camera=self.row.id), *shown] if ring else shown
 
 # %% ../../nbs/api/manager/05_map.ipynb #7e1d1412
-class _Coarse(FrameMetadata):
-    "What gimbal and vehicle, or CAMERA_FOV_STATUS, say of a frame"
-    accuracy = dict(position=3., height=2., attitude=2.)        # m, m, degrees: GPS, and an attitude of another moment
-
 @patch
 def metadata(self:_CameraGround, number:int)->FrameMetadata|None: # Of a picture
     "Return the pose and field of view of a picture, from its video or from MAVLink; `None` if unknown"
@@ -285,9 +282,11 @@ def metadata(self:_CameraGround, number:int)->FrameMetadata|None: # Of a picture
     came = newest.when(number)
     at = came and fov and not self.row.lost and (self.by_gimbal(came-self.row.aim.delay) or self.by_camera())
     if not at: return None
-    lat,lon,height,q = at
-    sea = self.vehicle.position.alt/1e3-self.vehicle.above if self.vehicle else NAN         # of home
-    return _Coarse.seen(Pose(lat, lon, sea+height, height, *euler(q)), fov=fov)
+    (lat,lon,height,q),vehicle = at,self.vehicle
+    sea = vehicle.position.alt/1e3-vehicle.above if vehicle else NAN            # of home
+    late = .3*vehicle.speed if vehicle else 0.                                  # GPS four times a second
+    off = Accuracy(position=math.hypot(3., late), height=2., attitude=2.)       # the attitude is of about that moment
+    return replace(FrameMetadata.seen(Pose(lat, lon, sea+height, height, *euler(q)), fov=fov), accuracy=off)
 
 # %% ../../nbs/api/manager/05_map.ipynb #7e1d1414
 @patch
@@ -295,16 +294,10 @@ def sight(self:_CameraGround, number:int)->list|None:
     "Return latitude, longitude, height above the ground, quaternion, fields of view, and accuracies of a picture"
     seen = self.metadata(number)
     if seen is None: return None
-    pose,errors = seen.pose,self.errors(seen)
-    numbers = pose.lat,pose.lon,pose.relative_alt,*pose.q,seen.hfov,seen.vfov,*errors
+    pose,off = seen.pose,seen.accuracy
+    numbers = (pose.lat, pose.lon, pose.relative_alt, *pose.q, seen.hfov, seen.vfov,
+               off.position, off.height, off.attitude)
     return [round(n, 7) for n in numbers] if all(map(known, numbers)) and pose.relative_alt>0 else None
-
-@patch
-def errors(self:_CameraGround, seen:FrameMetadata)->tuple:
-    "Return the standard deviations of position, m, height, m, and attitude, degrees"
-    position,height,attitude = seen.accuracy.values()
-    late = .3*self.vehicle.speed if isinstance(seen, _Coarse) and self.vehicle else 0.       # a position of four a second
-    return math.hypot(position, late),height,attitude
 
 # %% ../../nbs/api/manager/05_map.ipynb #7e1d1415
 @patch

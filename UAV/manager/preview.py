@@ -207,7 +207,8 @@ class _Numbered:
         "Keep a new picture"
         self.last = self.first+frame.number,frame
         self.times.append((self.number, frame.time))
-        self.about.append((self.number, getattr(frame, 'metadata', None)))
+        turned = getattr(frame, '_turns', None)             # its metadata are of the picture before that
+        self.about.append((self.number, None if turned else getattr(frame, 'metadata', None)))
 
     def when(self, number:int)->float|None:
         "Return when it came, monotonic s; the oldest time kept if it is too old, `None` before the first"

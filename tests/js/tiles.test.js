@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict'
 import test from 'node:test'
-import { AGAIN, AT_ONCE, KEPT, MOST_TILES, enclosing, mercator, tileAddress, tileStore, tilesInView, unmercator } from '../../UAV/manager/static/tiles.js'
+import { ASK_AGAIN, AT_ONCE, KEPT, MOST_TILES, enclosing, mercator, tileAddress, tileStore, tilesInView, unmercator } from '../../UAV/manager/static/tiles.js'
 import { distance, toPixel, toPlace } from '../../UAV/manager/static/map.js'
 import { same } from './panel.js'
 
@@ -136,7 +136,7 @@ test('A missing tile: the enclosing one is shown, a part of it, and the missing 
   same(await answer(() => true), [])
   const { image, place, part } = store.best(tile, 6)
   same([image.name, place, part], ['7/1/0', [.25, .75], .25])
-  time.now = AGAIN
+  time.now = ASK_AGAIN
   ask()
   same(await answer(() => true), ['9/5/3'])
   same([store.best(tile, 6).image.name, store.best({ z: 9, x: 400, y: 3 }, 6)], ['9/5/3', null])

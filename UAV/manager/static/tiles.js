@@ -48,12 +48,12 @@ export function tileAddress(url, { z, x, y }) {
 
 // Loading: at most `AT_ONCE` at a time, the nearest first; what moved out of sight meanwhile is not loaded. A tile that
 // isn't there is asked for again after a minute, and until then the one that encloses it is shown, larger.
-export const AT_ONCE = 6, KEPT = 320, AGAIN = 60000
+export const AT_ONCE = 6, KEPT = 320, ASK_AGAIN = 60000
 export function tileStore(load, changed, now = Date.now) {
   const kept = new Map()                // the used last are at the end
   const keyOf = ({ z, x, y }) => z + '/' + x + '/' + y
   let queue = [], loading = 0
-  const missing = key => kept.get(key)?.failed > now() - AGAIN
+  const missing = key => kept.get(key)?.failed > now() - ASK_AGAIN
   const known = key => kept.get(key) && (kept.get(key).failed === undefined || missing(key))
   function keep(key, what) {
     kept.delete(key)
