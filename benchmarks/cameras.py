@@ -248,8 +248,12 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             found = soak(args.minutes, folder)
             rows,wrong = verdict(found)
-        first,*_,last = found['samples']
-        usage = dict(cpu_percent=round(100*(last['cpu']-first['cpu'])/(last['t']-first['t']), 1), rss=[first['rss'],last['rss']], threads=max(s['threads'] for s in found['samples']))
+        samples = found['samples']
+        first,last = samples[0],samples[-1]
+        warm = next(s for s in samples if s['t']>=min(120, .4*last['t']))
+        if last['rss']>1.05*warm['rss']: wrong.append(f'memory grew from {warm["rss"]} MiB after {warm["t"]:.0f} s to {last["rss"]} MiB')
+        cpu = 100*(last['cpu']-first['cpu'])/(last['t']-first['t'])
+        usage = dict(cpu_percent=round(cpu, 1), rss_warm=warm['rss'], rss_end=last['rss'], threads=max(s['threads'] for s in samples), files=max(s['files'] for s in samples))
         new |= dict(minutes=args.minutes, faults=wrong, unplugged=len(found['away']), server=usage, threads_left=found['threads_left'], files_left=found['files_left'], soak=rows)
         for row in rows: print(row)
         print(usage, *(wrong or ['nothing was lost']), sep='\n')

@@ -217,12 +217,14 @@ def read_config(file:str, # Name of a TOML file
                 words:dict, # `{option: its annotation, default and comment}`, those of the command line
                 levels:dict, # Names of options by table: 'vehicle', 'both', 'camera', 'gimbal'
                 typed:dict={}, # Options that were typed, which count more than the file's top level
+                usual:dict|None=None, # Defaults of the options; `None`: those of `words`
                 text:str|None=None, # In place of what is in the file
                 checks=()): # Functions of the `Configuration` that yield `(sentence, *path)` of more mistakes
     "Return the `Configuration` in a file; raises `ConfigError` with all mistakes, and `OSError`"
     reader = _Reader(Document(_text_of(file) if text is None else text), words, levels, typed)
     names,given = reader.names,reader.document.values
-    def defaults(names): return {name: words[name].default for name in names}
+    if usual is None: usual = {name: word.default for name,word in words.items()}
+    def defaults(names): return {name: usual[name] for name in names}
     on_top = names['vehicle']+names['both']
     top = reader.options({k: v for k,v in given.items() if k not in ('cameras','gimbals')}, on_top)
     top = defaults(on_top)|top|typed

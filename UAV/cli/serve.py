@@ -152,7 +152,7 @@ def _from_file(typed)->Configuration:
     for name in typed.given:
         if name in own: raise ValueError(f'--{name} is of one camera: write it in {typed.config}')
     given = {name: value for name,value in typed.given.items() if name!='config'}
-    return read_config(typed.config, _words_of(serve_camera), _levels, given, checks=[_mistakes])
+    return read_config(typed.config, _words_of(serve_camera), _levels, given, vars(typed), checks=[_mistakes])
 
 def _mistakes(found:Configuration):
     "Yield `(sentence, *path)` of what only this room can check"
