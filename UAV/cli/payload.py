@@ -373,6 +373,7 @@ def _hanging(self:Payload)->tuple:
     sims = {name for name,gimbal in self.found.gimbals.items() if gimbal.device=='sim'}
     return bool(sims),any(c.gimbal in sims and (c.camera or 'sim') in _simulated for c in self.found.cameras.values())
 
+# %% ../../nbs/api/cli/02_payload.ipynb #c0e00504
 @patch
 def _gimbal_slot(self:Payload, n:int, name:str, table)->Slot:
     on_it = [c for c in self.found.cameras.values() if c.gimbal==name]
@@ -424,6 +425,7 @@ def _open_camera(self:Payload, one, stack:ExitStack, name:str)->tuple:
     add_streams(camera, wanted, self.rtsp, name, codec=one.codec, size=one.size, rate=one.rate, bitrate=bitrate)
     return camera,own
 
+# %% ../../nbs/api/cli/02_payload.ipynb #c0e00506
 @patch
 def _spare(self:Payload, one)->tuple:
     "Return component and number of the gimbal that may come with a camera's device"
@@ -433,6 +435,7 @@ def _spare(self:Payload, one)->tuple:
     if place>=len(free): raise ValueError(f'a vehicle has {len(gimbal_components)} gimbals at most')
     return free[place],len(given)+place+1
 
+# %% ../../nbs/api/cli/02_payload.ipynb #c0e00507
 @patch
 def _gimbal(self:Payload, name:str, alone:bool)->tuple: # `alone`: the camera works without it
     "Return the `Aboard` of a gimbal, or `None` while it's missing, and its number; raises `CameraError`"
