@@ -4358,6 +4358,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                        'UAV/mavlink/camera_video.py'),
                                           'UAV.mavlink.camera_video.VideoPart._aim_streams': ( 'api/mavlink/camera_video.html#videopart._aim_streams',
                                                                                                'UAV/mavlink/camera_video.py'),
+                                          'UAV.mavlink.camera_video.VideoPart._announce_outage': ( 'api/mavlink/camera_video.html#videopart._announce_outage',
+                                                                                                   'UAV/mavlink/camera_video.py'),
                                           'UAV.mavlink.camera_video.VideoPart._announce_stream': ( 'api/mavlink/camera_video.html#videopart._announce_stream',
                                                                                                    'UAV/mavlink/camera_video.py'),
                                           'UAV.mavlink.camera_video.VideoPart._camera_thermal_range': ( 'api/mavlink/camera_video.html#videopart._camera_thermal_range',
