@@ -65,10 +65,11 @@ class Program:
     def verb(self,
         *examples, # Example arguments, for the help
         check=None, # Check of the arguments before a link is opened; raises `ValueError`
+        alone=lambda **arguments: False, # True for arguments that need no link
     ):
         "Make a function a verb of the program"
         def _f(f):
-            f.examples,f.check = examples,check
+            f.examples,f.check,f.alone = examples,check,alone
             self.verbs[examples[0].split()[0]] = f
             return f
         return _f
@@ -97,6 +98,9 @@ async def run(self:Program, typed, # Result of `parse`
     there = self.there = self.visit(self.client(us[1], loglevel=LogLevels.ERROR), options, typed.verb)
     try:
         if f.check: f.check(**arguments)
+        if f.alone(**arguments):
+            await f(there, **arguments)
+            return 0
         signing = key_in(options.sign)
         with on_links(links(options.connection), source_system=us[0], signing=signing) as com:
             com.add_component(there.client)
