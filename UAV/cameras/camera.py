@@ -16,7 +16,7 @@ from .exif import _OwnTags
 from .frames import Filming, Frames, _Streams
 from .lens import View
 from .parameters import declarations, Parameter, Parameters, ParametersChanged
-from .storage import Storage
+from .storage import film_kinds, Storage
 from .storages import Storages
 from .tracker import _focal, Pursuit, Tracker
 from .trigger import CaptureQueue, _check_sequence, Trigger
@@ -45,6 +45,7 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
     information = CameraInformation()
     min_interval = .1          # s, the shortest time between pictures
     jpeg_quality = 95          # 0..100
+    record_as = 'mp4'          # 'ts': recordings are MPEG-TS with metadata for each frame
     modes = 'image','video'    # what `set_camera_mode` takes; with one alone, there is nothing to choose
     image_in_video_mode,video_in_image_mode = True,True      # can each be taken in the other's mode?
     patience = 10.             # s that `read` may take; longer is a fault
@@ -206,6 +207,7 @@ _times = 'a number from 0 to 1e+06',_time
 _checks = dict(         # name: what its value must be, in words and as a function
     min_interval=_times, patience=_times, frame_rate=_times,
     jpeg_quality=('a whole number from 0 to 100', lambda value: value in range(101)),
+    record_as=(f"one of {', '.join(film_kinds)}", lambda value: value in film_kinds),
     gimbal_device_id=('a whole number from 0 to 255', lambda value: value in range(256)),
     clock_error=('a number', lambda value: _is_number(value, -1e12, 1e12)),
     information=("a CameraInformation of texts and numbers, such as CameraInformation(model='Mine')", _describes),

@@ -151,7 +151,7 @@ class Filming:
     "The streams and the recording of a camera"
     segment = 60.           # s of a recording in one file
     first = 3.              # s that a stop waits for the first picture
-    def __init__(self, camera): # Its `frames`, `storages`, `announce`, `make_encoder` and `frame_metadata` are used
+    def __init__(self, camera): # Its `frames`, `storages`, `announce`, `record_as`, `make_encoder` and `frame_metadata` are used
         self.camera,self.streams = camera,_Streams()
         self.encoders = {}                      # by the format that was requested
         self.recorder = self.storage = None     # while there is a recording
@@ -288,7 +288,7 @@ def _new_recorder(self:Filming, storage):
     self.begun = begun = clock.Event()
     def name(number):
         begun.set()
-        return storage.new_recording()
+        return storage.new_recording(self.camera.record_as)
     return Recorder(name, segment=self.segment, quota=most, reserve=storage.reserve, on_end=self._ended)
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #c245d201

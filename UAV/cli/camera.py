@@ -25,6 +25,7 @@ from UAV.manager.camera_status import (about_camera, capture_of, flags_of, print
 from ..mavlink import CameraClient
 from UAV.mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_INFORMATION, CAMERA_SETTINGS, mavlink,
     STORAGE_INFORMATION)
+from ..mavlink.camera_downloads import subtitles_of
 from ..mavlink.remote_camera import cameras_heard, is_camera, storage_of
 from ..mavlink.remote_video import CAMERA_TRACKING_IMAGE_STATUS, RemoteStream, tracking_of
 from ..mavlink.component import StatusText, Texts
@@ -424,7 +425,9 @@ async def meant_files(self:CameraVisit, path:str)->list:
     parent,_,name = path.rstrip('/').rpartition('/')
     beside = [] if path.strip('/')=='' else await self.entries(parent or '/')
     if any(e.name==name and not e.folder for _,e in beside): return [path]
-    return [one for one,e in await self.entries(path) if not e.folder]
+    found = [one for one,e in await self.entries(path) if not e.folder]
+    brought = {subtitles_of(one) for one in found}          # they come with their films
+    return [one for one in found if one not in brought]
 
 # %% ../../nbs/api/cli/03_camera.ipynb #54a9982c
 @patch
@@ -439,8 +442,10 @@ async def bring(self:CameraVisit,
         if named or isinstance(e, OSError) and e.errno in disk_errors: raise
         self.report(f'{printable(path)} is skipped: {printable(str(e))}', path=path, skipped=str(e))
         return False
-    size = place.stat().st_size
-    self.report(f'{path} → {place}  {amount(size)}', path=path, saved=str(place), size=size)
+    size,beside = place.stat().st_size,subtitles_of(str(place))
+    more = dict(subtitles=beside) if beside and Path(beside).exists() else {}
+    self.report(f'{path} → {place}  {amount(size)}{", with subtitles"*bool(more)}', path=path, saved=str(place), size=size,
+                **more)
     return True
 
 @_verb('fetch /media --to pictures', 'fetch /media/IMG_000000.jpg')
@@ -465,6 +470,21 @@ async def _remove(visit, paths:list[str], # Files on the camera
     for path in paths:
         await files.remove(path)
         visit.report(f'{path} is deleted', path=path)
+
+# %% ../../nbs/api/cli/03_camera.ipynb #9b7c0002
+@_verb('gpx pictures --to flight.gpx', 'gpx pictures > flight.gpx', offline=True)
+async def _gpx(visit, places:list[str], # Local folders with recordings and pictures, or such files
+               to:str=None, # File to write; default: print it
+               every:_pause=1.): # Seconds between two points of the track, at least
+    "Write the track of a flight as GPX, with a waypoint for each picture"
+    if not places: raise ValueError('which folder? `fetch /media --to pictures` fills one')
+    from UAV.cameras.gpx import flight_gpx
+    text = flight_gpx(*places, every=every)
+    points,pictures = text.count('<trkpt'),text.count('<wpt')
+    if to is None: return visit.show(Result(text.rstrip(), verb='gpx', gpx=text, points=points, pictures=pictures))
+    with open(to, 'x', encoding='utf-8') as f: f.write(text)
+    said = f'{to}: {points} points, {pictures} pictures'
+    visit.show(Result(said, verb='gpx', saved=to, points=points, pictures=pictures))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #5d502622
 def _setting(table, name:str, width:int=0)->Result:
@@ -631,7 +651,7 @@ async def _picture_of(player, patience:float):
 
 
 # %% ../../nbs/api/cli/03_camera.ipynb #4c0d1e03
-@_verb('video --klv', 'video', 'video --klv --json', 'video flight.ts --klv', alone=lambda source, **others: bool(source))
+@_verb('video --klv', 'video', 'video --klv --json', 'video flight.ts --klv', offline=lambda source, **others: bool(source))
 async def _video(visit, source:list[str], # A file or URL to watch, without a camera
                  klv:bool=False, # A line for each picture: time, place, height, attitude, centre
                  name:str='', # Name of the stream; default: the first

@@ -198,7 +198,7 @@ def files(self:CameraServer):
     return self.ftp.files
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #0e61fc60
-_media = re.compile(r'IMG_\d{6,}_*\.[a-z0-9]{1,8}|VID_\d{6,}\.mp4')
+_media = re.compile(r'IMG_\d{6,}_*\.[a-z0-9]{1,8}|VID_\d{6,}\.(?:mp4|ts|srt)')
 
 def _no_media(name:str)->bool: return not _media.fullmatch(name)
 

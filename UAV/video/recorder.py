@@ -4,7 +4,10 @@
 
 # %% ../../nbs/api/video/06_recorder.ipynb #487797c4
 from __future__ import annotations
+from bisect import insort
+from contextlib import suppress
 from datetime import datetime, timezone
+from operator import itemgetter
 from pathlib import Path
 import errno, os, shutil
 
@@ -13,7 +16,8 @@ from ..logging import get_logger
 from ..utils import clock
 from ..utils.lazy import av
 from ..utils.threads import Closes
-from .senders import _add_video, _as_packet, _Ticks
+from .senders import _add_video, _as_packet, _Ticks, TSMuxer
+from .subtitles import Cue
 from .units import AccessUnit, Sink, VideoFormat, clock_rate
 
 # %% auto #0
@@ -24,9 +28,9 @@ class _DiskFull(OSError): "There is no room for more of a recording"
 
 # %% ../../nbs/api/video/06_recorder.ipynb #4ad854d9
 class Recorder(Sink):
-    "Writes access units to MP4 files that survive a crash"
+    "Writes access units to video files that survive a crash, with subtitles beside"
     most = 300          # units that may wait, because a memory card may take seconds
-    def __init__(self, name, # Function that gives the path of segment n, from 0
+    def __init__(self, name, # Function that gives the path of segment n, from 0: MP4, or MPEG-TS with KLV if it ends with `.ts`
                  segment:float=60., # s, then the next key frame begins a new file
                  quota:float|None=None, # MiB that it may fill; `None` is the whole disk
                  reserve:float=100., # MiB of the disk that stay free, for pictures
@@ -35,7 +39,7 @@ class Recorder(Sink):
         if not segment>0: raise ValueError(f'segment must be above 0 s, not {segment}')
         super().__init__('recorder')
         store_attr('segment,quota,reserve,on_end,interval')
-        self.videos,self._path_of,self._looked = [],name,0.     # `videos`: an `_MP4File` each segment
+        self.videos,self._path_of,self._looked = [],name,0.     # `videos`: a `_VideoFile` each segment
         self._before_gap = None         # `dropped` before the gap that is not logged yet
 
     files = property(lambda self: [video.path for video in self.videos], doc="The paths of all segments")
@@ -80,6 +84,7 @@ def _check(self:Recorder):
     if not file.is_there(): raise FileNotFoundError(f'{file.path.name} was removed while it was written')
     self._check_room(file.path.parent)
     file.sync()
+    self.videos[-1].subtitles.sync()
     self._looked = clock.monotonic()
 
 # %% ../../nbs/api/video/06_recorder.ipynb #46793bb2
@@ -97,9 +102,9 @@ def send(self:Recorder, unit:AccessUnit):
             if self.videos: self.videos[-1].close()
             path = Path(self._path_of(len(self.videos)))
             self._check_room(path.parent)
-            self.videos.append(_MP4File(path, unit))
+            self.videos.append(_file_kind(path)(path, unit))
         self._check()
-        full = self.quota is not None and self.bytes+len(unit.data)>self.quota*2**20
+        full = self.quota is not None and self.bytes+len(unit.data)+_Subtitles.most>self.quota*2**20
         if full: raise _DiskFull(f'the recording has filled its {self.quota:g} MiB')
         self.videos[-1].write(unit)
     except OSError as e: raise _plainly(e)
@@ -186,23 +191,62 @@ def is_there(self:_SafeFile)->bool:
     try: return self._file is None or os.path.samestat(os.stat(self.path), os.fstat(self._file.fileno()))
     except OSError: return False
 
+# %% ../../nbs/api/video/06_recorder.ipynb #5c0b0002
+class _Subtitles:
+    "The cues of a video file, in a text file beside it that is made with the first of them"
+    most = 400              # bytes that a cue takes, at most
+    def __init__(self, path, step:int): # `step`: how long the last picture is shown, in ticks
+        self.file,self._step,self._count,self._waiting = _SafeFile(path),step,0,[]  # `_waiting`: (ticks, unit) to come
+
+    bytes = property(lambda self: self.file.size, doc="How large the file is")
+    path = property(lambda self: self.file.path if self.file.size else None, doc="Its path; `None` when it has no cue")
+
+    def add(self, unit:AccessUnit, show:int, decode:int):
+        "Take a picture that is shown and decoded at these ticks of the film, and write the cues before it"
+        if show>=0: insort(self._waiting, (show,unit), key=itemgetter(0))
+        while len(self._waiting)>1 and self._waiting[0][0]<decode: self._write(self._waiting[1][0])
+
+    def _write(self, end:int):
+        "Write the first cue, which lasts until `end`"
+        (show,unit),self._count = self._waiting.pop(0),self._count+1
+        cue = Cue.of(unit, show/clock_rate, end/clock_rate, self._count)
+        if cue: self._try(self.file.write, cue.text.encode())
+
+    def _try(self, step, *args):
+        "Take a step, after which the file is whole; log the error of a disk"
+        try:
+            step(*args)
+            self.file.mark()
+        except OSError as e: get_logger('video').warning('%s has ended: %s', self.file.path.name, e.strerror or e)
+
+    def sync(self):
+        "Wait until it is on the disk"
+        with suppress(OSError): self.file.sync()
+
+    def close(self):
+        "Write the cues that wait, and close the file"
+        while self._waiting[1:]: self._write(self._waiting[1][0])
+        if self._waiting: self._write(self._waiting[0][0]+self._step)
+        self._try(self.file.close)
+
+# %% ../../nbs/api/video/06_recorder.ipynb #5c0b0003
+Recorder.subtitles = property(lambda self: [path for video in self.videos if (path := video.subtitles.path)],
+    doc="The paths of their subtitles, as far as there are some")
+
 # %% ../../nbs/api/video/06_recorder.ipynb #b802e853
-class _MP4File(Closes):
-    "A video file that can be played at any time while it grows"
-    flags,fragment = 'hybrid_fragmented+frag_keyframe+empty_moov',.25      # `fragment`: s, which a crash may cost
+class _VideoFile(Closes):
+    "A video file that can be played at any time while it grows, and its subtitles; a subclass has `_mux` and `_end`"
+    _begun = False
     def __init__(self, path, unit:AccessUnit):
-        self._container,self.path,self.format = None,Path(path),unit.format
+        self.path,self.format = Path(path),unit.format
         self.began,self.seconds = unit.time,0.
         self.file,self._ticks,self._step = _SafeFile(path),_Ticks(),round(clock_rate/(unit.format.rate or 15))
         self._first = None                                      # when its first picture is shown, in ticks
-        options = dict(movflags=self.flags, frag_duration=str(int(1e6*self.fragment)))
-        self._container = av.open(self.file, 'w', format='mp4', options=options)
-        taken = datetime.fromtimestamp(unit.time_utc or clock.time(), timezone.utc)
-        self._container.metadata['creation_time'] = taken.strftime('%Y-%m-%dT%H:%M:%SZ')
-        self._stream = _add_video(self._container, unit)
-        if unit.format.codec=='h265': self._stream.codec_context.codec_tag = 'hvc1'
+        self.subtitles = _Subtitles(self.path.with_suffix('.srt'), self._step)
+        self._open(unit)
+        self._begun = True
 
-    bytes = property(lambda self: self.file.size, doc="How large the file is")
+    bytes = property(lambda self: self.file.size+self.subtitles.bytes, doc="How large the file and its subtitles are")
 
     def __repr__(self): return f'{self.path.name}, {self.seconds:.1f} s, {self.bytes/1e3:.0f} kB'
     def __del__(self): self.close()         # PyAV up to 16 breaks memory when an open container is forgotten
@@ -211,15 +255,44 @@ class _MP4File(Closes):
         "Add a picture; raises `OSError`"
         show,decode = self._ticks(unit)
         if self._first is None: self._first = show
-        self._container.mux(_as_packet(unit, self._stream, show, decode, self._step))
+        self._mux(unit, show, decode)
         self.file.mark()
+        self.subtitles.add(unit, show-self._first, decode-self._first)
         self.seconds = max(self.seconds, (show-self._first+self._step)/clock_rate)  # the last one is shown for a step
 
     def close(self):
-        "Make a plain MP4 of it; raises `OSError` when that cannot be, and then it stays as it was"
-        if self._container is None: return
-        container,self._container,is_broken = self._container,None,self.file.fault
-        try: container.close()
+        "Complete it; raises `OSError` when that cannot be, and then it stays as it was"
+        if not self._begun: return
+        self._begun,is_broken = False,self.file.fault
+        try: self._end()
         except Exception:
             if not is_broken: raise     # else it is logged
-        finally: self.file.close()
+        finally:
+            self.subtitles.close()
+            self.file.close()
+
+# %% ../../nbs/api/video/06_recorder.ipynb #b802e854
+class _MP4File(_VideoFile):
+    "An MP4 that is a plain one when it's complete, and fragments until then"
+    flags,fragment = 'hybrid_fragmented+frag_keyframe+empty_moov',.25      # `fragment`: s, which a crash may cost
+    def _open(self, unit:AccessUnit):
+        options = dict(movflags=self.flags, frag_duration=str(int(1e6*self.fragment)))
+        self._container = av.open(self.file, 'w', format='mp4', options=options)
+        taken = datetime.fromtimestamp(unit.time_utc or clock.time(), timezone.utc)
+        self._container.metadata['creation_time'] = taken.strftime('%Y-%m-%dT%H:%M:%SZ')
+        self._stream = _add_video(self._container, unit)
+        if unit.format.codec=='h265': self._stream.codec_context.codec_tag = 'hvc1'
+
+    def _mux(self, unit:AccessUnit, show:int, decode:int):
+        self._container.mux(_as_packet(unit, self._stream, show, decode, self._step))
+
+    def _end(self): self._container.close()
+
+# %% ../../nbs/api/video/06_recorder.ipynb #7c5a0002
+class _TSFile(_VideoFile):
+    "An MPEG transport stream with a KLV set for each picture"
+    def _open(self, unit:AccessUnit): self._muxer = TSMuxer(self.path.stem)
+    def _mux(self, unit:AccessUnit, show:int, decode:int): self.file.write(self._muxer.mux(unit))
+    def _end(self): self.file.write(self._muxer.finish())
+
+def _file_kind(path:Path)->type: return _TSFile if path.suffix.lower()=='.ts' else _MP4File

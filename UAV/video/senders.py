@@ -205,11 +205,23 @@ class TSMuxer:
         if self._stream is None: return b''
         if unit.key and unit.metadata and not self._metadata: self._metadata = _KLVPackets(self.synchronous)
         self._container.mux(_as_packet(unit, self._stream, *self._ticks(unit)))
-        packets = self._bytes.getvalue()
-        self._bytes.seek(0)
-        self._bytes.truncate()
-        if not self._metadata: return packets
-        return self._metadata.add(packets, _klv_of(unit))
+        packets = self._taken()
+        return self._metadata.add(packets, _klv_of(unit)) if self._metadata else packets
+
+# %% ../../nbs/api/video/02_senders.ipynb #0dde0d3b
+@patch
+def _taken(self:TSMuxer)->bytes:
+    "Return the packets that are ready"
+    packets = self._bytes.getvalue()
+    self._bytes.seek(0)
+    self._bytes.truncate()
+    return packets
+
+@patch
+def finish(self:TSMuxer)->bytes:
+    "Close it, and return its last packets"
+    self.close()
+    return self._taken()
 
 # %% ../../nbs/api/video/02_senders.ipynb #d2348ffb
 class TSSender(UDPSink):

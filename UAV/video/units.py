@@ -52,6 +52,7 @@ class AccessUnit:
     format:VideoFormat=VideoFormat() # How it is encoded
     decode_time:float|None=None # When to decode it, monotonic s, if that isn't `time`: streams with B-frames
     metadata:object=None # What the camera knew then, a `FrameMetadata`
+    tags:dict|None=None # EXIF tags of the frame, for subtitles of recordings; not sent
 
     def __repr__(self): return f'{"key frame" if self.key else "picture"} {self.number}, {len(self.data)} bytes'
 
@@ -338,21 +339,22 @@ class Codec:
         types = av.video.frame.PictureType
         picture = self._planes.paint(_fitted(as_bgr(frame.image), self.format.width, self.format.height))
         picture.pts,picture.pict_type = self._count,types.I if key else types.NONE
-        self._inside.append((self._count, time, frame.time_utc, frame.number, metadata))
+        tags = getattr(frame, 'tags', None)
+        self._inside.append((self._count, time, frame.time_utc, frame.number, metadata, tags))
         self._count += 1
         return [self._unit(packet) for packet in self._context.encode(picture)]
 
     def _unit(self, packet)->AccessUnit:
         "Return the access unit in a packet of PyAV, with what we know of its frame; `format` gets its parameter sets"
         while True:
-            count,*about,metadata = self._inside.popleft()
+            count,*about,metadata,tags = self._inside.popleft()
             if count>=(packet.pts or 0): break                     # those before were left out
         data,key = bytes(packet),packet.is_keyframe
         if key:
             self.key_time,sets = about[0],byte_stream(parameter_sets(data, self.format.codec))
             if not sets: data = self.format.headers+data
             elif sets!=self.format.headers: self.format = replace(self.format, headers=sets)
-        return AccessUnit(data, key, *about, self.format, metadata=metadata)
+        return AccessUnit(data, key, *about, self.format, metadata=metadata, tags=tags)
 
 # %% ../../nbs/api/video/00_units.ipynb #068a3747
 @cache
