@@ -6755,6 +6755,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                'UAV.video.klv._has': ('api/video/klv.html#_has', 'UAV/video/klv.py'),
                                'UAV.video.klv._items': ('api/video/klv.html#_items', 'UAV/video/klv.py'),
                                'UAV.video.klv._length': ('api/video/klv.html#_length', 'UAV/video/klv.py'),
+                               'UAV.video.klv._name': ('api/video/klv.html#_name', 'UAV/video/klv.py'),
                                'UAV.video.klv._shown': ('api/video/klv.html#_shown', 'UAV/video/klv.py'),
                                'UAV.video.klv._signed': ('api/video/klv.html#_signed', 'UAV/video/klv.py'),
                                'UAV.video.klv._take': ('api/video/klv.html#_take', 'UAV/video/klv.py'),
