@@ -35,8 +35,8 @@ class Value:
 
     def __eq__(self, other):
         if type(self) is not type(other): return NotImplemented
-        both = ((getattr(self, f.name), getattr(other, f.name)) for f in fields(self))
-        return all(a == b or not (known(a) or known(b)) for a,b in both)
+        pairs = ((getattr(self, f.name), getattr(other, f.name)) for f in fields(self))
+        return all(a == b or not (known(a) or known(b)) for a,b in pairs)
 
     def __hash__(self):
         values = (getattr(self, f.name) for f in fields(self))
