@@ -4093,6 +4093,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                                   'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server.CameraServer.mount_media': ( 'api/mavlink/camera_server.html#cameraserver.mount_media',
                                                                                                    'UAV/mavlink/camera_server.py'),
+                                           'UAV.mavlink.camera_server.CameraServer.on_mav_connection': ( 'api/mavlink/camera_server.html#cameraserver.on_mav_connection',
+                                                                                                         'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server.CameraServer.url_of': ( 'api/mavlink/camera_server.html#cameraserver.url_of',
                                                                                               'UAV/mavlink/camera_server.py'),
                                            'UAV.mavlink.camera_server.FakeCamera': ( 'api/mavlink/camera_server.html#fakecamera',

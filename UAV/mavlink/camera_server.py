@@ -90,6 +90,11 @@ class CameraServer(_CameraVerbs):
         self.mount_media()
         if self.can('subscribe'): self.camera.subscribe(self._on_camera)
 
+    def on_mav_connection(self):
+        "Name the vehicle in the metadata of the camera's videos, unless it has a name"
+        given = getattr(self.camera, 'platform_name', 'none')
+        if re.fullmatch(r'(System \d+)?', given): self.camera.platform_name = f'System {self.source_system}'
+
     def close(self):
         "Stop taking pictures and leave the link; the camera stays open"
         again,self._closed = self._closed,True
