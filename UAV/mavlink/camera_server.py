@@ -90,11 +90,6 @@ class CameraServer(_CameraVerbs):
         self.mount_media()
         if self.can('subscribe'): self.camera.subscribe(self._on_camera)
 
-    def on_mav_connection(self):
-        "Name the vehicle in the metadata of the camera's videos, unless it has a name"
-        given = getattr(self.camera, 'platform_name', 'none')
-        if re.fullmatch(r'(System \d+)?', given): self.camera.platform_name = f'System {self.source_system}'
-
     def close(self):
         "Stop taking pictures and leave the link; the camera stays open"
         again,self._closed = self._closed,True
@@ -115,6 +110,13 @@ def _checked_name(name:str, what:str='name')->str:
     fits = isinstance(name, str) and name.strip() and name.isprintable() and len(name.encode(errors='replace'))<=31
     if not fits: raise ValueError(f'{what} is a text of 1 to 31 bytes, not {name!r}')
     return name.strip()
+
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #7b0e5821
+@patch
+def on_mav_connection(self:CameraServer):
+    "Name the vehicle in the metadata of the camera's videos, unless it has a name"
+    given = getattr(self.camera, 'platform_name', 'none')
+    if re.fullmatch(r'(System \d+)?', given): self.camera.platform_name = f'System {self.source_system}'
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #2e609364
 @patch

@@ -124,7 +124,9 @@ def _has(value)->bool: return any(map(_has, value)) if isinstance(value, tuple) 
 # %% ../../nbs/api/video/01_klv.ipynb #ac5e2f63
 def _turned(angle:float)->float: return angle%360 if known(angle) else NAN
 
-def _name(text:str)->bytes: return text.encode(errors='replace')[:127].decode(errors='ignore').encode()     # whole characters
+def _name(text:str)->bytes:
+    "Return at most 127 bytes of UTF-8, whole characters"
+    return text.encode(errors='replace')[:127].decode(errors='ignore').encode()
 
 @patch
 def _numbers(self:FrameMetadata)->dict:
@@ -195,8 +197,9 @@ def decode(cls:FrameMetadata, data:bytes, # A whole set; what follows it is igno
         except (KeyError, ValueError): return NAN
     def first(*values): return next(filter(known, values), NAN)
     lat,lon = of(23, _lat),of(24, _lon)
-    corners = tuple((first(of(82+2*n, _lat), lat+of(26+2*n, _offset)), first(of(83+2*n, _lon), wrap(lon+of(27+2*n, _offset))))
-                    for n in range(4))
+    offsets = [(of(26+2*n, _offset),of(27+2*n, _offset)) for n in range(4)]
+    corners = tuple((first(of(82+2*n, _lat), lat+north), first(of(83+2*n, _lon), wrap(lon+east)))
+                    for n,(north,east) in enumerate(offsets))
     platform = first(of(91, _lat), of(7, _roll)),first(of(90, _lat), of(6, _pitch)),of(5, _turn)
     relative = _signed(of(20, _fine_turn)),of(19, _elevation),_signed(of(18, _fine_turn))
     made = cls(_time(items.get(2, b'')), of(13, _lat), of(14, _lon), of(15, _height),
