@@ -217,7 +217,8 @@ class _Subtitles:
         try:
             step(*args)
             self.file.mark()
-        except OSError as e: get_logger('video').warning('%s has ended: %s', self.file.path.name, e.strerror or e)
+        except FileNotFoundError: pass          # its folder is gone, which the film says
+        except OSError as e: get_logger('video').warning('no more of %s: %s', self.file.path.name, e.strerror or e)
 
     def sync(self):
         "Wait until it is on the disk"
