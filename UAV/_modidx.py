@@ -7052,6 +7052,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                             'UAV/video/recorder.py'),
                                     'UAV.video.recorder._Subtitles._write': ( 'api/video/recorder.html#_subtitles._write',
                                                                               'UAV/video/recorder.py'),
+                                    'UAV.video.recorder._Subtitles._write_cue': ( 'api/video/recorder.html#_subtitles._write_cue',
+                                                                                  'UAV/video/recorder.py'),
                                     'UAV.video.recorder._Subtitles.add': ( 'api/video/recorder.html#_subtitles.add',
                                                                            'UAV/video/recorder.py'),
                                     'UAV.video.recorder._Subtitles.close': ( 'api/video/recorder.html#_subtitles.close',

@@ -195,6 +195,7 @@ def is_there(self:_SafeFile)->bool:
 class _Subtitles:
     "The cues of a video file, in a text file beside it that is made with the first of them"
     most = 400              # bytes that a cue takes, at most
+    _complained = False     # is it logged that something went wrong?
     def __init__(self, path, step:int): # `step`: how long the last picture is shown, in ticks
         self.file,self._step,self._count,self._waiting = _SafeFile(path),step,0,[]  # `_waiting`: (ticks, unit) to come
 
@@ -209,26 +210,34 @@ class _Subtitles:
     def _write(self, end:int):
         "Write the first cue, which lasts until `end`"
         (show,unit),self._count = self._waiting.pop(0),self._count+1
-        cue = Cue.of(unit, show/clock_rate, end/clock_rate, self._count)
-        if cue: self._try(self.file.write, cue.text.encode())
+        self._try(self._write_cue, unit, show/clock_rate, end/clock_rate)
+
+    def _write_cue(self, *about):
+        if cue := Cue.of(*about, self._count): self.file.write(cue.text.encode())
 
     def _try(self, step, *args):
-        "Take a step, after which the file is whole; log the error of a disk"
+        "Take a step, after which the file is whole; log what goes wrong, once"
+        before = self._complained
         try:
             step(*args)
             self.file.mark()
         except FileNotFoundError: pass          # its folder is gone, which the film says
-        except OSError as e: get_logger('video').warning('no more of %s: %s', self.file.path.name, e.strerror or e)
+        except Exception as e:                  # of a disk, or of metadata that make no sense
+            why,self._complained = getattr(e, 'strerror', None) or repr(e),True
+            if not before: get_logger('video').warning('no more of %s: %s', self.file.path.name, why)
 
-    def sync(self):
-        "Wait until it is on the disk"
-        with suppress(OSError): self.file.sync()
+# %% ../../nbs/api/video/06_recorder.ipynb #5c0b0004
+@patch
+def sync(self:_Subtitles):
+    "Wait until it is on the disk"
+    with suppress(OSError): self.file.sync()
 
-    def close(self):
-        "Write the cues that wait, and close the file"
-        while self._waiting[1:]: self._write(self._waiting[1][0])
-        if self._waiting: self._write(self._waiting[0][0]+self._step)
-        self._try(self.file.close)
+@patch
+def close(self:_Subtitles):
+    "Write the cues that wait, and close the file"
+    while self._waiting[1:]: self._write(self._waiting[1][0])
+    if self._waiting: self._write(self._waiting[0][0]+self._step)
+    self._try(self.file.close)
 
 # %% ../../nbs/api/video/06_recorder.ipynb #5c0b0003
 Recorder.subtitles = property(lambda self: [path for video in self.videos if (path := video.subtitles.path)],

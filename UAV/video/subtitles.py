@@ -92,9 +92,9 @@ def text(self:Cue)->str:
     return f'{self.number}\n{_clock(self.start)} --> {_clock(self.end)}\n'+'\n'.join(filter(None, lines))+'\n\n'
 
 # %% ../../nbs/api/video/05_subtitles.ipynb #5b0a0015
-_times = re.compile(r'(\d+):(\d\d):(\d\d)[,.](\d{1,3})\s*-->\s*(\d+):(\d\d):(\d\d)[,.](\d{1,3})')
+_times = re.compile(r'(\d{1,4}):(\d\d):(\d\d)[,.](\d{1,3}) {0,4}--> {0,4}(\d{1,4}):(\d\d):(\d\d)[,.](\d{1,3})')
 _when = re.compile(r'(\d{4})-(\d\d)-(\d\d) (\d\d):(\d\d):(\d\d)[.,](\d{3})')
-_field = re.compile(r'(\w+) ?: ?(?:1/)?(-?\d{1,9}(?:\.\d{1,12})?)(?=[ \]])')
+_field = re.compile(r'\b(\w{1,32}) ?: ?(?:1/)?(-?\d{1,9}(?:\.\d{1,12})?)(?=[ \]])')
 
 def _read_date(text:str)->float:
     "Return the date in a text as s since 1970, as if it was UTC; NaN if there is none"
