@@ -30,7 +30,7 @@ class _DiskFull(OSError): "There is no room for more of a recording"
 class Recorder(Sink):
     "Writes access units to video files that survive a crash, with subtitles beside"
     most = 300          # units that may wait, because a memory card may take seconds
-    def __init__(self, name, # Function that gives the path of segment n, from 0: MP4, or MPEG-TS with KLV if it ends with `.ts`
+    def __init__(self, name, # Function that gives the path of segment n, from 0; one with `.ts` is MPEG-TS with KLV
                  segment:float=60., # s, then the next key frame begins a new file
                  quota:float|None=None, # MiB that it may fill; `None` is the whole disk
                  reserve:float=100., # MiB of the disk that stay free, for pictures
