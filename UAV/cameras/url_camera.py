@@ -197,6 +197,6 @@ class _FrameSink(Sink):
 
     def send(self, unit):
         "Decode one unit"
-        for picture,_,time_utc in self._decoding(unit):
+        for picture,_,time_utc,_ in self._decoding(unit):
             image = Decoded(picture, 0, 0., 0.).image
             self.newest.put(Frame(image, self.newest.number+1, time_utc or clock.time()))

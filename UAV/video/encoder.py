@@ -43,6 +43,7 @@ class Encoder(Closes):
     silence = 2.        # s without a frame that are a fault
     pause = .5          # s after an error, before it tries again
     patience = 2.       # s that a source or a sink may keep us waiting
+    has_metadata = False            # did a unit have some?
     metadata_of = None  # function of a frame (`None`: its source encodes) and its time (s since 1970) to `FrameMetadata`
     size,bitrate,rate,key_interval = map(_setting, ('size','bitrate','rate','key_interval'))
 
@@ -178,7 +179,10 @@ def _wanted(self:Encoder, image)->VideoFormat:
 def _metadata(self:Encoder, frame, time_utc:float):
     "Return the `FrameMetadata` of a frame, or `None`"
     if self.metadata_of is None: return getattr(frame, 'metadata', None)        # a frame that was received has its own
-    try: return self.metadata_of(frame, time_utc)
+    try:
+        metadata = self.metadata_of(frame, time_utc)
+        if metadata is not None: metadata.data          # its bytes, made here, where an error costs no viewer
+        return metadata
     except Exception as e:
         if not self._complained: _log.warning('%s: no metadata: %r', self.name, e, exc_info=e)
         self._complained = True
@@ -209,6 +213,7 @@ def _encode(self:Encoder, frame, time:float)->list:
 @patch
 def _deliver(self:Encoder, unit:AccessUnit):
     "To all sinks that have had a key frame, or get one now"
+    if unit.metadata is not None: self.has_metadata = True
     if unit.format is not self.format: self._set(format=unit.format)
     self.measured.add(unit.time, len(unit.data))
     with self._delivering:

@@ -4,7 +4,8 @@
 
 # %% ../../nbs/api/video/01_klv.ipynb #6be726ec
 from __future__ import annotations
-from dataclasses import dataclass, fields
+from collections import deque
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 import math
 
@@ -15,7 +16,7 @@ from ..utils.pose import Place, Pose
 from ..utils.values import known, NAN, Value
 
 # %% auto #0
-__all__ = ['key', 'version', 'FrameMetadata']
+__all__ = ['key', 'version', 'Accuracy', 'FrameMetadata', 'MetadataTrack']
 
 # %% ../../nbs/api/video/01_klv.ipynb #9d659870
 class _Number:
@@ -75,6 +76,15 @@ def _take_tag(data:bytes, at:int)->tuple:
         if data[n]<128: return tag,n+1
     raise ValueError('it ends in a tag')
 
+# %% ../../nbs/api/video/01_klv.ipynb #5b1e0a01
+@dataclass(frozen=True, repr=False, eq=False)
+class Accuracy(Value):
+    "How far a frame's metadata may be off: standard deviations"
+    position:float=1.5 # Of the camera, horizontal, m
+    height:float=1. # Above the ground, m
+    attitude:float=.5 # Degrees
+
+
 # %% ../../nbs/api/video/01_klv.ipynb #4131221a
 @dataclass(frozen=True, repr=False, eq=False)
 class FrameMetadata(Value):
@@ -92,6 +102,7 @@ class FrameMetadata(Value):
     corners:tuple=((NAN,NAN),)*4 # `(lat, lon)`: upper left, upper right, lower right, lower left (82 to 89, 26 to 33)
     platform_name:str='' # Such as 'Copter 1' (10)
     sensor_name:str='' # Such as 'thermal' (11)
+    accuracy:Accuracy=field(default=Accuracy(), repr=False) # How far that may be off; not sent
 
     @cached_property
     def data(self)->bytes:
@@ -99,7 +110,7 @@ class FrameMetadata(Value):
         return self.encode()
 
     def __repr__(self):
-        values = {f.name: _shown(getattr(self, f.name)) for f in fields(self)}
+        values = {f.name: _shown(getattr(self, f.name)) for f in fields(self) if f.repr}
         return f'FrameMetadata({", ".join(f"{name}={text}" for name,text in values.items() if text)})'
 
 # %% ../../nbs/api/video/01_klv.ipynb #e33cea8d
@@ -142,12 +153,16 @@ def encode(self:FrameMetadata)->bytes:
     return data+_checksum(data).to_bytes(2, 'big')
 
 # %% ../../nbs/api/video/01_klv.ipynb #2701c560
+def _end(data:bytes)->int:
+    "Return where a set of any kind ends that begins with these bytes; raises `ValueError`"
+    size,at = _take(data, len(key))
+    if at+size>len(data): raise ValueError(f'{size} bytes, of which {len(data)-at} are there')
+    return at+size
+
 def _items(data:bytes)->dict:
     "`{tag: bytes}` of a whole set; raises `ValueError`"
     if not data.startswith(key): raise ValueError('no set of the UAS Datalink Local Set (MISB ST 0601)')
-    size,at = _take(data, len(key))
-    end,found = at+size,{}
-    if end>len(data): raise ValueError(f'{size} bytes, of which {len(data)-at} are there')
+    end,at,found = _end(data),_take(data, len(key))[1],{}
     while at<end:
         tag,at = _take_tag(data, at)
         length,at = _take(data, at)
@@ -160,6 +175,11 @@ def _items(data:bytes)->dict:
 
 # %% ../../nbs/api/video/01_klv.ipynb #9207773c
 def _signed(angle:float)->float: return angle-360 if angle>=180 else angle          # NaN stays
+
+def _time(data:bytes)->float:
+    "Return a precision time stamp in s since 1970; NaN for none, 0, and beyond the year 9999"
+    stamp = int.from_bytes(data, 'big')/1e6 if len(data)==8 else 0.
+    return stamp if 0<stamp<253402300800 else NAN
 
 def _text(data:bytes)->str: return ''.join(c for c in data.decode('utf-8', 'replace') if c.isprintable())
 
@@ -177,10 +197,11 @@ def decode(cls:FrameMetadata, data:bytes, # A whole set; what follows it is igno
                     for n in range(4))
     platform = first(of(91, _lat), of(7, _roll)),first(of(90, _lat), of(6, _pitch)),of(5, _turn)
     relative = _signed(of(20, _fine_turn)),of(19, _elevation),_signed(of(18, _fine_turn))
-    stamp = items.get(2, b'')
-    return cls(int.from_bytes(stamp, 'big')/1e6 if len(stamp)==8 else NAN, of(13, _lat), of(14, _lon), of(15, _height),
+    made = cls(_time(items.get(2, b'')), of(13, _lat), of(14, _lon), of(15, _height),
                platform, relative, of(16, _fov), of(17, _fov), of(21, _range), (lat,lon,of(25, _height)), corners,
                _text(items.get(10, b'')), _text(items.get(11, b'')))
+    vars(made)['data'] = data[:_end(data)]          # who passes it on sends what came, with the tags that we don't use
+    return made
 
 # %% ../../nbs/api/video/01_klv.ipynb #fed26824
 def _corner_rays(fov:tuple)->list:
@@ -260,12 +281,61 @@ def _between_corners(self:FrameMetadata, across:float, down:float)->Place|None:
     return Place(place.lat, place.lon, self.center[2])
 
 # %% ../../nbs/api/video/01_klv.ipynb #feb5b7f9
-FrameMetadata.accuracy = dict(position=1.5, height=1., attitude=.5)      # standard deviations: m, m, degrees
-
 @patch
 def _error(self:FrameMetadata, level:float, height:float)->float:
     "Return the standard deviation of a place so far away, `height` below, m"
     if not height>0: return NAN
-    away2,turn = level**2+height**2,math.radians(self.accuracy['attitude'])
+    away2,off = level**2+height**2,self.accuracy
+    turn = math.radians(off.attitude)
     along,across = turn*away2/height,turn*math.sqrt(away2)          # a pitch that is off moves it along the way
-    return math.hypot(along, across, self.accuracy['height']*level/height, self.accuracy['position'])
+    return math.hypot(along, across, off.height*level/height, off.position)
+
+# %% ../../nbs/api/video/01_klv.ipynb #5b1e0a03
+_smpte = key[:4]            # with it each set begins, of any kind
+
+def _in_cells(data:bytes)->bytes:
+    "Return what is in the metadata cells of a packet (ISO 13818-1, 2.12.4): service, number, flags, length, set"
+    parts = []
+    while len(data)>=5:
+        size = int.from_bytes(data[3:5], 'big')
+        parts.append(data[5:5+size])
+        data = data[5+size:]
+    return b''.join(parts)
+
+def _sets(data:bytes)->list:
+    "Return the valid sets of a packet's payload; those of other kinds and damaged ones are left out"
+    found,data = [],data if data.startswith(_smpte) else _in_cells(data)
+    while data.startswith(_smpte):
+        try: end = _end(data)
+        except ValueError: break
+        try: found.append(FrameMetadata.decode(data))
+        except ValueError: pass
+        data = data[end:]
+    return found
+
+
+# %% ../../nbs/api/video/01_klv.ipynb #5b1e0a06
+class MetadataTrack:
+    "The newest sets of a stream, for the pictures beside them"
+    most,lasts = 128,90_000     # sets that are kept; how long one counts for the pictures after it, 1/90000 s
+    def __init__(self, bits:int=33): # Of a time stamp
+        self._sets,self._wrap,self._seen = deque(maxlen=self.most),1<<bits,None      # `_seen`: the last picture's stamp
+
+    def put(self, data:bytes, # The payload of a packet
+            stamp:int|None): # When its sets were made, 1/90000 s; `None`: between the last picture and the next
+        "Keep the sets that are in a packet"
+        at = self._seen if stamp is None else stamp%self._wrap
+        self._sets.extend((at, stamp is not None, one) for one in _sets(data))
+
+    def of(self, stamp:int|None, # When a picture is to be shown
+          )->tuple:
+        "Return the metadata of a picture, and when it was taken, s since 1970; `(None, None)`: there are none"
+        first,self._seen,best = stamp if self._seen is None else self._seen,stamp,None
+        for at,exact,one in reversed(self._sets):
+            age = 0 if stamp is None else (stamp-(first if at is None else at))%self._wrap
+            if age<=self.lasts and (best is None or age<best[0]): best = age,exact,one
+            if age==0: break
+        if best is None: return None,None
+        age,exact,one = best
+        return one,one.time_utc+age/90_000*exact if known(one.time_utc) else None
+
