@@ -12,7 +12,7 @@ import logging, os, signal, sys, webbrowser
 from .common import (address, between, key_in, links, log_to, number, on_links, or_exit, place_for,
     run_with_options, sentence, StatusPrinter)
 from ..manager import Gui
-from ..manager.server import Door
+from ..utils.web import Door
 from ..mavlink import CameraClient, GimbalClient, mavlink
 from ..wire.signing import state_file
 from typing import Literal
