@@ -44,6 +44,7 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
     rtp:_host_port=None, # Send RTP to HOST:PORT, for example a ground station
     mpegts:_host_port=None, # Send MPEG-TS over UDP to HOST:PORT
     tcp:between(0, 65535, int)=None, # Serve MPEG-TS over TCP on this port
+    webrtc:between(0, 65535, int)=None, # Serve WebRTC (WHEP, and a page for browsers) on this port, such as 8889
     host:address=None, # Our address in stream URLs; default: the one that reaches each client
     codec:Literal['h264','h265']='h264', # Video codec
     size:_picture_size=None, # Video size, such as 1280x720; default: the camera's
@@ -70,7 +71,7 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
 _groups = {'the link':'connection system component sign guard forward',
            'the camera':'device camera name mounted folder quota storage',
-           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate',
+           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp webrtc host codec size rate bitrate',
            'gimbal and vehicle':'gimbal role path autopilot'}
 main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)
 
@@ -112,7 +113,9 @@ def _opened(typed, stack:ExitStack)->tuple:
     connections = links(typed.connection)
     signing = _signing_of(typed)
     streams,places = _wanted_streams(typed),_places(typed)
-    rtsp = stack.enter_context(_with_password(streams, _viewer(typed.rtsp_user, typed.rtsp_password_file)))
+    watcher = _viewer(typed.rtsp_user, typed.rtsp_password_file)
+    rtsp = stack.enter_context(_with_password(streams, watcher))
+    whep = stack.enter_context(_with_token(streams, watcher))
     storage = dict(folder=typed.folder, quota=typed.quota)
     if typed.storage: storage = dict(storages=[Storage(place, typed.quota, name=Path(place).name) for place in places])
     gimbal,camera = _device(typed, stack, storage)
@@ -122,8 +125,8 @@ def _opened(typed, stack:ExitStack)->tuple:
     camera.mounted = typed.mounted
     if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
     bitrate = None if typed.bitrate is None else int(typed.bitrate*1e6)
-    add_streams(camera, [] if _on_card(camera) else streams, rtsp, codec=typed.codec, size=typed.size,
-                rate=typed.rate, bitrate=bitrate)
+    add_streams(camera, [] if _on_card(camera) else streams, rtsp, whep, codec=typed.codec,
+                size=typed.size, rate=typed.rate, bitrate=bitrate)
     com = serving(camera, connections, typed.system, typed.component, typed.host, typed.guard, typed.name,
                   aboard.components, signing=signing, forward=typed.forward)
     return camera,stack.enter_context(com)
@@ -199,7 +202,7 @@ def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **stor
 def _streams_of(camera, kind:str, host:str, port:int)->list:
     "Return (kind, host, port, further arguments of `Camera.add_stream`) of each stream"
     if 'ir' not in getattr(camera, 'sources', ()): return [(kind, host, port, {})]
-    named,beside = ('',0) if kind=='rtsp' else (f' {kind}',2 if port else 0)
+    named,beside = ('',0) if kind=='rtsp' else (f' {kind}',2 if port and kind!='webrtc' else 0)
     return [(kind, host, port, dict(name=f'shown{named}')),
             (kind, host, port+beside, dict(name=f'thermal{named}', source='ir'))]
 
@@ -207,11 +210,12 @@ def _streams_of(camera, kind:str, host:str, port:int)->list:
 def add_streams(camera, # A Camera
                 wanted:list, # (kind, host, port) of each stream, as from `_wanted_streams`
                 rtsp=None, # RTSP server, as from `_with_password`
+                whep=None, # `WHEPServer`, as from `_with_token`
                 **how): # `codec`, `size`, `rate` and `bitrate` of `Camera.add_stream`
     "Add streams to the camera; raises `CameraError` for one that can't be opened"
     for kind,host,port,eye in [stream for one in wanted for stream in _streams_of(camera, *one)]:
-        own = dict(server=rtsp) if kind=='rtsp' else {}
-        with place_for(f'{kind} stream', host, port, CameraError, '--rtsp 0' if kind=='rtsp' else ''):
+        own = {'rtsp':dict(server=rtsp), 'webrtc':dict(server=whep)}.get(kind, {})
+        with place_for(f'{kind} stream', host, port, CameraError, f'--{kind} 0' if own else ''):
             camera.add_stream(kind=kind, host=host, port=port, **how, **eye, **own)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #79f91b00
@@ -222,6 +226,16 @@ def _with_password(wanted:list, watcher:dict):
     if port is None: raise ValueError('--rtsp-user needs an RTSP server, and --rtsp -1 has none')
     from UAV.video.rtsp_server import RTSPServer
     with place_for('rtsp stream', host, port, CameraError, '--rtsp 0'): return RTSPServer(port, host, **watcher)
+
+# %% ../../nbs/api/cli/02_serve.ipynb #6a1e0b02
+def _with_token(wanted:list, watcher:dict):
+    "Open a `WHEPServer` with the password of `_viewer` as its token, or yield `None`; raises as `_with_password`"
+    port = next((port for kind,_,port in wanted if kind=='webrtc'), None)
+    if not watcher or port is None: return nullcontext()
+    from UAV.video.webrtc import WHEPServer
+    with place_for('webrtc stream', '', port, CameraError, '--webrtc 0'):
+        try: return WHEPServer(port, token=watcher['password'])
+        except ValueError as e: raise ValueError(f'--webrtc takes the password of --rtsp-user as its token: {e}') from None
 
 # %% ../../nbs/api/cli/02_serve.ipynb #e308caa4
 @contextmanager
@@ -262,6 +276,7 @@ def _wanted_streams(typed)->list:
     if typed.rtp: found.append(('rtp', *typed.rtp))
     if typed.mpegts: found.append(('mpegts', *typed.mpegts))
     if typed.tcp is not None: found.append(('tcp', '', typed.tcp))
+    if typed.webrtc is not None: found.append(('webrtc', '', typed.webrtc))
     return found
 
 # %% ../../nbs/api/cli/02_serve.ipynb #f4b0aecc

@@ -80,7 +80,8 @@ def _on_information(self:CameraRow, msg):
 def _on_stream(self:CameraRow, msg):
     "Store a stream's information, and use it once all have arrived"
     self.streams[msg.stream_id] = stream_of(msg)
-    if len(self.streams)==max(msg.count, 1): self.preview.streams = [self.streams[i] for i in sorted(self.streams)]
+    if len(self.streams)==max(msg.count, 1):
+        self.preview.streams = [s for _,s in sorted(self.streams.items()) if s.kind!='webrtc']
     elif len(self.streams)>msg.count:
         self.streams.clear()
         self.soon(VIDEO_STREAM_INFORMATION)

@@ -46,7 +46,7 @@ class Preview:
 
     async def find(self):
         "Request the camera's streams; raises `MAVError`"
-        self.streams = await self.camera.video.streams()
+        self.streams = [s for s in await self.camera.video.streams() if s.kind!='webrtc']      # a player has no WebRTC
         self.news()
 
     def reopen(self):
