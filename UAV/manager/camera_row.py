@@ -62,7 +62,7 @@ class CameraRow(Row):
 
     async def close(self):
         "Stop zooming, and close the parts"
-        ends = (self.zoomer.leave(), *(part.close() for part in self.parts))
+        ends = (self.zoomer.leave(), self.preview.close(), *(part.close() for part in self.parts))
         for e in await asyncio.gather(*ends, return_exceptions=True):
             if isinstance(e, Exception): raise e
 

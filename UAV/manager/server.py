@@ -12,6 +12,7 @@ from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.files import local_name
+from ..utils.values import inside
 from ..utils.sockets import url_host
 from ..utils.web import Door, Refused, WebServer, _name_of
 from ..wire.dialect import MAVError
@@ -82,11 +83,12 @@ _releases = dict(hold='release', zoom_hold='zoom_release')      # the release of
 
 class _Messages:
     "Answers to one viewer, on the panel's loop: each a dict and a list of pictures"
-    kinds,most = ('poll','act','thumbnail','map','files','photo','ticket'),64    # requests; holds kept
+    kinds,most = ('poll','act','thumbnail','map','files','photo','ticket','watch'),64    # requests; holds kept
     def __init__(self, gui, # The panel
                  give=None): # Called with camera, path, play; returns an address. `None`: no downloads
         store_attr()
         self.held = {}          # `{(row, hold): release}` of the viewer's holds
+        self.place,self.watched = None,{}       # of a page: its address, and ours; `{row: (preview, viewer)}`
 
     async def poll(self, seen:str='', after:dict|None=None):
         "Wait for an update, see `Gui.poll`"
@@ -98,6 +100,7 @@ class _Messages:
         "Press a button, see `Gui.do`"
         args = args or {}
         if not isinstance(args, dict): raise ValueError('args is an object')
+        if 'age' in args: args = _by_age(self.gui.rows.get(of), **args)
         key = of,str(args.get('hold'))
         if do in _releases and len(self.held)<self.most: self.held[key] = _releases[do]
         elif do in _releases.values(): self.held.pop(key, None)
@@ -107,7 +110,8 @@ class _Messages:
 
     async def leave(self):
         "Release all holds of a viewer that is gone"
-        held,self.held = self.held,{}
+        for preview,viewer in self.watched.values(): preview.viewers.end(viewer)
+        self.watched,held,self.held = {},self.held,{}
         releases = (self.gui.do(release, of or None, hold=hold) for (of,hold),release in held.items())
         await asyncio.gather(*releases, return_exceptions=True)         # a row may be gone
 
@@ -116,6 +120,25 @@ def _age_of(row, number:int)->float|None:
     "Return the seconds since that picture came to the panel; `None` if unknown"
     when = row.preview.newest.when(number) if row and row.preview else None
     return when and round(clock.monotonic()-when, 3)
+
+# %% ../../nbs/api/manager/09_server.ipynb #7b2d4c01
+def _by_age(row, age, number=None, **args)->dict:
+    "Return `args` with the number of the picture that came `age` s ago: that's all a viewer of a video knows"
+    age = inside('age', age, 0, 60)
+    newest = row.preview.newest if row and row.preview else None
+    return dict(args, number=number if newest is None else newest.before(clock.monotonic()-age))
+
+# %% ../../nbs/api/manager/09_server.ipynb #7b2d4c03
+@patch
+async def watch(self:_Messages, of:str, offer:str):
+    "Answer an offer of WebRTC; raises `ValueError`"
+    preview = self._camera_of(of, '').preview
+    if self.place is None or not isinstance(offer, str): raise ValueError('only a page can watch by WebRTC')
+    if before := self.watched.pop(of, None): preview.viewers.end(before[1])
+    try: viewer,answer = await preview.watch(offer, *self.place)
+    except Refused as e: raise ValueError(e.text) from None
+    self.watched[of] = preview,viewer
+    return dict(answer=answer),[]
 
 # %% ../../nbs/api/manager/09_server.ipynb #c398a948
 @patch
@@ -256,10 +279,11 @@ _icon = ("data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='
 _page_css = ':root { color-scheme: light dark } body { margin: 0 }'
 
 # %% ../../nbs/api/manager/09_server.ipynb #d548f9eb
-_static = files('UAV.manager')/'static'
+_statics = files('UAV.manager')/'static', files('UAV.video')/'static'
 def _texts(ending:str)->dict:
     "Return name and text of the static files with this ending, by name"
-    found = sorted((file for file in _static.iterdir() if file.name.endswith(ending)), key=lambda file: file.name)
+    found = sorted((file for folder in _statics for file in folder.iterdir()
+                    if file.name.endswith(ending) and not file.name.startswith('view.')), key=lambda file: file.name)
     return {file.name:file.read_text(encoding='utf-8') for file in found}
 
 # %% ../../nbs/api/manager/09_server.ipynb #0890adc7
@@ -353,6 +377,7 @@ class _Talk:
         if not self.socket.can_prepare(request): raise Refused(426, 'this is the place of a WebSocket')
         visit = self.visit
         visit.admitted,visit.since,visit.busy = False,clock.monotonic(),0        # until it has sent the token
+        self.viewer.place = request.remote or '',(visit.transport.get_extra_info('sockname') or ('',))[0]
         await self.socket.prepare(request)
         self.site.talks.add(self)
         try:

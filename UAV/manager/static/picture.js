@@ -6,6 +6,7 @@
 // to 1, to the right and down. A click on a bar is none.
 
 import { ago, clock, h, latest, name, say, show } from './parts.js'
+import { liveVideo } from './live.js'
 
 export function inPicture(box, [width, height], x, y) {
   const scale = Math.min(box.width / width, box.height / height)
@@ -60,7 +61,15 @@ export function frame(row) {
     if (old) URL.revokeObjectURL(old)
   }
   const forget = () => { number = -1 }
-  return { image, take, forget, number: () => number }
+  function clear(size) {
+    URL.revokeObjectURL(url)
+    url = null
+    image.removeAttribute('src')
+    image.size = size
+    show(image, false)
+    forget()
+  }
+  return { image, take, forget, clear, number: () => number }
 }
 
 export function pictureUpdate(node, status) {
@@ -105,21 +114,24 @@ export function wheelZoom(row, node) {
 }
 
 export function pictureView(row, ...upon) {
-  const shown = frame(row), mark = markView(row)
-  const [live, busy, count] = ['live', 'busy', 'count'].map(which => h('span', { class: 'pill ' + which }))
-  const parts = [shown.image, ...upon, mark.node, h('div', { class: 'pills' }, live, busy, count)]
+  const shown = frame(row), mark = markView(row), live = liveVideo(row, shown)
+  const [words, busy, count] = ['live', 'busy', 'count'].map(which => h('span', { class: 'pill ' + which }))
+  const parts = [shown.image, live.node, ...upon, mark.node, h('div', { class: 'pills' }, words, busy, count)]
   const node = h('div', { class: 'picture', tabindex: 0, role: 'application' }, ...parts)
   wheelZoom(row, node)
   node.addEventListener('click', event => {
     const at = inPicture(node.getBoundingClientRect(), sizeOf(shown.image), event.clientX, event.clientY)
     if (!at || !row.status.can_point || node.closest('[data-lost]')) return
-    mark.put(event.offsetX, event.offsetY, { ...at, number: shown.number() })
+    mark.put(event.offsetX, event.offsetY, { ...at, ...which() })
   })
+  const which = () => live.on() ? { number: null, age: live.age() } : { number: shown.number() }
+  const take = async picture => { if (!live.on()) await shown.take(picture) }
   function update(status) {
     pictureUpdate(node, status)
-    say(live, condition(status))
+    live.update(status)
+    say(words, condition(status))
     say(busy, doing(status))
     say(count, taken(status))
   }
-  return { node, update, take: shown.take, forget: shown.forget, number: shown.number }
+  return { node, update, live, take, forget: shown.forget, number: shown.number }
 }

@@ -113,7 +113,8 @@ export function socketWire(token) {
   }
   const late = kind => { if (kind === 'poll' && link) lose(link, new Error(NO_LINK)) }
   const { ask, take, drop } = asking(send, late), stop = () => { if (link) lose(link, new Error(NO_LINK)) }
-  return { ...wireOf(ask), stop, patient: false }
+  const answer = async (of, offer) => (await ask('watch', { of, offer }, 2 * PATIENCE)).message.answer
+  return { ...wireOf(ask), watch: answer, stop, patient: false }
 }
 
 // In a notebook: Pictures travel beside a message, as they are. The kernel may be busy, and a press is done when the
