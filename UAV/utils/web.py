@@ -49,7 +49,7 @@ class Door:
         "Check the host; raises `Refused` (400, 403)"
         if len(hosts)!=1: raise Refused(400, 'one Host is needed')
         if self.is_known(_name_of(hosts[0])): return
-        raise Refused(403, 'the panel does not know the name in this address: serve(names=…)')
+        raise Refused(403, 'the name in this address is not known here: names=…')
 
 # %% ../../nbs/api/utils/08_web.ipynb #0421d4ea
 def _name_of(place:str|None)->str:

@@ -22,10 +22,10 @@ from .units import clock_rate, Sink
 # %% auto #0
 __all__ = ['log', 'WebRTCViewer', 'WebRTCViewers', 'WHEPServer']
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0008
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0009
 log = get_logger('video')
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c000a
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c000b
 @lru_cache
 def _aiortc():
     "Import aiortc, with a track for access units; raises `ValueError` with the command that installs it"
@@ -54,7 +54,7 @@ def _aiortc():
             except ValueError: return None
     return UnitTrack
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c000c
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c000d
 _candidate = re.compile(r'a=candidate:\S+ 1 udp \d+ (\S+) [1-9]\d{0,4} typ (host|srflx|prflx|relay)\b.*', re.I)
 
 def _is_peer(line:str)->bool:
@@ -76,7 +76,7 @@ def _tidied(offer:str, most:int=8)->str:
     def stays(line): return line in peers if line.startswith('a=candidate:') else line!='a=end-of-candidates'
     return ''.join(f'{line}\r\n' for line in lines if stays(line))
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0010
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0011
 _inner = re.compile(r'(docker|br-|veth|virbr|vmnet|vboxnet|cni|flannel)')       # networks within a computer
 
 def _own_addresses(reached:str|None)->list:
@@ -89,7 +89,7 @@ def _own_addresses(reached:str|None)->list:
     outer = [ip for ip in found if not (is_loopback(ip) or ip.startswith('fe80:'))]
     return [*outer[:7], *(['127.0.0.1'] if own else [])]
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0013
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0014
 class WebRTCViewer(Sink):
     "Somebody who watches by WebRTC; made by `WebRTCViewers.answer`"
     most,slack,least = 8,.75,.5     # units that wait; s that we may be ahead of the link; s between two key frames
@@ -103,7 +103,7 @@ class WebRTCViewer(Sink):
         self.ask_key = lambda: None         # called when it needs a key frame
         self._track = _aiortc()()           # on the viewers' loop, as what follows
         self._loop,self._began,self._asked = asyncio.get_running_loop(),None,-self.least
-        self._skips,self._ahead,self._last = False,0.,0.
+        self._skips,self._ahead,self._last,self._newest = False,0.,0.,-1.
         rtc = self._track.rtc
         self.peer = rtc.RTCPeerConnection(rtc.RTCConfiguration(iceServers=[]))      # or it would ask Google's
         self._sending = self.peer.addTransceiver(self._track, 'sendonly')
@@ -119,10 +119,10 @@ class WebRTCViewer(Sink):
         return not self._skips
 
     def send(self, unit):
-        "Send a unit on; raises `ValueError` for one that browsers can't show"
-        if unit.format.codec!='h264': raise ValueError(f'the video is {unit.format.codec.upper()} now')
-        if unit.decode_time not in (None, unit.time) and unit.decode_time<unit.time-1e-3:
-            raise ValueError('the video has B-frames, which WebRTC cannot show')
+        "Send a unit on; raises `OSError` for one that browsers can't show"
+        if unit.format.codec!='h264': raise OSError(f'the video is {unit.format.codec.upper()} now')
+        if 0<self._newest-unit.time<1: raise OSError('the video has B-frames, which browsers show in the wrong order')
+        self._newest = unit.time
         if not self._fits(unit): return
         if self._began is None: self._began = unit.time
         packet = av.Packet(unit.data)
@@ -137,7 +137,7 @@ class WebRTCViewer(Sink):
         try: self._loop.call_soon_threadsafe(self.viewers.end, self)
         except RuntimeError: pass               # the loop has ended
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0015
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0016
 @patch
 async def _negotiate(self:WebRTCViewer, offer:str, reached:str|None)->str:
     "Return the answer to an offer; raises `Refused`, or whatever aiortc makes of a wrong one"
@@ -159,7 +159,7 @@ async def _negotiate(self:WebRTCViewer, offer:str, reached:str|None)->str:
     if 'send' not in (self._sending.currentDirection or ''): raise Refused(406, 'the offer wants to receive no video')
     return self.peer.localDescription.sdp
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0016
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0017
 @patch
 def _note(self:WebRTCViewer, packet):
     "Look at a report of the viewer (RTCP)"
@@ -171,7 +171,7 @@ def _note(self:WebRTCViewer, packet):
     self._asked = self.heard
     self.ask_key()
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0018
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0019
 class WebRTCViewers:
     "All who watch by WebRTC, on one event loop; raises `ValueError` without aiortc"
     most,each = 16,8            # at once, and from one address
@@ -216,7 +216,7 @@ class WebRTCViewers:
                 self.end(viewer)
         elif state in ('failed','closed'): self.end(viewer)
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0019
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c001a
 @patch
 async def _sweep(self:WebRTCViewers):
     "End those who are late, or gone"
@@ -252,7 +252,7 @@ async def close(self:WebRTCViewers):
     self._sweeping = None
     if self._ends: await asyncio.wait(list(self._ends), timeout=5)
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c001b
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c001c
 _static = files('UAV.video')/'static'
 _rules = {'Content-Security-Policy': "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
               "img-src data:; base-uri 'none'; form-action 'none'; frame-ancestors 'self' http://localhost:* http://127.0.0.1:*",
@@ -274,7 +274,7 @@ def _page_of(name:str)->str:
 <noscript>WebRTC needs JavaScript.</noscript>
 '''
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c001c
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c001d
 class WHEPServer(WebServer):
     "Serves videos to browsers and other viewers by WebRTC (WHEP); `with` closes it; raises `ValueError` without aiortc"
     most,each = 64,32           # connections at once, and from one address
@@ -311,7 +311,7 @@ class WHEPServer(WebServer):
         super().close(patience)
         self.loop.close()
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c001e
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c001f
 @patch
 def add(self:WHEPServer, path:str, # Behind `/whep/`
         encoder, # An `Encoder`
@@ -364,7 +364,7 @@ def rest(self:WHEPServer, path:str, # Of a video
     self.videos.pop(path.strip('/'), None)
     self.send_away(path)
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0020
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0021
 @patch
 async def respond(self:WHEPServer, request, visit):
     "Respond to a request; raises `Refused`"
@@ -406,7 +406,7 @@ async def _session(self:WHEPServer, request, visit, name:str, id:str):
     self.viewers.end(viewer)
     return self.reply(request, 'the session has ended')
 
-# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0021
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0022
 @patch
 async def _offered(self:WHEPServer, request, name:str):
     "Answer an offer; raises `Refused`"

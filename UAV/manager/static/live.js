@@ -23,13 +23,14 @@ export function ages(video) {
 }
 
 export function liveVideo(row, jpeg) {
-  const node = h('video', { muted: true, autoplay: true, playsinline: true, class: 'trying', 'aria-label': 'Live picture' })
+  const node = h('video', { muted: true, autoplay: true, playsinline: true, 'aria-label': 'Live picture' })
   const times = ages(node)
   let session = null, trying = false, led = false, status = null, pause = AGAIN, again = 0, timer
   node.muted = true
   show(node, false)
   node.addEventListener('resize', () => { if (session) jpeg.image.size = [node.videoWidth, node.videoHeight] })
-  const wanted = () => led && !!status?.picture.webrtc && status.state === 'alive' && !document.hidden && !!row.wire.watch
+  const able = () => !!row.wire.watch && !!status?.picture.webrtc && status.state === 'alive'
+  const wanted = () => led && !document.hidden && able()
   function end() {
     clearInterval(timer)
     session?.stop()
