@@ -7319,6 +7319,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                            'UAV/video/webrtc.py'),
                                   'UAV.video.webrtc.WebRTCViewer._hang_up': ( 'api/video/webrtc.html#webrtcviewer._hang_up',
                                                                               'UAV/video/webrtc.py'),
+                                  'UAV.video.webrtc.WebRTCViewer._judge': ( 'api/video/webrtc.html#webrtcviewer._judge',
+                                                                            'UAV/video/webrtc.py'),
                                   'UAV.video.webrtc.WebRTCViewer._negotiate': ( 'api/video/webrtc.html#webrtcviewer._negotiate',
                                                                                 'UAV/video/webrtc.py'),
                                   'UAV.video.webrtc.WebRTCViewer._note': ( 'api/video/webrtc.html#webrtcviewer._note',

@@ -86,6 +86,21 @@ def state(self:Preview)->tuple:
     if why := (self.player and self.player.fault) or self.fault: return 'lost',why
     return ('lost',f'no picture for {self.silent:.0f} s') if self.begun else ('waiting','')
 
+# %% ../../nbs/api/manager/01_preview.ipynb #2c9e5d02
+_log = get_logger('manager.preview')
+
+@lru_cache
+def _has_webrtc()->bool:
+    "True if aiortc is installed; the log says once that it isn't"
+    there = find_spec('aiortc') is not None
+    if not there: _log.info('pictures come as JPEGs: WebRTC needs Python 3.11, and pip install "aiortc>=1.16"')
+    return there
+
+@patch(as_prop=True)
+def can_watch(self:Preview)->bool:
+    "True if the stream may be watched by WebRTC: its codec is H.264, or not known"
+    return self.stream is not None and self.stream.codec in ('h264','') and _has_webrtc()
+
 # %% ../../nbs/api/manager/01_preview.ipynb #d99f9d62
 @patch
 def status(self:Preview)->dict:
@@ -191,21 +206,6 @@ def remove_sink(self:Preview, sink):
     "Stop sending to `sink`; safe to call twice"
     for sinks in (self.sinks, self.player.sinks if self.player else []):
         if sink in sinks: sinks.remove(sink)
-
-# %% ../../nbs/api/manager/01_preview.ipynb #2c9e5d02
-_log = get_logger('manager.preview')
-
-@lru_cache
-def _has_webrtc()->bool:
-    "True if aiortc is installed; the log says once that it isn't"
-    there = find_spec('aiortc') is not None
-    if not there: _log.info('pictures come as JPEGs: WebRTC needs Python 3.11, and pip install "aiortc>=1.16"')
-    return there
-
-@patch(as_prop=True)
-def can_watch(self:Preview)->bool:
-    "True if the stream may be watched by WebRTC: its codec is H.264, or not known"
-    return self.stream is not None and self.stream.codec in ('h264','') and _has_webrtc()
 
 # %% ../../nbs/api/manager/01_preview.ipynb #2c9e5d03
 @patch

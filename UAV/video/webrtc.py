@@ -17,6 +17,7 @@ from ..utils import clock
 from ..utils.lazy import av
 from ..utils.sockets import LoopThread, is_loopback, plain_host, url_host
 from ..utils.web import Door, Refused, WebServer
+from .encoder import _Measured
 from .units import clock_rate, Sink
 
 # %% auto #0
@@ -31,7 +32,7 @@ def _aiortc():
     "Import aiortc, with a track for access units; raises `ValueError` with the command that installs it"
     try:
         import aiortc
-        from aiortc.rtp import RTCP_PSFB_APP, RTCP_PSFB_FIR, RTCP_PSFB_PLI, unpack_remb_fci
+        from aiortc.rtp import RTCP_PSFB_FIR, RTCP_PSFB_PLI
     except ImportError as e:
         raise ValueError(f'WebRTC needs Python 3.11 and aiortc ({e}): pip install "aiortc>=1.16"') from None
 
@@ -45,13 +46,6 @@ def _aiortc():
             super().__init__()
             self.packets = asyncio.Queue(1)
         async def recv(self): return await self.packets.get()
-
-        @staticmethod
-        def estimate(packet)->int|None:
-            "Return what a viewer's report says of its link (REMB), bit/s"
-            if getattr(packet, 'fmt', None)!=RTCP_PSFB_APP: return None
-            try: return unpack_remb_fci(packet.fci)[0]
-            except ValueError: return None
     return UnitTrack
 
 # %% ../../nbs/api/video/06_webrtc.ipynb #5e6c000d
@@ -93,30 +87,36 @@ def _own_addresses(reached:str|None)->list:
 class WebRTCViewer(Sink):
     "Somebody who watches by WebRTC; made by `WebRTCViewers.answer`"
     most,slack,least = 8,.75,.5     # units that wait; s that we may be ahead of the link; s between two key frames
+    lossy,late = .15,.6             # of the packets, and s of delay: more is too much for the link
     def __init__(self, viewers, host:str, leave):
         super().__init__(f'webrtc {host}')
         self.viewers,self.host,self.leave,self.path = viewers,host,leave,''
         self.id = secrets.token_urlsafe(16)
-        self.estimate,self.loss = None,None # bit/s that its link carries, and the fraction that was lost, as it says
-        self.units,self.bytes = 0,0         # sent
+        self.limit,self.loss,self.delay = None,0.,None # bit/s that its link carries, if too little; fraction lost; round trip, s
+        self.units,self.offered,self.sent = 0,_Measured(),_Measured()
         self.heard,self.connected = clock.monotonic(),False    # when its last report came; can it be sent to?
         self.ask_key = lambda: None         # called when it needs a key frame
         self._track = _aiortc()()           # on the viewers' loop, as what follows
         self._loop,self._began,self._asked = asyncio.get_running_loop(),None,-self.least
         self._skips,self._ahead,self._last,self._newest = False,0.,0.,-1.
+        self._judged,self._least_delay = self.heard,float('inf')
         rtc = self._track.rtc
         self.peer = rtc.RTCPeerConnection(rtc.RTCConfiguration(iceServers=[]))      # or it would ask Google's
         self._sending = self.peer.addTransceiver(self._track, 'sendonly')
 
     def _fits(self, unit)->bool:
         "True if the viewer's link carries this unit soon enough; false until a key frame does"
-        now = clock.monotonic()
+        now,size = clock.monotonic(),len(unit.data)
+        self.offered.add(now, size)
         self._ahead,self._last = max(0., self._ahead-(now-self._last)),now
         if self._ahead>self.slack or self._skips and not unit.key: self._skips = True
         else: self._skips = False
-        if self._skips: self.dropped += 1
-        elif self.estimate: self._ahead += 8*len(unit.data)/(1.2*self.estimate)
-        return not self._skips
+        if self._skips:
+            self.dropped += 1
+            return False
+        self.sent.add(now, size)
+        if limit := self.limit: self._ahead += 8*size/limit
+        return True
 
     def send(self, unit):
         "Send a unit on; raises `OSError` for one that browsers can't show"
@@ -130,7 +130,7 @@ class WebRTCViewer(Sink):
         putting = self._track.packets.put(packet)
         try: asyncio.run_coroutine_threadsafe(putting, self._loop).result(self.patience)
         except RuntimeError: return putting.close()         # the loop has ended
-        self.units,self.bytes = self.units+1,self.bytes+len(unit.data)
+        self.units += 1
 
     def end(self):
         "Called on the sink's thread at the end: hang up"
@@ -146,8 +146,10 @@ async def _negotiate(self:WebRTCViewer, offer:str, reached:str|None)->str:
     self._sending.setCodecPreferences([c for c in codecs if c.mimeType.lower() in ('video/h264','video/rtx')])
     handle = sender._handle_rtcp_packet
     async def note(packet):
-        self._note(packet)
         await handle(packet)
+        self._note(packet)
+        for about in (await sender.getStats()).values():
+            if about.type=='remote-inbound-rtp': self.delay = about.roundTripTime
     sender._handle_rtcp_packet = note
     self.peer.on('connectionstatechange', lambda: self.viewers._changed(self))
     try: await self.peer.setRemoteDescription(rtc.RTCSessionDescription(offer, 'offer'))
@@ -164,12 +166,25 @@ async def _negotiate(self:WebRTCViewer, offer:str, reached:str|None)->str:
 def _note(self:WebRTCViewer, packet):
     "Look at a report of the viewer (RTCP)"
     self.heard = clock.monotonic()
-    if carries := self._track.estimate(packet): self.estimate = carries
-    for report in getattr(packet, 'reports', ()): self.loss = report.fraction_lost/256
+    for report in getattr(packet, 'reports', ()): self._judge(report.fraction_lost/256)
     if getattr(packet, 'fmt', None) not in self._track.key_asks or not hasattr(packet, 'media_ssrc'): return
     if self.heard-self._asked<self.least: return
     self._asked = self.heard
     self.ask_key()
+
+@patch
+def _judge(self:WebRTCViewer, lost:float):
+    "Set `limit` from a report: the fraction that was lost since the last one"
+    now,delay = self.heard,self.delay or 0.
+    if self.delay: self._least_delay = min(self._least_delay, delay)
+    self.loss += .2*(lost-self.loss)                    # of 20 packets, one that is lost says little
+    if self.loss>self.lossy or delay-self._least_delay>self.late:
+        if now-self._judged<2: return           # what was changed before shows only now
+        self.limit = max(50_000, .85*(1-self.loss)*self.sent.bitrate)
+    elif self.limit:
+        self.limit *= 1+.1*(now-self._judged)
+        if self.limit>1.5*self.offered.bitrate>0: self.limit = None
+    self._judged = now
 
 # %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0019
 class WebRTCViewers:
