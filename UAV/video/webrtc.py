@@ -68,7 +68,8 @@ def _tidied(offer:str, most:int=8)->str:
         raise Refused(406, 'an offer has one video, perhaps a sound, and no data')
     peers = [line for line in lines if line.startswith('a=candidate:') and _is_peer(line)][:most]
     def stays(line): return line in peers if line.startswith('a=candidate:') else line!='a=end-of-candidates'
-    return ''.join(f'{line}\r\n' for line in lines if stays(line))
+    kept = ''.join(f'{line}\r\n' for line in lines if stays(line))
+    return kept.replace('a=setup:actpass', 'a=setup:active')        # they begin DTLS: GStreamer's certificate is RSA
 
 # %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0011
 _inner = re.compile(r'(docker|br-|veth|virbr|vmnet|vboxnet|cni|flannel)')       # networks within a computer
