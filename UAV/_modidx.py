@@ -7343,6 +7343,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                   'UAV.video.webrtc.WebRTCViewers.close': ( 'api/video/webrtc.html#webrtcviewers.close',
                                                                             'UAV/video/webrtc.py'),
                                   'UAV.video.webrtc.WebRTCViewers.end': ('api/video/webrtc.html#webrtcviewers.end', 'UAV/video/webrtc.py'),
+                                  'UAV.video.webrtc.WebRTCViewers.watching': ( 'api/video/webrtc.html#webrtcviewers.watching',
+                                                                               'UAV/video/webrtc.py'),
                                   'UAV.video.webrtc._aiortc': ('api/video/webrtc.html#_aiortc', 'UAV/video/webrtc.py'),
                                   'UAV.video.webrtc._is_peer': ('api/video/webrtc.html#_is_peer', 'UAV/video/webrtc.py'),
                                   'UAV.video.webrtc._own_addresses': ('api/video/webrtc.html#_own_addresses', 'UAV/video/webrtc.py'),

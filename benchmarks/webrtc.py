@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import panel as marked
 from panel import PROBE, SIZE, chromium_version, painted_camera, read_bits, tell
-from run import compare, in_turn, machine, middle, short, table, write
+from run import in_turn, machine, middle, short, write
 from trees import HERE, environment
 
 RATE,BITRATE = 15,700_000           # pictures and bits in a second

@@ -235,7 +235,7 @@ def _with_token(wanted:list, watcher:dict):
     from UAV.video.webrtc import WHEPServer
     with place_for('webrtc stream', '', port, CameraError, '--webrtc 0'):
         try: return WHEPServer(port, token=watcher['password'])
-        except ValueError as e: raise ValueError(f'--webrtc takes the password of --rtsp-user as its token: {e}') from None
+        except ValueError as e: raise ValueError(f'--webrtc with the password of --rtsp-user: {e}') from None
 
 # %% ../../nbs/api/cli/02_serve.ipynb #e308caa4
 @contextmanager

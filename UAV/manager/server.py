@@ -133,7 +133,7 @@ def _by_age(row, age, number=None, **args)->dict:
 async def watch(self:_Messages, of:str, offer:str):
     "Answer an offer of WebRTC; raises `ValueError`"
     preview = self._camera_of(of, '').preview
-    if self.place is None or not isinstance(offer, str): raise ValueError('only a page can watch by WebRTC')
+    if preview is None or self.place is None or not isinstance(offer, str): raise ValueError('there is no WebRTC here')
     if before := self.watched.pop(of, None): preview.viewers.end(before[1])
     try: viewer,answer = await preview.watch(offer, *self.place)
     except Refused as e: raise ValueError(e.text) from None

@@ -220,7 +220,8 @@ def uri(self:VideoStream, host:str='127.0.0.1', # Our address, as the viewer can
     if self.kind in senders: return str(self.port)
     if self.kind in served and self.server: return self.server.url(self.path, host)
     place = f'{url_host(host)}:{self.sink.port if self.sink else self.port}'
-    return dict(rtsp=f'rtsp://{place}/{self.path}', webrtc=f'http://{place}/whep/{self.path}').get(self.kind, f'tcp://{place}')
+    uris = dict(rtsp=f'rtsp://{place}/{self.path}', webrtc=f'http://{place}/whep/{self.path}')
+    return uris.get(self.kind, f'tcp://{place}')
 
 # %% ../../nbs/api/video/07_stream.ipynb #9f8acd64
 @patch

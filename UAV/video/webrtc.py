@@ -93,7 +93,7 @@ class WebRTCViewer(Sink):
         super().__init__(f'webrtc {host}')
         self.viewers,self.host,self.leave,self.path = viewers,host,leave,''
         self.id = secrets.token_urlsafe(16)
-        self.limit,self.loss,self.delay = None,0.,None # bit/s that its link carries, if too little; fraction lost; round trip, s
+        self.limit,self.loss,self.delay = None,0.,None      # bit/s for its link; fraction lost; s there and back
         self.units,self.offered,self.sent = 0,_Measured(),_Measured()
         self.heard,self.connected = clock.monotonic(),False    # when its last report came; can it be sent to?
         self.ask_key = lambda: None         # called when it needs a key frame
@@ -105,38 +105,46 @@ class WebRTCViewer(Sink):
         self.peer = rtc.RTCPeerConnection(rtc.RTCConfiguration(iceServers=[]))      # or it would ask Google's
         self._sending = self.peer.addTransceiver(self._track, 'sendonly')
 
-    def _fits(self, unit)->bool:
-        "True if the viewer's link carries this unit soon enough; false until a key frame does"
-        now,size = clock.monotonic(),len(unit.data)
-        self.offered.add(now, size)
-        self._ahead,self._last = max(0., self._ahead-(now-self._last)),now
-        if self._ahead>self.slack or self._skips and not unit.key: self._skips = True
-        else: self._skips = False
-        if self._skips:
-            self.dropped += 1
-            return False
-        self.sent.add(now, size)
-        if limit := self.limit: self._ahead += 8*size/limit
-        return True
 
-    def send(self, unit):
-        "Send a unit on; raises `OSError` for one that browsers can't show"
-        if unit.format.codec!='h264': raise OSError(f'the video is {unit.format.codec.upper()} now')
-        if 0<self._newest-unit.time<1: raise OSError('the video has B-frames, which browsers show in the wrong order')
-        self._newest = unit.time
-        if not self._fits(unit): return
-        if self._began is None: self._began = unit.time
-        packet = av.Packet(unit.data)
-        packet.time_base,packet.pts = Fraction(1, clock_rate),round((unit.time-self._began)*clock_rate)
-        putting = self._track.packets.put(packet)
-        try: asyncio.run_coroutine_threadsafe(putting, self._loop).result(self.patience)
-        except RuntimeError: return putting.close()         # the loop has ended
-        self.units += 1
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0101
+@patch
+def _fits(self:WebRTCViewer, unit)->bool:
+    "True if the viewer's link carries this unit soon enough; false until a key frame does"
+    now,size = clock.monotonic(),len(unit.data)
+    self.offered.add(now, size)
+    self._ahead,self._last = max(0., self._ahead-(now-self._last)),now
+    if self._ahead>self.slack or self._skips and not unit.key: self._skips = True
+    else: self._skips = False
+    if self._skips:
+        self.dropped += 1
+        return False
+    self.sent.add(now, size)
+    if limit := self.limit: self._ahead += 8*size/limit
+    return True
 
-    def end(self):
-        "Called on the sink's thread at the end: hang up"
-        try: self._loop.call_soon_threadsafe(self.viewers.end, self)
-        except RuntimeError: pass               # the loop has ended
+
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0103
+@patch
+def send(self:WebRTCViewer, unit):
+    "Send a unit on; raises `OSError` for one that browsers can't show"
+    if unit.format.codec!='h264': raise OSError(f'the video is {unit.format.codec.upper()} now')
+    if 0<self._newest-unit.time<1: raise OSError('the video has B-frames, which browsers show in the wrong order')
+    self._newest = unit.time
+    if not self._fits(unit): return
+    if self._began is None: self._began = unit.time
+    packet = av.Packet(unit.data)
+    packet.time_base,packet.pts = Fraction(1, clock_rate),round((unit.time-self._began)*clock_rate)
+    putting = self._track.packets.put(packet)
+    try: asyncio.run_coroutine_threadsafe(putting, self._loop).result(self.patience)
+    except RuntimeError: return putting.close()         # the loop has ended
+    self.units += 1
+
+@patch
+def end(self:WebRTCViewer):
+    "Called on the sink's thread at the end: hang up"
+    try: self._loop.call_soon_threadsafe(self.viewers.end, self)
+    except RuntimeError: pass               # the loop has ended
+
 
 # %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0016
 @patch
@@ -197,7 +205,9 @@ class WebRTCViewers:
         _aiortc()
         self._viewers,self._sweeping,self._ends = {},None,set()
 
-    watching = property(lambda self: [v for v in list(self._viewers.values()) if v.connected], doc="Those who are connected")
+    @property
+    def watching(self)->list: "Those who are connected"; return [v for v in list(self._viewers.values()) if v.connected]
+
     def __repr__(self): return f'{type(self).__name__}: {len(self.watching)} watching, {len(self._viewers)} in all'
     def __getitem__(self, id:str)->WebRTCViewer: return self._viewers[id]
 
@@ -222,15 +232,18 @@ class WebRTCViewers:
             log.debug('an offer: %r', e, exc_info=e)
             raise Refused(400, 'this offer cannot be answered') from None
 
-    def _changed(self, viewer):
-        state = viewer.peer.connectionState
-        if state=='connected' and not viewer.connected and viewer.id in self._viewers:
-            viewer.connected,viewer.heard = True,clock.monotonic()
-            try: viewer.begin(viewer)
-            except Exception as e:
-                log.warning('%s: %s', viewer.name, e)
-                self.end(viewer)
-        elif state in ('failed','closed'): self.end(viewer)
+
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0104
+@patch
+def _changed(self:WebRTCViewers, viewer:WebRTCViewer):
+    state = viewer.peer.connectionState
+    if state=='connected' and not viewer.connected and viewer.id in self._viewers:
+        viewer.connected,viewer.heard = True,clock.monotonic()
+        try: viewer.begin(viewer)
+        except Exception as e:
+            log.warning('%s: %s', viewer.name, e)
+            self.end(viewer)
+    elif state in ('failed','closed'): self.end(viewer)
 
 # %% ../../nbs/api/video/06_webrtc.ipynb #5e6c001a
 @patch
@@ -271,7 +284,8 @@ async def close(self:WebRTCViewers):
 # %% ../../nbs/api/video/06_webrtc.ipynb #5e6c001c
 _static = files('UAV.video')/'static'
 _rules = {'Content-Security-Policy': "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
-              "img-src data:; base-uri 'none'; form-action 'none'; frame-ancestors 'self' http://localhost:* http://127.0.0.1:*",
+              "img-src data:; base-uri 'none'; form-action 'none'; "
+              "frame-ancestors 'self' http://localhost:* http://127.0.0.1:*",
           'X-Content-Type-Options':'nosniff', 'Referrer-Policy':'no-referrer', 'Cache-Control':'no-store'}
 
 def _page_of(name:str)->str:
@@ -315,7 +329,8 @@ class WHEPServer(WebServer):
         "Return a response; a page of ours elsewhere may read it"
         origin = request.headers.get('Origin')
         if origin and status!=403:
-            headers |= {'Access-Control-Allow-Origin':origin, 'Access-Control-Expose-Headers':'Location', 'Vary':'Origin'}
+            headers |= {'Access-Control-Allow-Origin':origin, 'Access-Control-Expose-Headers':'Location',
+                        'Vary':'Origin'}
         return super().reply(request, body, kind, status, **_rules|headers)
 
     async def farewell(self, patience:float):
@@ -354,6 +369,8 @@ def hosts(self:WHEPServer, path:str|None=None, # Of a video; `None`: of all
     "Return the address of each viewer who watches it now"
     return [viewer.host for viewer in self.viewers.watching if path in (None, viewer.path)]
 
+
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0105
 @patch
 def send_away(self:WHEPServer, path:str, # Of a video
               leaves=lambda host: True): # Which viewers: a function of their address
@@ -402,6 +419,8 @@ async def respond(self:WHEPServer, request, visit):
 def _missing(self:WHEPServer, name:str)->str:
     return f'there is no video {name!r:.80} here; there is {", ".join([*self.videos, *self.resting]) or "none"}'
 
+
+# %% ../../nbs/api/video/06_webrtc.ipynb #5e6c0106
 @patch
 async def _session(self:WHEPServer, request, visit, name:str, id:str):
     "Respond to a request of WHEP"
@@ -413,9 +432,10 @@ async def _session(self:WHEPServer, request, visit, name:str, id:str):
         kind,_,token = request.headers.get('Authorization', '').partition(' ')
         await self.door.admit(token if kind.lower()=='bearer' else None, request.remote or '')
         visit.trusted = True
-    if request.method=='GET' and not id and 'text/html' in request.headers.get('Accept', ''):        # somebody's browser
+    if request.method=='GET' and not id and 'text/html' in request.headers.get('Accept', ''):
         return self.reply(request, b'', status=303, Location=f'../{quote(name)}')
-    if request.method!=allowed.partition(',')[0]: return self.reply(request, f'{allowed} only', status=405, Allow=allowed)
+    if request.method!=allowed.partition(',')[0]:
+        return self.reply(request, f'{allowed} only', status=405, Allow=allowed)
     if not id: return await self._offered(request, name)
     viewer = self.viewers._viewers.get(id)
     if viewer is None or viewer.path!=name: raise Refused(404, 'there is no such session')

@@ -3,7 +3,7 @@
 // All candidates are in the offer, so one request is enough. Nobody else is asked: there is no STUN server, and the
 // other end sends where the offer comes from. A viewer wants to see what is now, so the browser is asked not to wait
 // for pictures that may come late.
-const GATHERING = 1000, CONNECTING = 5000
+const GATHERING = 1000, CONNECTING = 8000
 function gathered(peer) {
   return new Promise(resolve => {
     const look = () => { if (peer.iceGatheringState === 'complete') resolve() }
