@@ -7,6 +7,7 @@ from __future__ import annotations
 from argparse import ArgumentTypeError
 from collections import deque
 from contextlib import aclosing, contextmanager, ExitStack, suppress
+from datetime import datetime, timezone
 from difflib import get_close_matches
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -606,6 +607,72 @@ async def _source(visit, sources:list[_source_word]): # Sensor to show, and one 
     found = await camera.video.streams()
     for stream in found: visit.report(_view(stream, await camera.thermal_range(stream.id) if stream.thermal else None))
     if not found: raise MAVError('it has no video stream')
+
+# %% ../../nbs/api/cli/03_camera.ipynb #4c0d1e02
+def _rounded(value:float, digits:int)->float|None: return round(value, digits) if known(value) else None
+
+def _sight(frame)->Result:
+    "Describe what a camera knew of a frame: degrees, m, s"
+    m,pose,(width,height) = frame.metadata,frame.pose,frame.size
+    if m is None: return Result(f'picture {frame.number}: nothing is known of it', picture=frame.number)
+    center = frame.where((width-1)/2, (height-1)/2)
+    degrees = {name:_rounded(getattr(pose, name), 2) for name in ('roll','pitch','yaw')}
+    spot = dict(lat=_rounded(pose.lat, 7), lon=_rounded(pose.lon, 7), alt=_rounded(pose.alt, 2))
+    height = _rounded(pose.relative_alt, 2)
+    there = {f'center_{name}':_rounded(getattr(center, name), 7) if center else None for name in ('lat','lon')}
+    words = [datetime.fromtimestamp(frame.time_utc, timezone.utc).isoformat(timespec='milliseconds')[:23]+'Z']
+    if known(spot['lat']): words += [f'{pose.lat:.6f} {pose.lon:.6f}']
+    if known(spot['alt']): words += [f'{pose.alt:.1f} m'+(f' ({height:.1f} m above the ground)' if known(height) else '')]
+    if pose.is_held: words += [f'roll {pose.roll:.1f} pitch {pose.pitch:.1f} yaw {pose.yaw%360:.1f}']
+    if center: words += [f'sees {center}']
+    return Result(', '.join(words), picture=frame.number, time_utc=round(frame.time_utc, 6), **spot, height=height, **degrees,
+        hfov=_rounded(m.hfov, 2), vfov=_rounded(m.vfov, 2), **there, error=center and _rounded(center.error, 2))
+
+
+# %% ../../nbs/api/cli/03_camera.ipynb #4c0d1e04
+class _Second:
+    "How many pictures came in each second"
+    def __init__(self): self._began,self._count = None,0
+    def __call__(self, frame, player)->Result|None:
+        "Count a picture; return a `Result` once a second"
+        if self._began is None: self._began = frame.time
+        self._count += 1
+        if frame.time-self._began<1: return None
+        rate,self._began,self._count = self._count/(frame.time-self._began),frame.time,0
+        width,height = frame.size
+        return Result(f'{width}×{height}, {rate:.0f} pictures a second, {player.lost} lost', width=width, height=height,
+                      rate=round(rate, 1), lost=player.lost)
+
+async def _picture_of(player, patience:float):
+    "Return the next picture, `None` at the end of a file; raises `NoAnswer`"
+    try: return await asyncio.wait_for(anext(player), patience)
+    except StopAsyncIteration: return None
+    except asyncio.TimeoutError: raise NoAnswer(player.fault or 'no picture comes') from None
+
+
+# %% ../../nbs/api/cli/03_camera.ipynb #4c0d1e03
+@_verb('video --klv', 'video', 'video --klv --json', 'video flight.ts --klv', offline=lambda source, **others: bool(source))
+async def _video(visit, source:list[str], # A file or URL to watch, without a camera
+                 klv:bool=False, # A line for each picture: time, place, height, attitude, centre
+                 name:str='', # Name of the stream; default: the first
+                 pictures:_pictures=0): # How many; 0: all, until Ctrl-C
+    "Watch a video: how many pictures come, or what the camera knew of each"
+    if len(source)>1: raise ValueError('video takes one file or URL')
+    from UAV.video.player import Player
+    if source: player,tell = Player(source[0], newest=False),visit.show
+    else:
+        player = await (await visit.choose()).video.open(name=name or None, newest=False)
+        tell = visit.report
+    visit.endless,count,second = not pictures,0,_Second()
+    with player:
+        while not pictures or count<pictures:
+            frame = await _picture_of(player, visit.options.timeout)
+            if frame is None: break
+            count += 1
+            if klv: tell(_sight(frame))
+            elif result := second(frame, player): tell(result)
+    if not klv: tell(Result(f'{count} picture{"s" if count!=1 else ""}', pictures=count, lost=player.lost))
+
 
 # %% ../../nbs/api/cli/03_camera.ipynb #58280283
 def _storage(storage:StorageInformation)->Result:

@@ -69,7 +69,7 @@ class Program:
     def verb(self,
         *examples, # Example arguments, for the help
         check=None, # Check of the arguments before a link is opened; raises `ValueError`
-        offline=False, # It needs no link
+        offline=False, # It needs no link, or a function of the arguments that says so
     ):
         "Make a function a verb of the program"
         def _f(f):
@@ -102,7 +102,7 @@ async def run(self:Program, typed, # Result of `parse`
     there = self.there = self.visit(self.client(us[1], loglevel=LogLevels.ERROR), options, typed.verb)
     try:
         if f.check: f.check(**arguments)
-        if f.offline: return await f(there, **arguments) or 0
+        if f.offline(**arguments) if callable(f.offline) else f.offline: return await f(there, **arguments) or 0
         signing = key_in(options.sign)
         with on_links(links(options.connection), source_system=us[0], signing=signing) as com:
             com.add_component(there.client)

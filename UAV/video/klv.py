@@ -254,6 +254,7 @@ def where(self:FrameMetadata, x:float, y:float, # Pixel: 0,0 is the middle of th
           width:int, height:int, # Of the picture, px
          )->Place|None:
     "Return the place on the ground under a pixel; `None`: in the sky, or it can't be known"
+    x,y = float(x),float(y)             # a `float32` of OpenCV would make one of the longitude: steps of 1.4 m
     right,down = (math.tan(math.radians(angle)/2)*(2*(n+.5)/size-1) for angle,n,size in
                   ((self.hfov,x,width),(self.vfov,y,height)))
     pose = self.pose

@@ -31,6 +31,7 @@ class Player(Closes):
     "Watch a live stream, or a file"
     first_retry,longest_back_off = .25,5.                 # s between attempts to come back, doubled each time
     _most = 30                                      # pictures that wait to be read when each is wanted
+    metadata_of = None          # function of a frame that came without `FrameMetadata`, to one; `close` ends it
     def __init__(self,
         url, # As `_open_pictures` takes it
         timeout:float=5., # s without a packet after which the stream counts as lost
@@ -66,6 +67,7 @@ class Player(Closes):
         self._closing.set()
         self._source.stop()
         self._pictures.end('closed', forget=True)
+        getattr(self.metadata_of, 'close', lambda: None)()
         if self._thread is not clock.current_thread(): self._thread.join(1)
 
     def watching(self):
@@ -114,9 +116,20 @@ def _play(self:Player):
     "Hand out pictures, until the file ends or the stream is lost"
     with closing(self._source.pictures()) as pictures:
         for picture,*known in pictures:
-            if not self._pictures.put(Decoded(picture, self._pictures.number+1, *known)): raise _Stopped
+            frame = Decoded(picture, self._pictures.number+1, *known)
+            if frame.metadata is None and self.metadata_of: frame.metadata = self._known_of(frame)
+            if not self._pictures.put(frame): raise _Stopped
             if self.fault: self.log.info('%s is back', _url_name(self.url))
             self.connected,self.fault = True,None
+
+@patch
+def _known_of(self:Player, frame)->FrameMetadata|None:
+    "Return what `metadata_of` knows of a frame; it isn't called again when it has raised"
+    try: return self.metadata_of(frame)
+    except Exception as e:
+        self.log.warning('%s: no metadata: %r', _url_name(self.url), e, exc_info=e)
+        self.metadata_of = None
+
 
 # %% ../../nbs/api/video/08_player.ipynb #d29c3aa5
 @patch
