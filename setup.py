@@ -48,6 +48,7 @@ setup(
     entry_points={'console_scripts': cfg['console_scripts'].split(),
                   'nbdev': [f"{cfg['lib_path']}={cfg['lib_path']}._modidx:d"],
                   'uav.devices': cfg['devices'].split(),
+                  'uav.searches': cfg['searches'].split(),
                   'pytest11': [f"uav={cfg['lib_path']}.testing.plugin"]},
     project_urls={'Documentation': cfg['doc_host']+cfg['doc_baseurl'],
                   'Changelog': f"{cfg['git_url']}/blob/{cfg['branch']}/CHANGELOG.md",

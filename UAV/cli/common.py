@@ -42,10 +42,14 @@ def run_with_options(f, # Function whose parameters are the options
     "Call `f` with the options in `words`, and return its result; `--help` and mistakes end the process"
     about,_,below = getdoc(f).partition('\n\n')
     if 'exit codes:' not in below: below = f'{below}\n\n{_exit_codes}'
-    parser = _Parser(prog=name, usage=_usage(name, f), description=about, epilog=below)
+    parser,options = _Parser(prog=name, usage=_usage(name, f), description=about, epilog=below),_words_of(f)
     _add_help(parser)
-    _add_words(parser, _words_of(f), groups)
-    return f(**vars(parser.parse_args(words)))
+    _add_words(parser, options, groups)
+    if 'given' not in signature(f).parameters: return f(**vars(parser.parse_args(words)))
+    unset = {option: SUPPRESS for option,p in options.items() if get_origin(p.anno) is not list}
+    typed = vars(parser.parse_args(words, SimpleNamespace(**unset)))
+    given = {option: value for option,value in typed.items() if value not in (SUPPRESS, None)}
+    return f(**{option: parser.get_default(option) for option in options}|given, given=given)
 
 # %% ../../nbs/api/cli/01_common.ipynb #75a5d121
 class Program:
@@ -65,10 +69,11 @@ class Program:
     def verb(self,
         *examples, # Example arguments, for the help
         check=None, # Check of the arguments before a link is opened; raises `ValueError`
+        offline=False, # It needs no link, or a function of the arguments that says so
     ):
         "Make a function a verb of the program"
         def _f(f):
-            f.examples,f.check = examples,check
+            f.examples,f.check,f.offline = examples,check,offline
             self.verbs[examples[0].split()[0]] = f
             return f
         return _f
@@ -97,6 +102,7 @@ async def run(self:Program, typed, # Result of `parse`
     there = self.there = self.visit(self.client(us[1], loglevel=LogLevels.ERROR), options, typed.verb)
     try:
         if f.check: f.check(**arguments)
+        if f.offline(**arguments) if callable(f.offline) else f.offline: return await f(there, **arguments) or 0
         signing = key_in(options.sign)
         with on_links(links(options.connection), source_system=us[0], signing=signing) as com:
             com.add_component(there.client)
@@ -272,6 +278,7 @@ def between(low:float, high:float, # Allowed range
         except ValueError: value = math.inf
         if low<=value<=high or nan and math.isnan(value): return value
         raise ArgumentTypeError(f'{text!r} is no number from {low:g} to {high:g}{also}')
+    number.kind = kind          # of a value in a file
     return number
 
 # %% ../../nbs/api/cli/01_common.ipynb #9af1fc78
@@ -308,13 +315,14 @@ def _kind(p)->dict:
 def _add_option(parser, name:str, p, **how):
     "Add an option; `UAV_CONNECTION` is the default of `--connection`"
     kind,default,about = _kind(p),p.default,p.docment or ''
+    if 'nargs' in kind: kind = dict(type=kind['type'], action='append')         # may be typed more than once
     shown = f'{default:g}' if isinstance(default, float) else default
-    if kind.get('action') is None and default not in (None, ''): about += f' (default: {shown})'
+    if kind.get('action')!='store_true' and default not in (None, ''): about += f' (default: {shown})'
     if 'type' in kind: kind['metavar'] = name.rpartition('_')[2].upper()
     if default and name=='connection': default = os.environ.get('UAV_CONNECTION') or default
     how = dict(default=default, help=about.replace('%', '%%'))|kind|how
     option = parser.add_argument(f'--{name.replace("_", "-")}', **how)
-    if p.anno is str: option.complete = 'file'      # for shtab
+    if kind.get('type') is str: option.complete = 'file'    # for shtab
 
 def _add_words(parser, words:dict, # Parameters, as from `_words_of`
                groups:dict|None=None, # `{title: names of its options}`; the others form one group
@@ -472,7 +480,8 @@ def _is_taken(error:Exception)->bool:
     return errno.EADDRINUSE in [getattr(e, 'errno', None) for e in (error, error.__cause__, error.__context__)]
 
 def sentence(error:Exception)->str:
-    "Return an error as one line"
+    "Return an error as one line; one with `problems` has a line for each"
+    if hasattr(error, 'problems'): return str(error)
     named,why = getattr(error, 'filename', None),getattr(error, 'strerror', None)
     return f'{named}: {why}' if named else ' '.join(str(why or error).split())
 
@@ -536,20 +545,35 @@ class StatusPrinter:
     def __init__(self, out=None): # Output stream; `None`: standard output
         self.out = out or sys.stdout
         self.live = self.out.isatty()
-        self._last = None       # the last status, without what changes all the time
+        self._last,self._shown = {},1       # the last status of each row, without what changes all the time; rows on it
+
+    def above(self)->str:
+        "Return the codes that clear the last status, for text in its place; empty without a terminal"
+        rows,self._shown = self._shown,1
+        if not self.live: return ''
+        return self.over if rows==1 else f'\x1b[{rows-1}A\r\x1b[J'
 
     def line(self, text:str):
         "Print a line; on a terminal over the last status"
-        self._print(f'{self.over if self.live else ""}{text}\n')
+        self._print(f'{self.above()}{text}\n')
 
     def _print(self, text:str): print(text, end='', file=self.out, flush=True)
 
     def status(self, line:str, # A status
                steady): # The part of it that is worth a line in a log
         "Show a status"
-        if self.live: self._print(self.over+self._lit(line[:shutil.get_terminal_size().columns-1]))
-        elif steady!=self._last: self.line(line)
-        self._last = steady
+        self.statuses([(line, steady)])
+
+    def statuses(self, rows:list): # `(line, steady)` of each, as for `status`
+        "Show a status of several lines"
+        if self.live:
+            width = shutil.get_terminal_size().columns-1
+            lines = (f'{self.over if n else ""}{self._lit(line[:width])}' for n,(line,_) in enumerate(rows))
+            self._print(self.above()+'\n'.join(lines))
+            self._shown = len(rows)
+        for n,(line,steady) in enumerate(rows):
+            if not self.live and steady!=self._last.get(n): self.line(line)
+            self._last[n] = steady
 
     def _lit(self, line:str)->str:
         "Return the line with a fault and a recording in colour"
@@ -558,5 +582,8 @@ class StatusPrinter:
 # %% ../../nbs/api/cli/01_common.ipynb #ad7af348
 def log_to(printer:StatusPrinter):
     "Make all loggers print above the status"
-    form = f'{printer.over if printer.live else ""}%(levelname)s %(name)s: %(message)s'
-    logging.basicConfig(stream=printer.out, level=logging.INFO, format=form)
+    class Above(logging.Formatter):
+        def format(self, record): return printer.above()+super().format(record)
+    handler = logging.StreamHandler(printer.out)
+    handler.setFormatter(Above('%(levelname)s %(name)s: %(message)s'))
+    logging.basicConfig(handlers=[handler], level=logging.INFO)

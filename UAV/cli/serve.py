@@ -4,36 +4,33 @@
 
 # %% ../../nbs/api/cli/02_serve.ipynb #96c43ae0
 from __future__ import annotations
-from contextlib import contextmanager, ExitStack, nullcontext
+from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
-import os, re, signal
-from fastcore.basics import basic_repr
-from ..cameras import Camera, CameraError, SimCamera, SimDualCamera, Storage
-from .common import (address, between, key_in, links, listed, log_to, number, on_links, or_exit, place_for,
-    run_with_options, StatusPrinter)
-from ..gimbals import circle, FixedMount, Gimbal, hover, SimVehicle
-from ..mavlink import CameraServer
+import itertools, re, signal
+from UAV.cli.common import (address, between, links, log_to, number, or_exit, run_with_options, sentence, StatusPrinter,
+    _words_of)
+from .config import clashes, Configuration, read_config
+from .payload import add_streams, Aboard, Payload, serving, _places, _signing_of, _viewer
+from ..mavlink import mavlink
 from ..mavlink.camera_server import _checked_name
-from ..utils import clock
-from ..utils.devices import device_schemes, device_url, open_device
-from ..utils.files import read_secret
-from ..utils.threads import Closes
-from ..utils.values import known, one_of
-from ..wire.signing import Signing
+from ..utils.values import known
 from argparse import ArgumentTypeError
 from typing import Literal
 
+_all_ = ['add_streams', 'Aboard', 'serving']
+
 # %% auto #0
-__all__ = ['main', 'serve_camera', 'add_streams', 'serving', 'Aboard']
+__all__ = ['main', 'serve_camera', 'add_streams', 'Aboard', 'serving']
 
 # %% ../../nbs/api/cli/02_serve.ipynb #4b62626b
-def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
+def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; other options count more than its own
+    connection:str='udpout:127.0.0.1:14550', # MAVLink links, separated by commas; or set UAV_CONNECTION
     device:str=None, # Camera/gimbal: siyi|viewsheen|topotek://HOST, onvif://USER:PASSWORD@HOST, gphoto2://, picamera://
-    camera:str=None, # sim (the default), dual (with heat), 0, /dev/video0, FILE, URL, PIPELINE.toml, or 'source ! …'
+    camera:list[str]=None, # sim (the default), dual (with heat), 0, /dev/video0, FILE, URL, PIPELINE.toml, 'source ! …'
     system:number=1, # System id of the vehicle
-    component:between(100, 105, int)=100, # Component id of the camera, 100 to 105
+    component:between(100, 105, int)=100, # Component id of the camera, or of the first of several, 100 to 105
     name:str=None, # Name that ground stations show; default: the model
     folder:str='uav_pictures', # Folder for pictures and recordings
     quota:float=None, # Limit each storage to this many MiB; default: the whole disk
@@ -47,6 +44,7 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
     webrtc:between(0, 65535, int)=None, # Serve WebRTC (WHEP, and a page for browsers) on this port, such as 8889
     host:address=None, # Our address in stream URLs; default: the one that reaches each client
     codec:Literal['h264','h265']='h264', # Video codec
+    record:Literal['mp4','ts']='mp4', # Recordings: MP4, or MPEG-TS with place and attitude for each frame (KLV)
     size:_picture_size=None, # Video size, such as 1280x720; default: the camera's
     rate:between(.1, 240)=15., # Frames per second, at most
     bitrate:between(.01, 1000)=None, # Video bit rate, Mbit/s; default: by size and rate
@@ -57,22 +55,40 @@ def serve_camera(connection:str='udpout:127.0.0.1:14550', # MAVLink links, separ
     role:Literal['both','device']='both', # Gimbal role: device if an autopilot manages it (ArduPilot: MNT1_TYPE 6)
     mounted:_mounting=None, # Fixed camera: down, forward, or ROLL,PITCH,YAW in degrees
     path:Literal['hover','circle']=None, # Simulate a vehicle that flies this path
-    autopilot:bool=False): # Also simulate the autopilot: QGroundControl shows no camera without one
-    """Serve a camera to ground stations until Ctrl-C, with stills, video and storage
+    autopilot:bool=False, # Also simulate the autopilot: QGroundControl shows no camera without one
+    discover:bool=False, # Print what could be served, as a file for --config, and exit
+    json:bool=False, # With --discover: print JSON, one object per line
+    given=()): # Names of the options that were typed
+    """Serve cameras to ground stations until Ctrl-C, with stills, video and storage
 
     examples:
       uav-camera-server      # a simulated camera, for an autopilot or Python on this machine
       uav-camera-server --camera 0 --connection /dev/serial0,921600     # USB, behind an autopilot
       uav-camera-server --device siyi://192.168.144.25      # camera and gimbal of a SIYI
       uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # a file, sent as RTP
-      uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal"""
+      uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal
+      uav-camera-server --config cameras.toml      # all cameras and gimbals of a vehicle
+      uav-camera-server --discover > cameras.toml      # what is plugged in, or on the network"""
+    if discover or json: return _discover(discover, json)
     return _serve(SimpleNamespace(**locals()))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
-_groups = {'the link':'connection system component sign guard forward',
+_groups = {'several cameras':'config discover json', 'the link':'connection system component sign guard forward',
            'the camera':'device camera name mounted folder quota storage',
-           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp webrtc host codec size rate bitrate',
+           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp webrtc host codec size rate bitrate record',
            'gimbal and vehicle':'gimbal role path autopilot'}
+_levels = dict(                     # where each option stands in a file
+    vehicle='connection system sign guard forward rtsp rtsp_user rtsp_password_file webrtc host path autopilot',
+    both='folder quota mounted codec size rate bitrate record',        # of a camera, or on top, for all
+    camera='device camera component name gimbal storage rtp mpegts tcp', gimbal='device component role')
+
+def _discover(found:bool, as_json:bool)->int:
+    "Print what could be served; raises `SystemExit` for `--json` alone"
+    from UAV.cli.discover import print_found
+    with or_exit('uav-camera-server'):
+        if not found: raise ValueError('--json is for --discover')
+    return print_found(as_json)
+
 main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3fa5d9e4
@@ -84,175 +100,88 @@ def _named(guard)->str:
 def _serve(typed):
     "Serve, and print the status until Ctrl-C"
     log_to(printer := StatusPrinter())
+    found = None
     try:
         with ExitStack() as stack:
-            with or_exit('uav-camera-server'): camera,com = _opened(typed, stack)
-            _introduce(camera, com, printer)
-            for status in _statuses(camera, com): printer.status(*status)
+            with or_exit('uav-camera-server'): payload = stack.enter_context(Payload(found := _described(typed)))
+            _introduce(payload, printer)
+            for rows in _statuses(payload): printer.statuses(rows)
     except KeyboardInterrupt: signal.signal(signal.SIGINT, signal.SIG_IGN)      # all is closed
-    printer.line(f'stopped; the pictures are in {" and ".join(_places(typed))}')
+    places = [place for one in found.cameras.values() for place in _places(one)] if found else []
+    if places: printer.line(f'stopped; the pictures are in {" and ".join(places)}')
 
-def _introduce(camera, com, printer:StatusPrinter):
+# %% ../../nbs/api/cli/02_serve.ipynb #c0f20009
+def _introduce(payload, printer:StatusPrinter):
     "Print what is served, and on which links"
+    com,cameras = payload.com,payload.cameras.values()
     for component_id,component in com.component.items():
         device = getattr(component, 'camera', None) or getattr(component, 'gimbal', None)
         model = device and (getattr(component, 'name', None) or device.information.model)
         name = f'{device.information.vendor} {model}' if device else type(component).__name__
         printer.line(f'{name} is {com.source_system}/{component_id}')
-    server = next(c for c in com.component.values() if isinstance(c, CameraServer))
+    for slot in (*cameras, *payload.gimbals.values()):
+        if slot.fault: printer.line(f'  {slot.name} is missing: {slot.fault}')
     for channel in com.channels: printer.line(f'  on {channel.name}')
-    if server.guard: printer.line(f'  only these may format, reset and delete: {_named(server.guard)}')
-    for storage in repr(camera.storages).splitlines()*(len(camera.storages)>1): printer.line(f'  storage {storage}')
-    for stream in camera.streams:
-        printer.line(f'  {stream.kind}: {stream.uri(server.video.host_for())}, {stream.format}')
+    guard = payload.found.vehicle.guard
+    if guard: printer.line(f'  only these may format, reset and delete: {_named(guard)}')
+    for slot in filter(lambda slot: slot.device, cameras):
+        camera,named = slot.device,f'{slot.name} ' if payload.waits else ''
+        storages,host = repr(camera.storages).splitlines(),slot.servers[0].video.host_for()
+        for storage in storages if len(storages)>1 else (): printer.line(f'  {named}storage {storage}')
+        for stream in camera.streams: printer.line(f'  {named}{stream.kind}: {stream.uri(host)}, {stream.format}')
 
 # %% ../../nbs/api/cli/02_serve.ipynb #00cdc623
-def _opened(typed, stack:ExitStack)->tuple:
-    "Open everything and return `(camera, MAVCom)`; raises `ValueError`, `CameraError`, `MAVError` or `OSError`"
-    if typed.name is not None: _checked_name(typed.name, '--name')
-    connections = links(typed.connection)
-    signing = _signing_of(typed)
-    streams,places = _wanted_streams(typed),_places(typed)
-    watcher = _viewer(typed.rtsp_user, typed.rtsp_password_file)
-    rtsp = stack.enter_context(_with_password(streams, watcher))
-    whep = stack.enter_context(_with_token(streams, watcher))
-    storage = dict(folder=typed.folder, quota=typed.quota)
-    if typed.storage: storage = dict(storages=[Storage(place, typed.quota, name=Path(place).name) for place in places])
-    gimbal,camera = _device(typed, stack, storage)
-    aboard = stack.enter_context(Aboard(gimbal or typed.gimbal, typed.path, typed.autopilot, typed.camera or 'sim',
-                                        typed.role, typed.mounted, **({} if camera or typed.camera else storage)))
-    camera = camera or _camera_of(typed, stack, aboard, storage)
-    camera.mounted = typed.mounted
-    if aboard.server: camera.gimbal_device_id = aboard.server.gimbal_device_id
-    bitrate = None if typed.bitrate is None else int(typed.bitrate*1e6)
-    add_streams(camera, [] if _on_card(camera) else streams, rtsp, whep, codec=typed.codec,
-                size=typed.size, rate=typed.rate, bitrate=bitrate)
-    com = serving(camera, connections, typed.system, typed.component, typed.host, typed.guard, typed.name,
-                  aboard.components, signing=signing, forward=typed.forward)
-    return camera,stack.enter_context(com)
+def _described(typed)->Configuration:
+    "Return what the options describe; raises `ValueError`, or `ConfigError` and `OSError` for a file"
+    if typed.config: return _from_file(typed)
+    if isinstance(typed.camera, str): typed.camera = [typed.camera]
+    gimbals = {'gimbal': SimpleNamespace(device=typed.gimbal, component=mavlink.MAV_COMP_ID_GIMBAL, role=typed.role)}
+    ours = dict(gimbal='gimbal' if typed.gimbal else None)
+    if len(typed.camera or ())<2:
+        one = SimpleNamespace(**vars(typed)|ours|dict(camera=typed.camera and typed.camera[0]))
+        if one.name is not None: _checked_name(one.name, '--name')
+        return Configuration(typed, gimbals if typed.gimbal else {}, {'camera': one})
+    for name in ('device','name','storage','rtp','mpegts','tcp'):
+        if getattr(typed, name): raise ValueError(f'--{name} is of one camera: write a file for several, and --config')
+    cameras = {}
+    for n,source in enumerate(typed.camera):
+        stem = _stem(source)
+        name = next(name for k in itertools.count(1) if (name := f'{stem}_{k}' if k>1 else stem) not in cameras)
+        own = dict(camera=source, component=typed.component+n, folder=str(Path(typed.folder, name)))
+        cameras[name] = SimpleNamespace(**vars(typed)|ours|own)
+    found = Configuration(typed, gimbals if typed.gimbal else {}, cameras)
+    for text,*_ in clashes(found): raise ValueError(text)
+    return found
 
-# %% ../../nbs/api/cli/02_serve.ipynb #e2ed96e7
-def _places(typed)->list:
-    "Return the folders of all storages"
-    return [typed.folder] if typed.storage is None else [typed.folder, *listed('--storage', typed.storage)]
+# %% ../../nbs/api/cli/02_serve.ipynb #c0f20000
+def _stem(source:str)->str:
+    "Return a name for a camera of the command line"
+    if source.isdigit(): return f'video{source}'
+    stem = re.sub(r'[^A-Za-z0-9_-]+', '_', Path(source).stem)[:20].strip('_')
+    return 'camera' if ' ! ' in source or '://' in source or not stem else stem
 
-# %% ../../nbs/api/cli/02_serve.ipynb #64f0c6f9
-def _device(typed, stack:ExitStack, storage:dict)->tuple:
-    "Open `--device` and return `(gimbal, camera)`, either may be `None`; raises `ValueError`, and errors of its driver"
-    if typed.device is None: return None,None
-    device = stack.enter_context(open_device(typed.device, **({} if typed.camera else storage)))
-    gimbal,camera = (device,device.camera) if isinstance(device, Gimbal) else (None,device)
-    shown = device_url(typed.device)            # without its password
-    if gimbal and typed.gimbal: raise ValueError(f'--device {shown} is the gimbal: leave --gimbal out')
-    if _takes_orders(gimbal): return gimbal,None if typed.camera else camera         # `--camera` is its video
-    if camera and typed.camera: raise ValueError(f'--device {shown} has its own camera: leave --camera out')
-    if not (camera or typed.camera): raise ValueError(f'--device {shown} gives no picture: add --camera rtsp://HOST/…')
-    return gimbal,camera
+def _from_file(typed)->Configuration:
+    "Read `--config`; what was typed counts more than the file"
+    own = set(_levels['camera'].split())|set(_levels['gimbal'].split())
+    for name in typed.given:
+        if name in own: raise ValueError(f'--{name} is of one camera: write it in {typed.config}')
+    given = {name: value for name,value in typed.given.items() if name!='config'}
+    return read_config(typed.config, _words_of(serve_camera), _levels, given, vars(typed), checks=[_mistakes])
 
-# %% ../../nbs/api/cli/02_serve.ipynb #5b1fa3d8
-def _camera_of(typed, stack:ExitStack, aboard:Aboard, storage:dict)->Camera:
-    "Open that of the gimbal, or `--camera` with the gimbal's camera verbs; raises `ValueError`, `CameraError`"
-    own = getattr(aboard.gimbal, 'camera', None)
-    orders = aboard.gimbal if _takes_orders(aboard.gimbal) else None
-    if own and not (orders or typed.camera):
-        raise ValueError(f'--gimbal {device_url(typed.gimbal)} has its own camera: write --device, or add --camera')
-    if orders and not typed.camera:
-        from UAV.gimbals.driver import gimbal_camera
-        return own or stack.enter_context(gimbal_camera(orders, **storage))
-    if orders and own: own.close()
-    return stack.enter_context(_make_camera(typed.camera or 'sim', typed.size, aboard.mount, orders, **storage))
-
-# %% ../../nbs/api/cli/02_serve.ipynb #834fa745
-def _takes_orders(gimbal)->bool:
-    "True if a gimbal's driver has camera verbs; only then the drivers are loaded"
-    if not hasattr(gimbal, 'set_camera_zoom'): return False
-    from UAV.gimbals.driver import takes_orders
-    return takes_orders(gimbal)
-
-def _on_card(camera)->bool:
-    "True if a camera sends no video here; it's that of a gimbal"
-    if not hasattr(camera, 'gimbal'): return False
-    from UAV.gimbals.driver import CardCamera
-    return isinstance(camera, CardCamera)
-
-def _is_device(text:str)->bool: return text.partition('://')[0].lower() in device_schemes()
-
-def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **storage)->Camera:
-    "Open the camera described by `text`, the video of `gimbal`; a simulated one hangs on `mount`. Raises `CameraError`"
-    def of(kind):
-        if gimbal is None: return kind
-        from UAV.gimbals.driver import camera_kind
-        return camera_kind(gimbal, kind)
-    simulated = dict(sim=SimCamera, dual=SimDualCamera).get(text)
-    if simulated: return of(simulated)(*(size or (640,480)), mount=mount, **storage)
-    if text.endswith('.toml') or ' ! ' in text:
-        from UAV.cameras.gst_cam import GSTCamera
-        return of(GSTCamera)(text, **storage)
-    width,height = size or (None,None)
-    if _is_device(text):
-        device = open_device(text, **storage)
-        if isinstance(device, Camera): return device
-        device.close()
-        raise ValueError(f'--camera {device_url(text)} is a gimbal: write --device')
-    own_size = dict(width=width, height=height) if text.isdigit() or text.startswith('/dev/') else {}
-    from UAV.cameras import CV2Camera
-    return of(CV2Camera)(text, **own_size, **storage)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #738ce307
-def _streams_of(camera, kind:str, host:str, port:int)->list:
-    "Return (kind, host, port, further arguments of `Camera.add_stream`) of each stream"
-    if 'ir' not in getattr(camera, 'sources', ()): return [(kind, host, port, {})]
-    named,beside = ('',0) if kind=='rtsp' else (f' {kind}',2 if port and kind!='webrtc' else 0)
-    return [(kind, host, port, dict(name=f'shown{named}')),
-            (kind, host, port+beside, dict(name=f'thermal{named}', source='ir'))]
-
-# %% ../../nbs/api/cli/02_serve.ipynb #f1bec6c7
-def add_streams(camera, # A Camera
-                wanted:list, # (kind, host, port) of each stream, as from `_wanted_streams`
-                rtsp=None, # RTSP server, as from `_with_password`
-                whep=None, # `WHEPServer`, as from `_with_token`
-                **how): # `codec`, `size`, `rate` and `bitrate` of `Camera.add_stream`
-    "Add streams to the camera; raises `CameraError` for one that can't be opened"
-    for kind,host,port,eye in [stream for one in wanted for stream in _streams_of(camera, *one)]:
-        own = {'rtsp':dict(server=rtsp), 'webrtc':dict(server=whep)}.get(kind, {})
-        with place_for(f'{kind} stream', host, port, CameraError, f'--{kind} 0' if own else ''):
-            camera.add_stream(kind=kind, host=host, port=port, **how, **eye, **own)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #79f91b00
-def _with_password(wanted:list, watcher:dict):
-    "Open an `RTSPServer` for a user of `_viewer`, or yield `None` for all; raises `ValueError` or `CameraError`"
-    if not watcher: return nullcontext()
-    host,port = next((place for kind,*place in wanted if kind=='rtsp'), (None,None))
-    if port is None: raise ValueError('--rtsp-user needs an RTSP server, and --rtsp -1 has none')
-    from UAV.video.rtsp_server import RTSPServer
-    with place_for('rtsp stream', host, port, CameraError, '--rtsp 0'): return RTSPServer(port, host, **watcher)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #6a1e0b02
-def _with_token(wanted:list, watcher:dict):
-    "Open a `WHEPServer` with the password of `_viewer` as its token, or yield `None`; raises as `_with_password`"
-    port = next((port for kind,_,port in wanted if kind=='webrtc'), None)
-    if not watcher or port is None: return nullcontext()
-    from UAV.video.webrtc import WHEPServer
-    with place_for('webrtc stream', '', port, CameraError, '--webrtc 0'):
-        try: return WHEPServer(port, token=watcher['password'])
-        except ValueError as e: raise ValueError(f'--webrtc with the password of --rtsp-user: {e}') from None
-
-# %% ../../nbs/api/cli/02_serve.ipynb #e308caa4
-@contextmanager
-def serving(camera, # A Camera
-            connections:list, # Connection strings
-            system:int=1, # System id of the vehicle
-            component:int=100, # Component id, 100 to 105
-            host:str|None=None, # Our address for viewers; `None`: the one that each viewer reaches
-            guard=None, # Clients with destructive commands, as for `CameraServer`
-            name:str|None=None, # Its name at ground stations; `None`: the model
-            components=(), # Further components of the vehicle
-            **how): # `signing` and `forward` of `MAVCom`
-    "Serve `camera` on these links, and return their `MAVCom`, as a context manager"
-    with on_links(connections, source_system=system, **how) as com:
-        com.add_component(CameraServer(component, camera=camera, guard=guard, video_host=host, name=name))
-        for other in components: com.add_component(other)
-        yield com
+def _mistakes(found:Configuration):
+    "Yield `(sentence, *path)` of what only this room can check"
+    v,sims = found.vehicle,[g for g in found.gimbals.values() if g.device=='sim']
+    trials = dict(connection=lambda: links(v.connection), guard=lambda: _signing_of(v),
+                  rtsp_user=lambda: _viewer(v.rtsp_user, v.rtsp_password_file))
+    for key,trial in trials.items():
+        try: trial()
+        except (ValueError, OSError) as e: yield re.sub(r'--(?=[a-z])', '', sentence(e)),key
+    if v.rtsp_user and v.rtsp<0: yield 'rtsp_user needs an RTSP server, and rtsp = -1 has none','rtsp_user'
+    if v.path and not (v.autopilot or sims): yield 'path needs a gimbal with device = "sim", or autopilot','path'
+    for name,one in found.cameras.items():
+        if one.quota is not None and not one.quota>=0: yield 'quota is 0 MiB or more','cameras',name,'quota'
+        try: _places(one)
+        except ValueError as e: yield sentence(e).removeprefix('--'),'cameras',name,'storage'
 
 # %% ../../nbs/api/cli/02_serve.ipynb #d05ee97a
 def _picture_size(text:str)->tuple:
@@ -269,16 +198,6 @@ def _host_port(text:str)->tuple:
         raise ArgumentTypeError(f'write HOST:PORT, such as 192.168.1.10:5600, not {text!r}')
     return host.strip('[]'),int(port)
 
-# %% ../../nbs/api/cli/02_serve.ipynb #3c572bf0
-def _wanted_streams(typed)->list:
-    "Return (kind, host, port) of each stream; port 0 is a free one"
-    found = [('rtsp', '', typed.rtsp)] if typed.rtsp>=0 else []
-    if typed.rtp: found.append(('rtp', *typed.rtp))
-    if typed.mpegts: found.append(('mpegts', *typed.mpegts))
-    if typed.tcp is not None: found.append(('tcp', '', typed.tcp))
-    if typed.webrtc is not None: found.append(('webrtc', '', typed.webrtc))
-    return found
-
 # %% ../../nbs/api/cli/02_serve.ipynb #f4b0aecc
 def _mounting(text:str)->tuple:
     "Convert down, forward or ROLL,PITCH,YAW to three angles, degrees"
@@ -287,18 +206,6 @@ def _mounting(text:str)->tuple:
     if found := re.fullmatch(','.join([number]*3), text): angles = tuple(map(float, found.groups()))
     if angles and all(-360<=angle<=360 for angle in angles): return angles
     raise ArgumentTypeError(f'write down, forward, or ROLL,PITCH,YAW in degrees, not {text!r}')
-
-# %% ../../nbs/api/cli/02_serve.ipynb #fbf8e396
-def _viewer(user:str|None, file:str|None=None)->dict:
-    "Return `user` and `password` of `RTSPServer`; none if all may watch. Raises `ValueError` or `OSError`"
-    typed = os.environ.get('UAV_RTSP_PASSWORD')
-    if file is not None: typed = read_secret(Path(file)).decode().partition('\n')[0].strip()
-    if user is None and typed is None: return {}
-    if user is None: raise ValueError('a password of RTSP needs --rtsp-user')
-    if not typed: raise ValueError('--rtsp-user needs a password, in UAV_RTSP_PASSWORD or --rtsp-password-file')
-    if not user or not user.isprintable() or set(user)&set(':"\\'):
-        raise ValueError(f'--rtsp-user is a name without colons and quotes, not {user!r}')
-    return dict(user=user, password=typed)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #2c0206f7
 def _guarding(text:str)->str|list:
@@ -309,72 +216,6 @@ def _guarding(text:str)->str|list:
     if not all(n and all(1<=i<=255 for i in n) for n in numbers):
         raise ArgumentTypeError(f'write signed, or systems and addresses such as 255,254/190, not {text!r}')
     return [n[0] if len(n)==1 else n for n in numbers]
-
-def _signing_of(typed):
-    "Return the key, or the `Signing` of a server with `--guard signed`; raises `ValueError`, or `OSError` for its file"
-    key = key_in(typed.sign)
-    if typed.guard!='signed': return key
-    if not key: raise ValueError('--guard signed needs a key: --sign')
-    return Signing(key, accept_unsigned=lambda msg_id, source: True)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #320df580
-def _make_gimbal(text:str, vehicle:SimVehicle|None=None, stand_in:bool=False, **storage)->Gimbal:
-    "Open the gimbal described by `text`; a `stand_in` is used until a vehicle is received. Raises `ValueError`"
-    if text=='sim':
-        from UAV.gimbals import SimGimbal
-        return SimGimbal(vehicle, stand_in=stand_in)
-    try: gimbal = open_device(text, **storage)
-    except ValueError as e: raise ValueError(f'--gimbal is sim or a URL such as viewsheen://HOST: {e}') from None
-    if isinstance(gimbal, Gimbal): return gimbal
-    gimbal.close()
-    raise ValueError(f'--gimbal {device_url(text)} is a camera, and no gimbal: write --camera')
-
-def _gimbal_server(gimbal:Gimbal, role:str, camera:str):
-    "Return the server of a gimbal, which takes camera commands if it has the only camera, and tracks if it can"
-    if _takes_orders(gimbal) and _is_device(camera):
-        from UAV.mavlink import GimbalCameraServer
-        return GimbalCameraServer(gimbal=gimbal, role=role)
-    from UAV.mavlink import GimbalServer
-    server = GimbalServer(gimbal=gimbal, role=role)
-    if role!='device' and hasattr(gimbal, 'track_point'):
-        from UAV.mavlink.viewsheen_server import _Tracking
-        server.add_part(_Tracking(server))
-    return server
-
-def _autopilot(vehicle:SimVehicle):
-    from UAV.mavlink import SimAutopilot
-    return SimAutopilot(vehicle)
-
-# %% ../../nbs/api/cli/02_serve.ipynb #37c97044
-class Aboard(Closes):
-    "Gimbal, vehicle and autopilot beside a camera, or some of them"
-    paths = dict(hover=hover, circle=circle)
-    def __init__(self,
-        gimbal:str|Gimbal|None=None, # 'sim', a URL as for `open_device`, or an open gimbal; `None`: none
-        path:str|None=None, # 'hover' or 'circle', 30 m up; `None`: it hovers until a vehicle is received
-        autopilot:bool=False, # Add a simulated autopilot for the vehicle
-        camera:str='sim', # Camera, as for `_make_camera`
-        role:str='both', # Role of the gimbal server: 'both', or 'device' if an autopilot manages it
-        mounted:tuple|None=None, # As from `_mounting`; `None`: ahead, 20° down
-        **storage # `folder`, `quota` and `storages` of the gimbal's own camera
-    ):
-        if path and not (autopilot or gimbal=='sim'): raise ValueError('--path needs --gimbal sim, or --autopilot')
-        one_of('--role', role, ('both','device'))
-        flies = self.paths[one_of('--path', path or 'hover', self.paths)]
-        hangs = gimbal=='sim' and camera in ('sim','dual')             # a simulated camera from a simulated gimbal
-        self.vehicle = SimVehicle(flies()) if path or autopilot or hangs else None
-        made = isinstance(gimbal, str)
-        self.gimbal = _make_gimbal(gimbal, self.vehicle, not (path or autopilot), **storage) if made else gimbal
-        self.server = _gimbal_server(self.gimbal, role, camera) if gimbal else None
-        self.pilot = _autopilot(self.vehicle) if autopilot else None
-        fixed = self.gimbal or mounted or (0.,-20.,0.)
-        self.mount = self.gimbal if gimbal=='sim' else self.vehicle and FixedMount(self.vehicle, fixed)
-
-    components = property(lambda self: [c for c in (self.server, self.pilot) if c], doc="What goes on MAVLink")
-    __repr__ = basic_repr('vehicle,gimbal')
-    def close(self):
-        "Close the gimbal"
-        if self.gimbal: self.gimbal.close()
 
 # %% ../../nbs/api/cli/02_serve.ipynb #34bc1278
 def _count(number:int, what:str)->str: return f'{number} {what}{"" if number==1 else "s"}'
@@ -390,39 +231,57 @@ def _size(mib:float)->str: return f'{mib/1024:.1f} GiB' if mib>=1024 else f'{mib
 def _clock(seconds:float)->str: return f'{int(seconds)//60}:{int(seconds)%60:02}'
 
 # %% ../../nbs/api/cli/02_serve.ipynb #5cc43a1f
-def _gimbal_of(com)->tuple:
-    "Return the direction of the served gimbal, and its fault or owner; empty where unknown"
-    server = next((c for c in com.component.values() if hasattr(c, 'gimbal')), None)
-    if server is None: return '',''
-    if fault := getattr(server.gimbal, 'fault', None): return '',f'FAULT: {fault}'
-    now = server.attitude()
-    direction = f'{now.pitch:.0f}° {now.yaw:.0f}°, ' if known(now.pitch) and known(now.yaw) else ''
-    return direction,server.control.owner
+def _gimbals_of(com)->list:
+    "Return `(direction, fault or owner)` of each served gimbal; empty where unknown"
+    found = []
+    for server in [c for c in com.component.values() if hasattr(c, 'gimbal')]:
+        fault,now = getattr(server.gimbal, 'fault', None),server.attitude()
+        turned = f'{now.pitch:.0f}° {now.yaw:.0f}°, ' if known(now.pitch) and known(now.yaw) else ''
+        found.append(('',f'FAULT: {fault}') if fault else (turned,server.control.owner))
+    return found
+
+def _turned(com)->tuple:
+    "Return texts about the served gimbals, and the part worth a line in a log"
+    found = _gimbals_of(com)
+    return [f'gimbal {direction}{owner}' for direction,owner in found if owner],[owner for _,owner in found]
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3a65f7fd
-def _status_of(camera, com)->tuple:
-    "Return the status as `(line, the part that is worth a line in a log)`"
-    ours = {(com.source_system, number) for number in com.component}
-    others = [r.name for r in com.remotes.values() if r.type is not None and not r.lost and r.address not in ours]
+def _camera_status(camera)->tuple:
+    "Return the status of a camera: parts worth a line in a log, parts that change all the time, the free space"
     films = sum(len(storage.recordings) for storage in camera.storages)
     steady = [f'FAULT: {camera.fault}'] if camera.fault else []
     steady += [*map(_viewers, camera.streams), _count(len(camera.pictures), 'picture'), _count(films, 'recording')]
     moving = [f'REC {_clock(camera.recording_time)}'] if camera.recording else []
-    direction,owner = _gimbal_of(com)
-    if owner: moving.append(f'gimbal {direction}{owner}')
-    free = f'{_size(camera.storages.photo.information().available)} free'
-    hears = f'hears {", ".join(sorted(others)) or "nothing"}'
-    return ' | '.join([*steady, *moving, free, hears]),(*steady, camera.recording, owner, hears)
+    return steady,moving,f'{_size(camera.storages.photo.information().available)} free'
+
+def _hears(com)->str:
+    "Return which other components are received"
+    ours = {(com.source_system, number) for number in com.component}
+    others = [r.name for r in com.remotes.values() if r.type is not None and not r.lost and r.address not in ours]
+    return f'hears {", ".join(sorted(others)) or "nothing"}'
+
+def _status_of(camera, com)->tuple:
+    "Return the status of one camera, gimbals and links as `(line, the part that is worth a line in a log)`"
+    (steady,moving,free),(turned,owners),hears = _camera_status(camera),_turned(com),_hears(com)
+    return ' | '.join([*steady, *moving, *turned, free, hears]),(*steady, bool(moving), *owners, hears)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #2605d907
-def _statuses(camera, com, period:float=1.):
-    "Yield the status, again and again"
-    changed = clock.Event()
-    def note(event): changed.set()
-    camera.subscribe(note)
-    try:
-        while True:
-            changed.clear()
-            yield _status_of(camera, com)
-            changed.wait(period)
-    finally: camera.unsubscribe(note)
+def _rows(payload)->list:
+    "Return `(line, the part worth a line in a log)` of each camera, and of the vehicle; one for a single camera"
+    com,slots = payload.com,payload.cameras
+    if not payload.waits: return [_status_of(*(slot.device for slot in slots.values()), com)]
+    rows = []
+    for name,slot in slots.items():
+        at = f'{name} {com.source_system}/{slot.component}'
+        steady,moving,free = _camera_status(slot.device) if slot.device else ([f'FAULT: {slot.fault}'],[],'')
+        rows.append((' | '.join(filter(None, [at, *steady, *moving, free])), (*steady, bool(moving))))
+    missing = [f'gimbal {name} FAULT: {slot.fault}' for name,slot in payload.gimbals.items() if slot.fault]
+    (turned,owners),hears = _turned(com),_hears(com)
+    return [*rows, (' | '.join([*missing, *turned, hears]), (*missing, *owners, hears))]
+
+def _statuses(payload, period:float=1.):
+    "Yield the rows of the status, again and again"
+    while True:
+        payload.changed.clear()
+        yield _rows(payload)
+        payload.changed.wait(period)

@@ -60,6 +60,10 @@ class CameraRow(Row):
         "Return `(number, JPEG)` of the live picture, if it is later than `after`"
         return await self.preview.picture(after)
 
+    def sight(self, number:int)->list|None:
+        "Return the numbers of a picture for `whereIs` in the browser; `None` if its place is not known"
+        return self.ground.sight(number)
+
     async def close(self):
         "Stop zooming, and close the parts"
         ends = (self.zoomer.leave(), self.preview.close(), *(part.close() for part in self.parts))

@@ -231,6 +231,7 @@ class _Numbered:
     def __init__(self):
         self.last,self.first = (-1, None),0         # number, and a `Decoded`; first number of this player
         self.times,self._jpeg = deque(maxlen=self.most),(-1, b'')   # `(number, monotonic s)` of the last
+        self.about = deque(maxlen=self.most)        # `(number, FrameMetadata or None)` of the last
 
     number = property(lambda self: self.last[0], doc="Number of the newest picture; -1 before the first")
     size = property(lambda self: self.last[1] and self.last[1].size, doc="(width, height) of the newest picture, px")
@@ -243,6 +244,8 @@ class _Numbered:
         "Keep a new picture"
         self.last = self.first+frame.number,frame
         self.times.append((self.number, frame.time))
+        turned = getattr(frame, '_turns', None)             # its metadata are of the picture before that
+        self.about.append((self.number, None if turned else getattr(frame, 'metadata', None)))
 
     def when(self, number:int)->float|None:
         "Return when it came, monotonic s; the oldest time kept if it is too old, `None` before the first"

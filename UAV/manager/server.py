@@ -66,12 +66,12 @@ def url(self:PanelServer)->str:
 
 # %% ../../nbs/api/manager/09_server.ipynb #5b164134
 _around = ' '.join(f'{scheme}://{name}:*' for scheme in ('http','https') for name in ('localhost','127.0.0.1'))
-def _rules_for(host:str)->dict:
-    "Return the headers of each response; `host` has passed `check_host`"
-    here = f"'self' ws://{host} wss://{host}"
+def _rules_for(host:str, tiles=None)->dict:
+    "Return the headers of each response; `host` has passed `check_host`, and the origin of `tiles` may send pictures"
+    here,pictures = f"'self' ws://{host} wss://{host}",("'self'",'blob:','data:',tiles and tiles.origin)
     return {
         'Content-Security-Policy': f"default-src 'none'; script-src 'self'; style-src 'self'; connect-src {here}; "
-            "img-src 'self' blob: data:; media-src 'self'; base-uri 'none'; form-action 'none'; "
+            f"img-src {' '.join(filter(None, pictures))}; media-src 'self'; base-uri 'none'; form-action 'none'; "
             f"frame-ancestors 'self' {_around}",
         'X-Content-Type-Options': 'nosniff',
         'Referrer-Policy': 'no-referrer',
@@ -83,7 +83,7 @@ _releases = dict(hold='release', zoom_hold='zoom_release')      # the release of
 
 class _Messages:
     "Answers to one viewer, on the panel's loop: each a dict and a list of pictures"
-    kinds,most = ('poll','act','thumbnail','map','files','photo','ticket','watch'),64    # requests; holds kept
+    kinds,most = ('poll','act','thumbnail','map','tiles','tile','files','photo','ticket','watch'),64     # requests; holds
     def __init__(self, gui, # The panel
                  give=None): # Called with camera, path, play; returns an address. `None`: no downloads
         store_attr()
@@ -93,7 +93,7 @@ class _Messages:
     async def poll(self, seen:str='', after:dict|None=None):
         "Wait for an update, see `Gui.poll`"
         new = await self.gui.poll(seen, after)
-        pictures = [[id, number, _age_of(self.gui.rows.get(id), number)] for id,number,_ in new.pictures]
+        pictures = [[id, number, *_about(self.gui.rows.get(id), number)] for id,number,_ in new.pictures]
         return dict(tag=new.tag, status=new.status, pictures=pictures),[jpeg for *_,jpeg in new.pictures]
 
     async def act(self, do:str, of:str|None=None, args:dict|None=None):
@@ -108,6 +108,10 @@ class _Messages:
 
     async def map(self): "Draw the map, see `Gui.geojson`"; return dict(map=self.gui.geojson()),[]
 
+    async def tiles(self):
+        "Return the status of the base map, or `None`"
+        return dict(tiles=self.gui.tiles and self.gui.tiles.status()),[]
+
     async def leave(self):
         "Release all holds of a viewer that is gone"
         for preview,viewer in self.watched.values(): preview.viewers.end(viewer)
@@ -116,10 +120,10 @@ class _Messages:
         await asyncio.gather(*releases, return_exceptions=True)         # a row may be gone
 
 # %% ../../nbs/api/manager/09_server.ipynb #400e3d77
-def _age_of(row, number:int)->float|None:
-    "Return the seconds since that picture came to the panel; `None` if unknown"
+def _about(row, number:int)->tuple:
+    "Return the seconds since that picture came to the panel, and its `sight`; `None` if unknown"
     when = row.preview.newest.when(number) if row and row.preview else None
-    return when and round(clock.monotonic()-when, 3)
+    return when and round(clock.monotonic()-when, 3),row and row.sight(number)
 
 # %% ../../nbs/api/manager/09_server.ipynb #7b2d4c01
 def _by_age(row, age, number=None, **args)->dict:
@@ -176,6 +180,12 @@ async def ticket(self:_Messages, of:str, path:str, play:bool=False):
     self._camera_of(of, path)
     return dict(url=self.give(of, path, play)),[]
 
+@patch
+async def tile(self:_Messages, z:int, x:int, y:int):
+    "Return a tile of the base map; raises `ValueError` if there is none, or if the browser loads them itself"
+    if self.gui.tiles is None: raise ValueError('the map has no tiles')
+    return {},[await self.gui.tiles.tile(z, x, y)]
+
 # %% ../../nbs/api/manager/09_server.ipynb #ceb2dc0a
 @patch
 async def answer(self:_Messages, message)->tuple:
@@ -227,7 +237,7 @@ class Site:
         from aiohttp import web
         what = dict(text=body, charset='utf-8') if isinstance(body, str) else dict(body=body)
         host = request.headers.get('Host', '')
-        rules = _rules_for(host if self.door.is_known(_name_of(host)) else 'localhost')
+        rules = _rules_for(host if self.door.is_known(_name_of(host)) else 'localhost', self.gui.tiles)
         return web.Response(status=status, content_type=kind, headers=rules|headers, **what)
 
 # %% ../../nbs/api/manager/09_server.ipynb #9e0c508c
@@ -348,7 +358,7 @@ async def download(self:Site, request, visit, ticket:str):
     if clock.monotonic()>until: raise Refused(404, 'this link is too old: go back to the panel')
     try: coming = await _Messages(self.gui)._camera_of(of, path).files.open(path)
     except (MAVError, ValueError) as e: raise Refused(404, str(e)[:300] or type(e).__name__) from None
-    headers = _rules_for(request.headers['Host'])|{'Content-Type':kind, 'Content-Length':str(coming.size)}
+    headers = _rules_for(request.headers['Host'], self.gui.tiles)|{'Content-Type':kind, 'Content-Length':str(coming.size)}
     if kind=='application/octet-stream': headers['Content-Disposition'] = f'attachment; filename="{_saved_as(path)}"'
     response = web.StreamResponse(headers=headers)
     try:

@@ -25,9 +25,10 @@ __all__ = ['SettingsPart']
 # %% ../../nbs/api/mavlink/09_camera_parameters.ipynb #3f10b9b7
 class SettingsPart(Part):
     "Settings of a camera: the extended parameter protocol and the definition file"
-    definition_path = '/camera.xml.xz'      # its path in the component's `files`
     def __init__(self, component): # The `CameraServer`
         super().__init__(component)
+        number = component.source_component         # MAVSDK 4.1 stores the files of all cameras in one folder, by name
+        self.definition_path = f'/camera{"" if number==mavlink.MAV_COMP_ID_CAMERA else f"_{number}"}.xml.xz'  # in `files`
         self.camera = component.camera
         self._wanted,self._lock = {},clock.Lock()       # pending values by name
         self._defined,self._announced = (None,0),None   # content and version of the file; as it was announced last

@@ -14,7 +14,7 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_
     MAVLINK_MSG_ID_CAMERA_THERMAL_RANGE as CAMERA_THERMAL_RANGE,
     MAVLINK_MSG_ID_VIDEO_STREAM_INFORMATION as VIDEO_STREAM_INFORMATION,
     MAVLINK_MSG_ID_VIDEO_STREAM_STATUS as VIDEO_STREAM_STATUS)
-from ..cameras.values import CaptureStatus, RecordingEnded, VideoStatus
+from ..cameras.values import CaptureStatus, DeviceStatus, RecordingEnded, VideoStatus
 from ..utils.clock import time_since_boot_ms
 from ..utils.sockets import is_group
 from ..wire.dialect import address, enum_name
@@ -98,7 +98,7 @@ _measures = mavlink.VIDEO_STREAM_STATUS_FLAGS_THERMAL_RANGE_ENABLED
 def _state(self:VideoPart, stream)->tuple:
     "Return the fields of both messages: flags, rate, width, height, bitrate, rotation and field of view"
     f,hot = stream.format,self._is_thermal(stream)
-    flags = _running if stream.running else 0
+    flags = _running if stream.running and not self.component.health.now else 0       # a camera at fault sends nothing
     if hot: flags |= _thermal
     if hot and self.component.can('thermal_range'): flags |= _measures
     return flags,f.rate,f.width,f.height,int(f.bitrate),0,self._hfov(stream)
@@ -262,6 +262,13 @@ def _has_changed(self:VideoPart, stream)->bool:
     "True if the format has changed since its announcement"
     before = self._formats.get(stream.stream_id)
     return before is not None and before!=self._description(stream)
+
+# %% ../../nbs/api/mavlink/05_camera_video.ipynb #c0f50002
+@patch
+@announced(DeviceStatus)
+def _announce_outage(self:VideoPart, event:DeviceStatus)->list:
+    "Return VIDEO_STREAM_STATUS of all streams, which a fault has stopped, or its end has started"
+    return self._video_stream_status() if getattr(self.camera, 'streams', ()) else []
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #fcbd7ec4
 _recording = 'recording'    # marks it, unlike a stream of SET_MESSAGE_INTERVAL

@@ -20,6 +20,7 @@ from ..wire.dialect import Ack, enum_name, LinkError
 from .protocol import comes_from
 from .mavcom import ends, own_host
 from .camera_video import pushed, stream_encodings, stream_types, VIDEO_STREAM_INFORMATION
+from .remote_view import views_of
 from .camera_tracking import CAMERA_TRACKING_GEO_STATUS, CAMERA_TRACKING_IMAGE_STATUS, from_int32
 
 # %% auto #0
@@ -62,6 +63,8 @@ async def watch(self:RemoteVideo,
         if not any_host: hosts.check(url, f'the video of {self.camera.system}/{self.camera.component}')
         if not stream.running: (await self.start(stream.id)).check()
     player = Player(hosts.reachable(url), **options)
+    player.metadata_of = views_of(self.camera.client).view(self.camera, stream.hfov)
+    if not hosts: player.metadata_of.rate = 2.      # a serial line
     try:
         if is_pushed: (await self.start(stream.id)).check()
     except BaseException:

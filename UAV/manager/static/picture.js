@@ -6,6 +6,7 @@
 // to 1, to the right and down. A click on a bar is none.
 
 import { ago, clock, h, latest, name, say, show } from './parts.js'
+import { aboutPlace, placeView } from './place.js'
 import { liveVideo } from './live.js'
 
 export function inPicture(box, [width, height], x, y) {
@@ -84,21 +85,30 @@ export function pictureUpdate(node, status) {
 }
 
 // Where a click will look: a cross at that place, which stays for a moment after the gimbal has its command, and what
-// the panel has worked out beside it.
+// the panel has worked out beside it. Without a gimbal it says which place that is.
 const LINGERS = 2500
 export function markView(row) {
   const words = h('span'), node = h('i', { class: 'mark', hidden: true }, words)
   let timer
-  async function put(left, top, at) {
+  function put({ offsetX, offsetY }, width, text) {
     clearTimeout(timer)
-    for (const [side, place] of [['left', left], ['top', top]]) node.style.setProperty(side, place + 'px')
-    say(words, '')
+    for (const [side, place] of [['left', offsetX], ['top', offsetY]]) node.style.setProperty(side, place + 'px')
+    node.toggleAttribute('data-left', offsetX > width / 2)
+    say(words, text)
     show(node, true)
+  }
+  const hide = milliseconds => { timer = setTimeout(show, milliseconds, node, false) }
+  async function point(event, width, at) {
+    put(event, width, '')
     const answer = await row.act('point', at)
     say(words, answer.ok ? answer.text : '')
-    timer = setTimeout(show, answer.ok ? LINGERS : 0, node, false)
+    hide(answer.ok ? LINGERS : 0)
   }
-  return { node, put }
+  function tell(event, width, text) {
+    put(event, width, text)
+    hide(LINGERS)
+  }
+  return { node, point, tell }
 }
 
 // The wheel over the picture zooms, a step at a time. In a notebook it does so while the picture has the focus, since
@@ -114,18 +124,27 @@ export function wheelZoom(row, node) {
 }
 
 export function pictureView(row, ...upon) {
-  const shown = frame(row), mark = markView(row), live = liveVideo(row, shown)
+  const shown = frame(row), mark = markView(row), place = placeView(row), live = liveVideo(row, shown)
   const [words, busy, count] = ['live', 'busy', 'count'].map(which => h('span', { class: 'pill ' + which }))
-  const parts = [shown.image, live.node, ...upon, mark.node, h('div', { class: 'pills' }, words, busy, count)]
+  const parts = [shown.image, live.node, ...upon, mark.node, h('div', { class: 'pills' }, words, busy, count, place.node)]
   const node = h('div', { class: 'picture', tabindex: 0, role: 'application' }, ...parts)
   wheelZoom(row, node)
+  const under = ({ clientX, clientY }) =>
+    inPicture(node.getBoundingClientRect(), sizeOf(shown.image), clientX, clientY)
+  for (const kind of ['pointermove', 'pointerdown']) node.addEventListener(kind, event => place.hover(under(event)))
+  node.addEventListener('pointerleave', () => place.hover(null))
   node.addEventListener('click', event => {
-    const at = inPicture(node.getBoundingClientRect(), sizeOf(shown.image), event.clientX, event.clientY)
-    if (!at || !row.status.can_point || node.closest('[data-lost]')) return
-    mark.put(event.offsetX, event.offsetY, { ...at, ...which() })
+    const at = under(event), { width } = node.getBoundingClientRect()
+    if (!at || node.closest('[data-lost]')) return
+    const there = place.click(at)
+    if (row.status.can_point) mark.point(event, width, { ...at, ...which() })
+    else if (there) mark.tell(event, width, aboutPlace(there))
   })
   const which = () => live.on() ? { number: null, age: live.age() } : { number: shown.number() }
-  const take = async picture => { if (!live.on()) await shown.take(picture) }
+  async function take(picture) {
+    if (!live.on()) await shown.take(picture)
+    place.take(picture.sight)
+  }
   function update(status) {
     pictureUpdate(node, status)
     live.update(status)

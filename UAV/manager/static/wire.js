@@ -40,8 +40,8 @@ export function wireOf(ask, slow = 12 * PATIENCE) {
   const image = async (kind, more) => URL.createObjectURL(jpeg((await ask(kind, more, slow)).buffers[0]))
   async function poll(what) {
     const { message: { tag, status, pictures }, buffers } = await ask('poll', what, 2 * PATIENCE), now = Date.now()
-    const shown = pictures.map(([id, number, age], i) =>
-      [id, { number, blob: jpeg(buffers[i]), time: age == null ? null : now - 1000 * age }])
+    const shown = pictures.map(([id, number, age, sight], i) =>
+      [id, { number, blob: jpeg(buffers[i]), time: age == null ? null : now - 1000 * age, sight }])
     return { tag, status, pictures: Object.fromEntries(shown) }
   }
   async function act(what) {
@@ -56,6 +56,8 @@ export function wireOf(ask, slow = 12 * PATIENCE) {
   return {
     poll, act, files, thumbnail: (of, key) => image('thumbnail', { of, key }),
     map: async () => (await ask('map', {}, 2 * PATIENCE)).message.map,
+    tiles: async () => (await ask('tiles', {}, 2 * PATIENCE)).message.tiles,
+    tile: ({ z, x, y }) => image('tile', { z, x, y }),
     photo: (of, path) => image('photo', { of, path }),
     download: (of, path) => ticket(of, path, false), play: (of, path) => ticket(of, path, true),
   }
