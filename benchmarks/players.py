@@ -1,6 +1,7 @@
 """Every way out of our encoder, watched by players that are not ours: what arrives, and how late; and our RTSP, RTP and MPEG-TS beside gst-rtsp-server and ffmpeg. See README.md."""
 import argparse, json, math, os, select, shutil, statistics, subprocess, sys, tempfile, threading, time
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -44,14 +45,19 @@ def until_told(url, source, sdp=''):
     sys.stdin.read()
     print(json.dumps(source.numbers), flush=True)
 
-def our_camera(sink, codec, size, port):
-    "`Encoder` and one of its sinks"
+def our_camera(sink, codec, size, port, klv=True):
+    "`Encoder` and one of its sinks; with `klv` each picture has a full set of metadata, as those of cameras have"
+    from dataclasses import replace
+    from UAV.utils.pose import Pose
+    from UAV.video.klv import FrameMetadata
     from UAV.video.encoder import Encoder
     from UAV.video.senders import TSSender, TSServer
     from UAV.video.rtsp import RTPSender
     from UAV.video.rtsp_server import RTSPServer
     source = Painted(*size)
+    seen = FrameMetadata.seen(Pose(-35.3632, 149.1652, 614., 30., 0., -45., 90.), 0., (60.,46.8), (2.,5.,0.), 'System 1', 'visible')
     with Encoder(source, codec, rate=RATE, hardware=False) as encoder:
+        if klv: encoder.metadata_of = lambda frame, time_utc: replace(seen, time_utc=time_utc)
         if sink.startswith('rtsp'):
             with RTSPServer(port, '127.0.0.1') as server: return until_told(server.add('camera', encoder), source)
         if sink=='ts tcp':
@@ -112,7 +118,7 @@ def ffmpeg_camera(sink, codec, size, port):
     try: until_told(f'udp://127.0.0.1:{port}', source)
     finally: process.kill()
 
-CAMERAS = dict(UAV=our_camera, gst=gst_camera, ffmpeg=ffmpeg_camera)
+CAMERAS = dict(UAV=our_camera, plain=partial(our_camera, klv=False), gst=gst_camera, ffmpeg=ffmpeg_camera)
 
 # players: each is a process that says when it opened the stream, and what it saw when ---------------------------------------------------
 
@@ -294,6 +300,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--quick', action='store_true', help='few pictures, one round: to see that it works, not to quote')
     parser.add_argument('--only', choices=[f'{codec} {sink}' for sink,codec in CASES]+['peers'], help='one case; writes nothing without --out')
+    parser.add_argument('--plain', action='store_true', help='our camera without metadata (KLV)')
     parser.add_argument('--out', help='where the results go (players.json)')
     parser.add_argument('--worker', type=json.loads, help=argparse.SUPPRESS)
     args = parser.parse_args()
@@ -304,7 +311,7 @@ def main():
     for sink,codec in CASES:
         if args.only not in (None, f'{codec} {sink}'): continue
         who = [p for p in players[codec] if p!='VLC' or sink.startswith('ts')]              # Debian builds VLC without RTSP
-        got = results['detail'][f'{SINKS[sink]}, {CODECS[codec]}'] = run_all('UAV', sink, codec, size, count, who)
+        got = results['detail'][f'{SINKS[sink]}, {CODECS[codec]}'] = run_all('plain' if args.plain else 'UAV', sink, codec, size, count, who)
         for l in line(f'{codec} {sink}', got): print(l, flush=True)
     peers = {peer for peer in NAMES if can_serve(peer)}
     for sink,peer in PEERS if args.only in (None,'peers') else ():

@@ -7,9 +7,10 @@ from __future__ import annotations
 from base64 import b64decode, b64encode
 from calendar import timegm
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from urllib.parse import quote
 from xml.etree import ElementTree
 from xml.sax.saxutils import escape
-import hashlib, re, threading, time
+import hashlib, re, socket, struct, threading, time
 
 from fastcore.basics import patch, store_attr
 
@@ -22,7 +23,7 @@ from UAV.utils.lazy import cv2
 from UAV.video.rtsp_server import RTSPServer
 
 # %% auto #0
-__all__ = ['Fault', 'OnvifDevice', 'DirectClient', 'OnvifSimulator', 'with_picture']
+__all__ = ['Fault', 'OnvifDevice', 'DirectClient', 'OnvifSimulator', 'with_picture', 'Announcer']
 
 # %% onvif.ipynb #bbd0d9be
 _tptz = 'http://www.onvif.org/ver10/tptz/'
@@ -420,3 +421,69 @@ def with_picture(**how):
         return cv2.imencode('.jpg', eye.read().image)[1].tobytes()
     sim.still = still
     return sim,(eye, rtsp, sim),f'onvif://admin:t%2Fg%40r@127.0.0.1:{sim.port}'
+
+# %% onvif.ipynb #5d120002
+_match = ('<d:ProbeMatch><wsa:EndpointReference><wsa:Address>urn:uuid:{endpoint}</wsa:Address></wsa:EndpointReference>'
+    '<d:Types>dn:NetworkVideoTransmitter tds:Device</d:Types><d:Scopes>onvif://www.onvif.org/type/video_encoder '
+    'onvif://www.onvif.org/type/ptz onvif://www.onvif.org/hardware/PTZ-1 onvif://www.onvif.org/name/{name} '
+    'onvif://www.onvif.org/location/Mast</d:Scopes><d:XAddrs>http://{host}:{port}/onvif/device_service</d:XAddrs>'
+    '<d:MetadataVersion>1</d:MetadataVersion></d:ProbeMatch>')
+_matches = ('<?xml version="1.0" encoding="UTF-8"?><SOAP-ENV:Envelope xmlns:SOAP-ENV="http://www.w3.org/2003/05/soap-envelope" '
+    'xmlns:wsa="http://schemas.xmlsoap.org/ws/2004/08/addressing" xmlns:d="http://schemas.xmlsoap.org/ws/2005/04/discovery" '
+    'xmlns:dn="http://www.onvif.org/ver10/network/wsdl" xmlns:tds="http://www.onvif.org/ver10/device/wsdl"><SOAP-ENV:Header>'
+    '<wsa:MessageID>urn:uuid:{number}</wsa:MessageID><wsa:RelatesTo>{to}</wsa:RelatesTo>'
+    '<wsa:To>http://schemas.xmlsoap.org/ws/2004/08/addressing/role/anonymous</wsa:To>'
+    '<wsa:Action>http://schemas.xmlsoap.org/ws/2005/04/discovery/ProbeMatches</wsa:Action>'
+    '<d:AppSequence InstanceId="1" MessageNumber="{count}"/></SOAP-ENV:Header>'
+    '<SOAP-ENV:Body><d:ProbeMatches>{match}</d:ProbeMatches></SOAP-ENV:Body></SOAP-ENV:Envelope>')
+
+class Announcer:
+    "Answers Probes for a camera; `with` ends it"
+    def __init__(self, name:str='PTZ-1', port:int=80, host:str='192.168.1.10', # Where it says that it is
+                 address:str='127.0.0.1', # Where it listens
+                 group:bool=False, # In the multicast group of WS-Discovery, on its port 3702?
+                 crowd:int=0): # Further answers to each Probe
+        store_attr()
+        self.heard,self.count = [],0
+        family,*_,there = socket.getaddrinfo(address, 0, type=socket.SOCK_DGRAM)[0]
+        self.sock = socket.socket(family, socket.SOCK_DGRAM)
+        if group:
+            self.sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            self.sock.bind(('',3702))
+            for index,_ in socket.if_nameindex():
+                to = struct.pack('@4s4si', socket.inet_aton('239.255.255.250'), b'', index)
+                try: self.sock.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, to)
+                except OSError: pass            # this interface is down
+        else: self.sock.bind(there)
+        self.place = family,(there[0],self.sock.getsockname()[1],*there[2:]),None,'lo'
+        self._closed = threading.Event()
+        self.sock.settimeout(.1)
+        self._thread = threading.Thread(target=self._run, name='announcer', daemon=True)
+        self._thread.start()
+
+    def __enter__(self): return self
+    def __exit__(self, *args):
+        self._closed.set()
+        self._thread.join()
+        self.sock.close()
+
+# %% onvif.ipynb #5d120003
+@patch
+def _answer(self:Announcer, to:str, number:int)->bytes:
+    self.count += 1
+    name,port = (self.name,self.port) if not number else (f'stranger {number}', 1+number%65000)
+    match = _match.format(endpoint=f'00000000-0000-0000-0000-{number:012}', name=quote(name), host=self.host, port=port)
+    return _matches.format(number=f'11111111-0000-0000-0000-{self.count:012}', to=to, count=self.count, match=match).encode()
+
+@patch
+def _run(self:Announcer):
+    while not self._closed.is_set():
+        try: data,address = self.sock.recvfrom(65535)
+        except OSError: continue
+        try: head = ElementTree.fromstring(data).find('{*}Header')
+        except ElementTree.ParseError: continue
+        if not _said(head, 'Action').endswith('/Probe'): continue
+        self.heard.append(data)
+        for number in range(1+self.crowd):
+            try: self.sock.sendto(self._answer(_said(head, 'MessageID'), number), address)
+            except OSError: break

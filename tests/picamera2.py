@@ -133,6 +133,14 @@ class Picamera2:
         self.ordered,self.jobs,self.encoders,self.completed = [],[],set(),[]
         type(self).opened = self
 
+# %% picamera2.ipynb #5d180001
+@patch(cls_method=True)
+def global_camera_info(cls:Picamera2):
+    "What libcamera lists: a camera on a ribbon cable, and one on USB"
+    usb = dict(Model='HD Pro Webcam C920', Id='/base/scb/pcie@7d500000/pci@0,0/usb@0,0-1.3:1.0-046d:082d', Num=1)
+    ours = dict(Model=cls.sensor, Location=2, Rotation=180, Id=f'/base/soc/i2c0mux/i2c@1/{cls.sensor}@1a', Num=0)
+    return [*([ours] if cls.present else []), usb]
+
 # %% picamera2.ipynb #02420679
 @patch
 def create_video_configuration(self:Picamera2, main={}, lores=None, raw={}, transform=None, colour_space=None,

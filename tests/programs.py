@@ -345,7 +345,7 @@ def commands_in(page:str)->list:
     lines += [code for row in re.findall(r'^\|.*\|$', text, re.M) for code in re.findall(r'`([^`]+)`', row)]
     lines += re.findall(r'^ExecStart=(.*)$', text, re.M)
     found = (re.match(r'(?:\S*/)?(uav-[a-z-]+)(?= |$)(.*)', line) for line in lines)
-    return [[m[1],*shlex.split(m[2], comments=True)] for m in found if m]
+    return [[m[1],*shlex.split(m[2].partition(' > ')[0], comments=True)] for m in found if m]
 
 # %% programs.ipynb #19b268b3
 class _Parsed(Exception): "A command line was parsed; the program isn't run"

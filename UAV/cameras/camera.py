@@ -16,7 +16,7 @@ from .exif import _OwnTags
 from .frames import Filming, Frames, _Streams
 from .lens import View
 from .parameters import declarations, Parameter, Parameters, ParametersChanged
-from .storage import Storage
+from .storage import film_kinds, Storage
 from .storages import Storages
 from .tracker import _focal, Pursuit, Tracker
 from .trigger import CaptureQueue, _check_sequence, Trigger
@@ -24,9 +24,11 @@ from .values import *
 from ..logging import get_logger, LogLevels
 from ..utils import clock
 from ..utils.lazy import cv2
+from ..utils.geo import euler, inverse, product, quaternion
 from ..utils.threads import Closes, Opened, timers
 from ..utils.values import CompleteLater, inside, KeepsNames, no_class
 from ..utils.pictures import as_bgr
+from ..video.klv import FrameMetadata
 
 # %% auto #0
 __all__ = ['mode_numbers', 'Camera', 'mode_parameter']
@@ -43,6 +45,7 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
     information = CameraInformation()
     min_interval = .1          # s, the shortest time between pictures
     jpeg_quality = 95          # 0..100
+    record_as = 'mp4'          # 'ts': recordings are MPEG-TS with metadata for each frame
     modes = 'image','video'    # what `set_camera_mode` takes; with one alone, there is nothing to choose
     image_in_video_mode,video_in_image_mode = True,True      # can each be taken in the other's mode?
     patience = 10.             # s that `read` may take; longer is a fault
@@ -50,9 +53,11 @@ class Camera(KeepsNames, Closes, metaclass=CompleteLater):
     exif_tags = _OwnTags()      # for its pictures, such as {'Copyright': '© 2026 Ann'}
     lens,focus,mode = None,None,'image'
     declared = ()              # `Parameter`s; a subclass says what can be set
+    platform_name = ''         # of its vehicle, for its video
     gimbal_device_id,mounted = 0,None   # number of the gimbal that turns it; roll, pitch, yaw from the nose, degrees
     pose = None                # function that gives the `Pose` of a picture whose frame has none
     velocity = None            # function that gives the speed to the north, to the east and down, m/s
+    platform = None            # function that gives roll, pitch and heading of its vehicle, degrees
     clock_error = 0.           # s that this computer's clock is slow: pictures are dated later by so much
     _begun = False             # did our own constructor run?
     _parts = dict(storages=Storages, frames=Frames, filming=Filming, captures=CaptureQueue, tracking=Tracker,
@@ -202,6 +207,7 @@ _times = 'a number from 0 to 1e+06',_time
 _checks = dict(         # name: what its value must be, in words and as a function
     min_interval=_times, patience=_times, frame_rate=_times,
     jpeg_quality=('a whole number from 0 to 100', lambda value: value in range(101)),
+    record_as=(f"one of {', '.join(film_kinds)}", lambda value: value in film_kinds),
     gimbal_device_id=('a whole number from 0 to 255', lambda value: value in range(256)),
     clock_error=('a number', lambda value: _is_number(value, -1e12, 1e12)),
     information=("a CameraInformation of texts and numbers, such as CameraInformation(model='Mine')", _describes),
@@ -211,6 +217,7 @@ _checks = dict(         # name: what its value must be, in words and as a functi
     mounted=('None, or roll, pitch and yaw in degrees', lambda value: value is None or _are_angles(value)),
     pose=('a function or None', lambda value: value is None or callable(value)),
     velocity=('a function or None', lambda value: value is None or callable(value)),
+    platform=('a function or None', lambda value: value is None or callable(value)),
     lens=('a Lens or None', lambda value: value is None or hasattr(value, 'focal_length')),
     focus=('a Focus or None', lambda value: value is None or hasattr(value, 'percent')),
     log=('a logger or None', lambda value: value is None or hasattr(value, 'warning')))
@@ -368,6 +375,42 @@ def _posed(self:Camera, frame:Frame)->Frame:
     if pose is frame.pose and not self.clock_error: return frame
     return replace(frame, time_utc=frame.time_utc+self.clock_error, pose=pose)
 
+# %% ../../nbs/api/cameras/09_camera.ipynb #7b0e5522
+@patch
+def field_of_view(self:Camera, width:int=0, height:int=0, # Of a picture, px; 0: of the largest one
+                  source:str='', # Of a camera with several
+                 )->tuple:
+    "Return the field of view now, horizontal and vertical, degrees; NaN if unknown"
+    information,focal_length = self.information,_focal((self.lens or self.information).focal_length)
+    shown = information.shown(width or information.resolution_h, height or information.resolution_v)
+    return tuple(math.degrees(2*math.atan2(mm/2, focal_length)) for mm in shown)
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #7b0e5523
+@patch
+def _platform(self:Camera, pose:Pose, time_utc:float)->tuple|None:
+    "Return roll, pitch and heading of the vehicle then, degrees, NaN if unknown; `None`: the camera's own axes"
+    if self.platform is not None:
+        options = dict(time_utc=time_utc) if 'time_utc' in signature(self.platform).parameters else {}
+        angles = self.platform(**options)
+        if angles is not None and all(map(known, angles)): return tuple(angles)
+    if self.gimbal_device_id: return NAN,NAN,NAN
+    if self.mounted is None or not pose.is_held: return None
+    return euler(product(pose.q, inverse(quaternion(*self.mounted))))
+
+# %% ../../nbs/api/cameras/09_camera.ipynb #7b0e5524
+@patch
+def frame_metadata(self:Camera, frame:Frame|None=None, # `None`: one that the device itself encoded
+                   time_utc:float|None=None, # When that was taken, s since 1970; `None`: now
+                   source:str='', # Of a camera with several
+                  )->FrameMetadata:
+    "Return what we know of a frame, for its video"
+    if frame is None: frame = Frame(None, 0, clock.time() if time_utc is None else time_utc)
+    taken,frame = frame.time_utc,self._posed(frame)             # `taken`: by this computer's clock
+    width,height = (0,0) if frame.image is None else frame.image.shape[1::-1]
+    pose,fov = frame.pose or Pose(),self.field_of_view(width, height, source)
+    platform,sensor = self._platform(pose, taken),f'{self.information.model} {source}'.strip()
+    return FrameMetadata.seen(pose, frame.time_utc, fov, platform, self.platform_name, sensor)
+
 # %% ../../nbs/api/cameras/09_camera.ipynb #5c0a531b
 @patch
 def _encode(self:Camera, frame)->bytes:
@@ -404,7 +447,7 @@ def _close_cameras():
 @patch
 def add_stream(self:Camera,
     name:str='', # For people; empty: the model and a number
-    kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts' or 'tcp'
+    kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts', 'tcp' or 'webrtc'
     host:str='', # Where 'rtp' and 'mpegts' send to (this machine, or who sends START); where a server listens (all)
     port:int|None=None, # `None` is the usual one of its kind; 0: a server takes a free one
     codec:str='h264', # 'h264' or 'h265'
@@ -412,7 +455,7 @@ def add_stream(self:Camera,
     rate:float|None=15., # Pictures in a second, at most; `None`: the camera's own `frame_rate`
     bitrate:int|None=None, # bit/s; `None`: what suits size and rate
     uri:str='', # What viewers get, in place of what we think
-    server=None, # Your own `RTSPServer`, such as one with a password; `None`: that of this process at `port`
+    server=None, # Your own `RTSPServer` or `WHEPServer`, such as one with a password; `None`: this process's at `port`
     **how, # `source`, for a camera with several
 ):
     "Add and start a stream; raises `ValueError` for a used name, `OSError` for a used port"

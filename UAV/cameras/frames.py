@@ -6,6 +6,7 @@
 from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from numbers import Integral
 from fastcore.basics import patch
 from .values import CameraBusy, CameraError, Frame, RecordingEnded, VideoStatus
@@ -150,7 +151,7 @@ class Filming:
     "The streams and the recording of a camera"
     segment = 60.           # s of a recording in one file
     first = 3.              # s that a stop waits for the first picture
-    def __init__(self, camera): # Its `frames`, `storages`, `announce` and `make_encoder` are used
+    def __init__(self, camera): # Its `frames`, `storages`, `announce`, `record_as`, `make_encoder` and `frame_metadata` are used
         self.camera,self.streams = camera,_Streams()
         self.encoders = {}                      # by the format that was requested
         self.recorder = self.storage = None     # while there is a recording
@@ -175,13 +176,15 @@ class Filming:
         key = (codec,size,rate,bitrate) + ((source,) if source else ())
         with self._lock:
             if self.closed: raise CameraError(f'{self.camera!r} is closed')
-            if key not in self.encoders: self.encoders[key] = self.camera.make_encoder(*key)
+            if key not in self.encoders:
+                self.encoders[key] = encoder = self.camera.make_encoder(*key)
+                encoder.metadata_of = partial(self.camera.frame_metadata, source=source)
             return self.encoders[key]
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #3eb487ca
 @patch
 def add(self:Filming, name:str='', # For people; empty: the model and a number
-        kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts' or 'tcp'
+        kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts', 'tcp' or 'webrtc'
         host:str='', # As for `VideoStream`
         port:int|None=None, # As for `VideoStream`
         uri:str='', # As for `VideoStream`
@@ -195,9 +198,11 @@ def add(self:Filming, name:str='', # For people; empty: the model and a number
         name = name or f'{information.model} {number}'
         if any(name==s.name for s in self.streams): raise ValueError(f'there is a stream {name!r} already')
         size = information.resolution_h or 640,information.resolution_v or 480
-        same = (s.server for s in self.streams if (s.kind,s.host,s.port)==(kind,host,port)==('rtsp',host,port))
+        same = (s.server for s in self.streams if (s.kind,s.host,s.port)==(kind,host,port) and s.server)
         stream = VideoStream(self.encoder(**how), kind, name, number, host, port, server or next(same, None), uri,
                              size=size, on_change=self._announce_stream)
+        twins = (s.path for s in self.streams if s.kind=='rtsp' and s.encoder is stream.encoder)
+        if kind=='webrtc': stream.path = next(twins, stream.path)           # the same picture has one name
         self.streams.append(stream)         # a listener that gets its start finds it among the others
         try: stream.start()
         except BaseException:
@@ -285,7 +290,7 @@ def _new_recorder(self:Filming, storage):
     self.begun = begun = clock.Event()
     def name(number):
         begun.set()
-        return storage.new_recording()
+        return storage.new_recording(self.camera.record_as)
     return Recorder(name, segment=self.segment, quota=most, reserve=storage.reserve, on_end=self._ended)
 
 # %% ../../nbs/api/cameras/08_frames.ipynb #c245d201

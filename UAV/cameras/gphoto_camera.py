@@ -7,7 +7,7 @@ from __future__ import annotations
 from concurrent.futures import Future, TimeoutError
 from contextlib import suppress
 from pathlib import Path
-import itertools, re
+import itertools, re, subprocess, sys
 
 from fastcore.basics import patch
 from .camera import Camera
@@ -15,11 +15,12 @@ from .parameters import check_parameters, Parameter
 from .values import *
 from ..logging import get_logger
 from ..utils import clock
+from ..utils.discover import Found
 from ..utils.threads import _begin_thread, _has_ended
 from ..utils.pictures import decode_picture
 
 # %% auto #0
-__all__ = ['GPhotoCamera']
+__all__ = ['GPhotoCamera', 'search_gphoto']
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #80690847
 class GPhotoCamera(Camera):
@@ -152,6 +153,30 @@ def _decoded(jpeg:bytes):
     "Decode a JPEG of the body; raises `CameraError`"
     try: return decode_picture(jpeg, fit=True)
     except ValueError as e: raise CameraError(f'the camera body gave a JPEG that cannot be read: {e}') from None
+
+# %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #0d170002
+_list_bodies = '''
+import gphoto2
+found = gphoto2.Camera.autodetect()
+for n in range(found.count()): print(found.get_name(n), found.get_value(n), sep='\t')
+'''
+
+def search_gphoto(seconds:float=3.): # Until it's given up
+    "Yield a `Found` for each camera body on USB, or a text"
+    command = [sys.executable, '-c', _list_bodies]
+    try: done = subprocess.run(command, capture_output=True, text=True, timeout=seconds, errors='replace')
+    except subprocess.TimeoutExpired:
+        raise TimeoutError(f'libgphoto2 lists no bodies in {seconds:g} s: does a USB device hang?') from None
+    if done.returncode:
+        why = (done.stderr.splitlines() or [f'exit code {done.returncode}'])[-1]
+        yield 'gphoto2 is missing: pip install gphoto2' if 'ModuleNotFoundError' in why else f'libgphoto2 failed: {why}'
+        return
+    bodies = [row.split('\t') for row in done.stdout.splitlines() if row.count('\t')==1]
+    for name,port in bodies:
+        many = len(bodies)>1
+        notes = (f'at {port}', *(['this port changes with each plugging in'] if many else []))
+        yield Found(name, dict(device=f'gphoto2:///{port}' if many else 'gphoto2://'), notes)
+    if not bodies: yield f'no camera body is there: {_no_body}'
 
 # %% ../../nbs/api/cameras/17_gphoto_camera.ipynb #8a4996ef
 class _Body:

@@ -16,13 +16,14 @@ from .parameters import Option, Parameter
 from .values import *
 from ..utils import clock
 from ..utils.devices import DeviceURL
+from ..utils.discover import Found
 from ..utils.lazy import cv2, np
 from ..utils.threads import timers
 from ..video.encoder import PassThrough
 from ..video.units import sensible_bitrate, VideoFormat
 
 # %% auto #0
-__all__ = ['PiCamera']
+__all__ = ['PiCamera', 'search_libcamera']
 
 # %% ../../nbs/api/cameras/18_pi_camera.ipynb #468d8fe4
 class PiCamera(_LiveCamera):
@@ -309,3 +310,15 @@ def _output(module, push):
         def outputframe(self, frame, keyframe=True, timestamp=None, packet=None, audio=False):
             if not audio: push(frame, timestamp)
     return Pictures()
+
+# %% ../../nbs/api/cameras/18_pi_camera.ipynb #0d180002
+def search_libcamera(seconds:float=3.): # It takes as long as libcamera does, mostly less than a second
+    "Yield a `Found` for each camera on a ribbon cable, or a text"
+    try: cameras = _picamera2().Picamera2.global_camera_info()
+    except CameraError as e:
+        yield str(e)
+        return
+    ours = [one for one in cameras if 'usb' not in one.get('Id', '').lower()]
+    for one in ours:
+        yield Found(one.get('Model', 'camera'), dict(device=f'picamera://{one["Num"]}'), (one.get('Id', ''),))
+    if not ours: yield 'no camera on a ribbon cable: does it sit right at both ends? rpicam-hello --list-cameras'

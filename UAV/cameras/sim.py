@@ -117,6 +117,17 @@ def pose(self:SimCamera, look:tuple|None=None, # As from `look`; `None`: now
     origin = getattr(self.mount, 'origin', None) or self.origin
     return Pose(*origin, 0., *looks).moved(north, east, altitude)
 
+# %% ../../nbs/api/cameras/12_sim.ipynb #7b0e5531
+@patch
+def platform(self:SimCamera, time_utc:float|None=None, # s since 1970; `None`: now
+            )->tuple|None:
+    "Return roll, pitch and heading of the vehicle, degrees; `None`: there's none. A gimbal without one hangs level"
+    if self.mount is None: return None
+    vehicle = next((v for v in (getattr(self.mount, name, None) for name in ('mount','vehicle')) if v is not None), None)
+    age = 0. if time_utc is None else self.clock()-time_utc
+    state = vehicle.state(vehicle.clock()-age) if hasattr(vehicle, 'path') else vehicle
+    return (0.,0.,0.) if state is None else (state.roll, state.pitch, state.yaw)
+
 # %% ../../nbs/api/cameras/12_sim.ipynb #01f57365
 @patch
 def _draw(self:SimCamera, number:int, look:tuple, size:tuple|None):
@@ -425,6 +436,15 @@ def make_encoder(self:SimDualCamera, codec:str, size:tuple|None, rate:float, bit
     encoder = Encoder(frames, codec, size, rate, bitrate, name=self.information.model)
     encoder.eye = source
     return encoder
+
+# %% ../../nbs/api/cameras/12_sim.ipynb #7b0e5532
+@patch
+def field_of_view(self:SimDualCamera, width:int=0, height:int=0, # As for `Camera.field_of_view`
+                  source:str='')->tuple:
+    "Return the field of view of a source now, of the primary one if it isn't named, degrees"
+    wide = (self.lenses[source] if source else self.lens).horizontal_fov
+    part = (height or self.information.resolution_v)/(width or self.information.resolution_h)
+    return wide,math.degrees(2*math.atan(math.tan(math.radians(wide)/2)*part))
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #1d82361e
 @patch

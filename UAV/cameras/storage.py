@@ -19,7 +19,7 @@ from ..utils import clock
 from ..utils.threads import Closes, Opened
 
 # %% auto #0
-__all__ = ['MiB', 'storage_kinds', 'lost_line', 'Storage', 'write_file', 'lock_file']
+__all__ = ['MiB', 'storage_kinds', 'film_kinds', 'lost_line', 'Storage', 'write_file', 'lock_file']
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #3823c991
 MiB = 2**20
@@ -200,7 +200,9 @@ def information(self:Storage)->StorageInformation:
         total,used,free = shutil.disk_usage(self.folder)
         free -= self.reserve*MiB
         if self.quota is not None:
-            total,used = self.quota*MiB,self._sizes.there()+sum(map(_file_size, self.recordings))
+            films = _with_subtitles(name for name in self.ours if name.startswith('VID'))
+            total = self.quota*MiB
+            used = self._sizes.there()+sum(_file_size(self.folder/name) for name in films)
             free = min(free, total-used)
     except OSError: return StorageInformation(status='empty', **what)
     if not self.is_writable(): free = 0
@@ -221,12 +223,16 @@ def check_closed(self:Storage):
     if not self._release.alive: raise StorageError(f'storage {self.name!r} is closed')
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #7739a536
+film_kinds = 'mp4','ts'         # of recordings: MP4, and MPEG-TS with metadata for each frame
+
 @patch
-def new_recording(self:Storage)->Path:
+def new_recording(self:Storage, kind:str='mp4', # One of `film_kinds`
+                 )->Path:
     "The path of the next file of a recording, which is ours from now on; raises `StorageError`"
+    one_of('kind', kind, film_kinds)
     with self._lock:
-        names = map('VID_{:06}.mp4'.format, itertools.count(1))
-        name = next(name for name in names if not (self.folder/name).exists())
+        def is_free(stem): return not any((self.folder/f'{stem}.{end}').exists() for end in (*film_kinds,'srt'))
+        name = f"{next(filter(is_free, map('VID_{:06}'.format, itertools.count(1))))}.{kind}"
         self._append(_ours_line(name))
         if name not in self.ours: self.ours.append(name)
         return self.folder/name
@@ -234,8 +240,12 @@ def new_recording(self:Storage)->Path:
 # %% ../../nbs/api/cameras/02_storage.ipynb #5a3582c4
 @patch(as_prop=True)
 def recordings(self:Storage)->list:
-    "The files of our recordings, oldest first"
+    "The films of our recordings, oldest first; subtitles lie beside them"
     return [file for name in self.ours if name.startswith('VID') and (file := self.folder/name).is_file()]
+
+def _with_subtitles(names)->list:
+    "These names of ours, each recording with that of the subtitles beside it"
+    return [one for name in names for one in (name, name.rpartition('.')[0]+'.srt')[:1+name.startswith('VID')]]
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #bf67f7ce
 lost_line = 'its line in the log is lost'
@@ -280,7 +290,7 @@ def _finish_format(self:Storage):
     "Delete what the log of a format lists, and that log at last; a crash may have come between"
     if not self._format_log.exists(): return
     log = _ShotLog(self._format_log)
-    for name in (*_files_of(log.pictures.values()), *log.ours, 'formatting.jsonl'):
+    for name in (*_files_of(log.pictures.values()), *_with_subtitles(log.ours), 'formatting.jsonl'):
         (self.folder/name).unlink(missing_ok=True)
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #ef84831a
@@ -355,7 +365,7 @@ def _ours_line(name:str)->bytes:
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #1ad6de13
 _count_pattern = re.compile(rb'\{"count": "(\w{1,40})", "first": (\d{1,9})\}\n?')
-_ours_pattern = re.compile(rb'\{"ours": "(IMG_\d{6,}_*\.[a-z0-9]{1,8}|VID_\d{6,}\.mp4)"\}\n?')
+_ours_pattern = re.compile(rb'\{"ours": "(IMG_\d{6,}_*\.[a-z0-9]{1,8}|VID_\d{6,}\.(?:mp4|ts))"\}\n?')
 
 # %% ../../nbs/api/cameras/02_storage.ipynb #2e5f4f4e
 def _files_of(pictures)->list:

@@ -4,20 +4,19 @@
 
 # %% auto #0
 __all__ = ['media', 'CameraInformation', 'CameraError', 'CameraBusy', 'WrongMode', 'StorageError', 'StorageFull', 'StorageInUse',
-           'TakenBack', 'Pose', 'Frame', 'Still', 'Picture', 'CameraSettings', 'CaptureStatus', 'StorageInformation',
-           'media_in', 'ThermalRange', 'TrackingStatus', 'DeviceStatus', 'VideoStatus', 'RecordingEnded', 'NAN',
+           'TakenBack', 'Frame', 'Still', 'Picture', 'CameraSettings', 'CaptureStatus', 'StorageInformation',
+           'media_in', 'ThermalRange', 'TrackingStatus', 'DeviceStatus', 'VideoStatus', 'RecordingEnded', 'NAN', 'Pose',
            'Value', 'inside', 'known', 'one_of']
 
 # %% ../../nbs/api/cameras/00_values.ipynb #c572e020
 import json, re
 
-from ..utils import geo as earth
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field
 from fastcore.basics import patch
-from ..utils.geo import quaternion
+from ..utils.pose import Pose
 from ..utils.values import NAN, Value, inside, known, one_of, UAVError
 
-_all_ = ['NAN', 'Value', 'inside', 'known', 'one_of']
+_all_ = ['NAN', 'Pose', 'Value', 'inside', 'known', 'one_of']
 
 # %% ../../nbs/api/cameras/00_values.ipynb #feb357bc
 @dataclass(frozen=True, repr=False, eq=False)
@@ -58,35 +57,6 @@ class StorageFull(StorageError): "No room for another picture"
 class StorageInUse(StorageError): "The folder belongs to another storage, here or in another process"
 class TakenBack(CameraError): "It was cancelled, and nothing has changed"
 
-# %% ../../nbs/api/cameras/00_values.ipynb #287186f6
-@dataclass(frozen=True, repr=False, eq=False)
-class Pose(Value):
-    "Where the camera is and how it is held; what is unknown is NaN"
-    lat:float=NAN # Latitude, degrees
-    lon:float=NAN # Longitude, degrees
-    alt:float=NAN # Height above mean sea level, m
-    relative_alt:float=NAN # Height above the ground or home, m
-    roll:float=NAN # Degrees, right side down is positive
-    pitch:float=NAN # Degrees, -90 looks straight down
-    yaw:float=NAN # Degrees, clockwise from north
-
-# %% ../../nbs/api/cameras/00_values.ipynb #5c0a4e09
-@patch(as_prop=True)
-def q(self:Pose)->tuple:
-    "Attitude as (w, x, y, z) in the NED frame; (1, 0, 0, 0) when unknown"
-    angles = self.roll, self.pitch, self.yaw
-    return quaternion(*angles) if all(map(known, angles)) else (1.,0.,0.,0.)
-
-# %% ../../nbs/api/cameras/00_values.ipynb #5ce9ab25
-@patch
-def moved(self:Pose, north:float=0., # m
-          east:float=0., # m
-          up:float=0., # m
-         )->Pose:
-    "The same, so much further"
-    lat,lon = earth.moved(self.lat, self.lon, north, east)
-    return replace(self, lat=lat, lon=lon, alt=self.alt+up, relative_alt=self.relative_alt+up)
-
 # %% ../../nbs/api/cameras/00_values.ipynb #05780626
 @dataclass(frozen=True, repr=False, eq=False)
 class Frame:
@@ -96,6 +66,7 @@ class Frame:
     time_utc:float # When it was taken, s since 1970
     pose:Pose|None=None # Where it was taken
     tags:dict|None=field(default=None, kw_only=True) # EXIF tags of this one, such as {'ExposureTime': .01}
+    metadata:object=field(default=None, kw_only=True) # What came with it from another camera, a `FrameMetadata`
 
     def __repr__(self): return f'Frame({self.number}, {self.image.shape[1]}x{self.image.shape[0]})'
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 from argparse import ArgumentTypeError
 from collections import deque
 from contextlib import aclosing, contextmanager, ExitStack, suppress
+from datetime import datetime, timezone
 from difflib import get_close_matches
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -24,6 +25,7 @@ from UAV.manager.camera_status import (about_camera, capture_of, flags_of, print
 from ..mavlink import CameraClient
 from UAV.mavlink.camera_client import (CAMERA_CAPTURE_STATUS, CAMERA_INFORMATION, CAMERA_SETTINGS, mavlink,
     STORAGE_INFORMATION)
+from ..mavlink.camera_downloads import subtitles_of
 from ..mavlink.remote_camera import cameras_heard, is_camera, storage_of
 from ..mavlink.remote_video import CAMERA_TRACKING_IMAGE_STATUS, RemoteStream, tracking_of
 from ..mavlink.component import StatusText, Texts
@@ -423,7 +425,9 @@ async def meant_files(self:CameraVisit, path:str)->list:
     parent,_,name = path.rstrip('/').rpartition('/')
     beside = [] if path.strip('/')=='' else await self.entries(parent or '/')
     if any(e.name==name and not e.folder for _,e in beside): return [path]
-    return [one for one,e in await self.entries(path) if not e.folder]
+    found = [one for one,e in await self.entries(path) if not e.folder]
+    brought = set(map(subtitles_of, found))         # they come with their films
+    return [one for one in found if one not in brought]
 
 # %% ../../nbs/api/cli/03_camera.ipynb #54a9982c
 @patch
@@ -438,8 +442,10 @@ async def bring(self:CameraVisit,
         if named or isinstance(e, OSError) and e.errno in disk_errors: raise
         self.report(f'{printable(path)} is skipped: {printable(str(e))}', path=path, skipped=str(e))
         return False
-    size = place.stat().st_size
-    self.report(f'{path} → {place}  {amount(size)}', path=path, saved=str(place), size=size)
+    size,beside = place.stat().st_size,subtitles_of(str(place))
+    more = dict(subtitles=beside) if beside and Path(beside).exists() else {}
+    text = f'{path} → {place}  {amount(size)}{", with subtitles"*bool(more)}'
+    self.report(text, path=path, saved=str(place), size=size, **more)
     return True
 
 @_verb('fetch /media --to pictures', 'fetch /media/IMG_000000.jpg')
@@ -464,6 +470,20 @@ async def _remove(visit, paths:list[str], # Files on the camera
     for path in paths:
         await files.remove(path)
         visit.report(f'{path} is deleted', path=path)
+
+# %% ../../nbs/api/cli/03_camera.ipynb #9b7c0002
+@_verb('gpx pictures --to flight.gpx', 'gpx pictures > flight.gpx', offline=True)
+async def _gpx(visit, places:list[str], # Local folders with recordings and pictures, or such files
+               to:str=None, # File to write; default: print it
+               every:_pause=1.): # Seconds between two points of the track, at least
+    "Write the track of a flight as GPX, with a waypoint for each picture"
+    if not places: raise ValueError('which folder? `fetch /media --to pictures` fills one')
+    from UAV.cameras.gpx import flight_gpx
+    text = flight_gpx(*places, every=every)
+    about = dict(verb='gpx', points=text.count('<trkpt'), pictures=text.count('<wpt'))
+    if to is None: return visit.show(Result(text.rstrip(), gpx=text, **about))
+    with open(to, 'x', encoding='utf-8') as f: f.write(text)
+    visit.show(Result(f'{to}: {about["points"]} points, {about["pictures"]} pictures', saved=to, **about))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #5d502622
 def _setting(table, name:str, width:int=0)->Result:
@@ -586,6 +606,72 @@ async def _source(visit, sources:list[_source_word]): # Sensor to show, and one 
     found = await camera.video.streams()
     for stream in found: visit.report(_view(stream, await camera.thermal_range(stream.id) if stream.thermal else None))
     if not found: raise MAVError('it has no video stream')
+
+# %% ../../nbs/api/cli/03_camera.ipynb #4c0d1e02
+def _rounded(value:float, digits:int)->float|None: return round(value, digits) if known(value) else None
+
+def _sight(frame)->Result:
+    "Describe what a camera knew of a frame: degrees, m, s"
+    m,pose,(width,height) = frame.metadata,frame.pose,frame.size
+    if m is None: return Result(f'picture {frame.number}: nothing is known of it', picture=frame.number)
+    center = frame.where((width-1)/2, (height-1)/2)
+    degrees = {name:_rounded(getattr(pose, name), 2) for name in ('roll','pitch','yaw')}
+    spot = dict(lat=_rounded(pose.lat, 7), lon=_rounded(pose.lon, 7), alt=_rounded(pose.alt, 2))
+    height = _rounded(pose.relative_alt, 2)
+    there = {f'center_{name}':_rounded(getattr(center, name), 7) if center else None for name in ('lat','lon')}
+    words = [datetime.fromtimestamp(frame.time_utc, timezone.utc).isoformat(timespec='milliseconds')[:23]+'Z']
+    if known(spot['lat']): words += [f'{pose.lat:.6f} {pose.lon:.6f}']
+    if known(spot['alt']): words += [f'{pose.alt:.1f} m'+(f' ({height:.1f} m above the ground)' if known(height) else '')]
+    if pose.is_held: words += [f'roll {pose.roll:.1f} pitch {pose.pitch:.1f} yaw {pose.yaw%360:.1f}']
+    if center: words += [f'sees {center}']
+    return Result(', '.join(words), picture=frame.number, time_utc=round(frame.time_utc, 6), **spot, height=height, **degrees,
+        hfov=_rounded(m.hfov, 2), vfov=_rounded(m.vfov, 2), **there, error=center and _rounded(center.error, 2))
+
+
+# %% ../../nbs/api/cli/03_camera.ipynb #4c0d1e04
+class _Second:
+    "How many pictures came in each second"
+    def __init__(self): self._began,self._count = None,0
+    def __call__(self, frame, player)->Result|None:
+        "Count a picture; return a `Result` once a second"
+        if self._began is None: self._began = frame.time
+        self._count += 1
+        if frame.time-self._began<1: return None
+        rate,self._began,self._count = self._count/(frame.time-self._began),frame.time,0
+        width,height = frame.size
+        return Result(f'{width}×{height}, {rate:.0f} pictures a second, {player.lost} lost', width=width, height=height,
+                      rate=round(rate, 1), lost=player.lost)
+
+async def _picture_of(player, patience:float):
+    "Return the next picture, `None` at the end of a file; raises `NoAnswer`"
+    try: return await asyncio.wait_for(anext(player), patience)
+    except StopAsyncIteration: return None
+    except asyncio.TimeoutError: raise NoAnswer(player.fault or 'no picture comes') from None
+
+
+# %% ../../nbs/api/cli/03_camera.ipynb #4c0d1e03
+@_verb('video --klv', 'video', 'video --klv --json', 'video flight.ts --klv', offline=lambda source, **others: bool(source))
+async def _video(visit, source:list[str], # A file or URL to watch, without a camera
+                 klv:bool=False, # A line for each picture: time, place, height, attitude, centre
+                 name:str='', # Name of the stream; default: the first
+                 pictures:_pictures=0): # How many; 0: all, until Ctrl-C
+    "Watch a video: how many pictures come, or what the camera knew of each"
+    if len(source)>1: raise ValueError('video takes one file or URL')
+    from UAV.video.player import Player
+    if source: player,tell = Player(source[0], newest=False),visit.show
+    else:
+        player = await (await visit.choose()).video.open(name=name or None, newest=False)
+        tell = visit.report
+    visit.endless,count,second = not pictures,0,_Second()
+    with player:
+        while not pictures or count<pictures:
+            frame = await _picture_of(player, visit.options.timeout)
+            if frame is None: break
+            count += 1
+            if klv: tell(_sight(frame))
+            elif result := second(frame, player): tell(result)
+    if not klv: tell(Result(f'{count} picture{"s" if count!=1 else ""}', pictures=count, lost=player.lost))
+
 
 # %% ../../nbs/api/cli/03_camera.ipynb #58280283
 def _storage(storage:StorageInformation)->Result:

@@ -69,10 +69,11 @@ class Program:
     def verb(self,
         *examples, # Example arguments, for the help
         check=None, # Check of the arguments before a link is opened; raises `ValueError`
+        offline=False, # It needs no link, or a function of the arguments that says so
     ):
         "Make a function a verb of the program"
         def _f(f):
-            f.examples,f.check = examples,check
+            f.examples,f.check,f.offline = examples,check,offline
             self.verbs[examples[0].split()[0]] = f
             return f
         return _f
@@ -101,6 +102,7 @@ async def run(self:Program, typed, # Result of `parse`
     there = self.there = self.visit(self.client(us[1], loglevel=LogLevels.ERROR), options, typed.verb)
     try:
         if f.check: f.check(**arguments)
+        if f.offline(**arguments) if callable(f.offline) else f.offline: return await f(there, **arguments) or 0
         signing = key_in(options.sign)
         with on_links(links(options.connection), source_system=us[0], signing=signing) as com:
             com.add_component(there.client)

@@ -12,7 +12,8 @@ import logging, os, signal, sys, webbrowser
 from .common import (address, between, key_in, links, log_to, number, on_links, or_exit, place_for,
     run_with_options, sentence, StatusPrinter)
 from ..manager import Gui
-from ..manager.server import Door
+from ..manager.tiles import tiles_of
+from ..utils.web import Door
 from ..mavlink import CameraClient, GimbalClient, mavlink
 from ..wire.signing import state_file
 from typing import Literal
@@ -29,6 +30,8 @@ def fly(
     port:between(0, 65535, int)=0, # TCP port of the page; 0: a free one
     host:address='127.0.0.1', # Address of the page; 0.0.0.0: reachable from other computers
     token:str=None, # Token, at the end of the page's address: #token=TOKEN; or set UAV_GUI_TOKEN; default: a new one
+    tiles:str=None, # Base map: https://…/{z}/{x}/{y}.png, a folder of Z/X/Y.png, or an .mbtiles file (default: none)
+    attribution:str='', # Text on the map that the owner of the tiles asks for
     sign:str=None, # Sign the link with the key in this file
     system:number=253, # System id of the panel
     component:number=mavlink.MAV_COMP_ID_MISSIONPLANNER, # Component id of the panel
@@ -53,7 +56,7 @@ def fly(
     printer.line('stopped')
 
 # %% ../../nbs/api/cli/05_gui.ipynb #eab6d74a
-_groups = {'the vehicle':'connection sign sim path', 'the page':'browser port host token',
+_groups = {'the vehicle':'connection sign sim path', 'the page':'browser port host token tiles attribution',
            'the panel on MAVLink':'system component'}
 main = partial(run_with_options, fly, 'uav-gui', groups=_groups)
 
@@ -91,16 +94,22 @@ def _own_token(typed:str|None)->str|None:
     token = os.environ.get('UAV_GUI_TOKEN') if typed is None else typed
     return token if token is None else Door(token=token).token
 
+# %% ../../nbs/api/cli/05_gui.ipynb #7e1d3102
+def _wanted_tiles(typed):
+    "Return the base map of the options, or `None`; raises `ValueError`"
+    if typed.attribution and not typed.tiles: raise ValueError('--attribution names the owner of tiles: it needs --tiles')
+    return tiles_of(typed.tiles, typed.attribution)
+
 # %% ../../nbs/api/cli/05_gui.ipynb #1fa05b10
 def _opened(typed, stack:ExitStack)->tuple:
     "Open the panel and return `(Gui, its server)`; raises `ValueError`, `MAVError` or `OSError`"
-    token,connections = _own_token(typed.token),_wanted_links(typed)
+    token,connections,tiles = _own_token(typed.token),_wanted_links(typed),_wanted_tiles(typed)
     key = key_in(typed.sign)
     if typed.sim: stack.enter_context(sim_vehicle([_inner], typed.path or 'hover'))
     com = stack.enter_context(on_links(connections, source_system=typed.system, signing=key))
     second = next(id for id in (mavlink.MAV_COMP_ID_USER1,mavlink.MAV_COMP_ID_USER2) if id!=typed.component)
     clients = com.add_component(CameraClient(second)),com.add_component(GimbalClient(typed.component))
-    gui = stack.enter_context(Gui(*clients, title='A simulated vehicle' if typed.sim else 'UAV'))
+    gui = stack.enter_context(Gui(*clients, title='A simulated vehicle' if typed.sim else 'UAV', tiles=tiles))
     with place_for('page', typed.host, typed.port, instead='--port 0'):
         return gui,gui.serve(port=typed.port, host=typed.host, token=token)
 

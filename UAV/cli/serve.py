@@ -41,8 +41,10 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
     rtp:_host_port=None, # Send RTP to HOST:PORT, for example a ground station
     mpegts:_host_port=None, # Send MPEG-TS over UDP to HOST:PORT
     tcp:between(0, 65535, int)=None, # Serve MPEG-TS over TCP on this port
+    webrtc:between(0, 65535, int)=None, # Serve WebRTC (WHEP, and a page for browsers) on this port, such as 8889
     host:address=None, # Our address in stream URLs; default: the one that reaches each client
     codec:Literal['h264','h265']='h264', # Video codec
+    record:Literal['mp4','ts']='mp4', # Recordings: MP4, or MPEG-TS with place and attitude for each frame (KLV)
     size:_picture_size=None, # Video size, such as 1280x720; default: the camera's
     rate:between(.1, 240)=15., # Frames per second, at most
     bitrate:between(.01, 1000)=None, # Video bit rate, Mbit/s; default: by size and rate
@@ -54,6 +56,8 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
     mounted:_mounting=None, # Fixed camera: down, forward, or ROLL,PITCH,YAW in degrees
     path:Literal['hover','circle']=None, # Simulate a vehicle that flies this path
     autopilot:bool=False, # Also simulate the autopilot: QGroundControl shows no camera without one
+    discover:bool=False, # Print what could be served, as a file for --config, and exit
+    json:bool=False, # With --discover: print JSON, one object per line
     given=()): # Names of the options that were typed
     """Serve cameras to ground stations until Ctrl-C, with stills, video and storage
 
@@ -63,18 +67,28 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
       uav-camera-server --device siyi://192.168.144.25      # camera and gimbal of a SIYI
       uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # a file, sent as RTP
       uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal
-      uav-camera-server --config cameras.toml      # all cameras and gimbals of a vehicle"""
+      uav-camera-server --config cameras.toml      # all cameras and gimbals of a vehicle
+      uav-camera-server --discover > cameras.toml      # what is plugged in, or on the network"""
+    if discover or json: return _discover(discover, json)
     return _serve(SimpleNamespace(**locals()))
 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
-_groups = {'several cameras':'config', 'the link':'connection system component sign guard forward',
+_groups = {'several cameras':'config discover json', 'the link':'connection system component sign guard forward',
            'the camera':'device camera name mounted folder quota storage',
-           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate',
+           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp webrtc host codec size rate bitrate record',
            'gimbal and vehicle':'gimbal role path autopilot'}
 _levels = dict(                     # where each option stands in a file
-    vehicle='connection system sign guard forward rtsp rtsp_user rtsp_password_file host path autopilot',
-    both='folder quota mounted codec size rate bitrate',        # of a camera, or on top, for all
+    vehicle='connection system sign guard forward rtsp rtsp_user rtsp_password_file webrtc host path autopilot',
+    both='folder quota mounted codec size rate bitrate record',        # of a camera, or on top, for all
     camera='device camera component name gimbal storage rtp mpegts tcp', gimbal='device component role')
+
+def _discover(found:bool, as_json:bool)->int:
+    "Print what could be served; raises `SystemExit` for `--json` alone"
+    from UAV.cli.discover import print_found
+    with or_exit('uav-camera-server'):
+        if not found: raise ValueError('--json is for --discover')
+    return print_found(as_json)
+
 main = partial(run_with_options, serve_camera, 'uav-camera-server', groups=_groups)
 
 # %% ../../nbs/api/cli/02_serve.ipynb #3fa5d9e4

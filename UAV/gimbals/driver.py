@@ -22,8 +22,9 @@ from ..utils.values import inside
 from ..utils.geo import quaternion
 
 # %% auto #0
-__all__ = ['log', 'GimbalDriver', 'DeviceLine', 'TCPPort', 'UDPPort', 'SerialPort', 'FrameCutter', 'PhotoSeries', 'direction_of',
-           'GimbalCamera', 'CardCamera', 'gimbal_camera', 'takes_orders', 'camera_kind', 'open_camera']
+__all__ = ['log', 'GimbalDriver', 'DeviceLine', 'TCPPort', 'UDPPort', 'SerialPort', 'FrameCutter', 'ask_by_udp', 'search_by_udp',
+           'PhotoSeries', 'direction_of', 'GimbalCamera', 'CardCamera', 'gimbal_camera', 'takes_orders', 'camera_kind',
+           'open_camera']
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #c4e24a9c
 log = get_logger('line')
@@ -360,6 +361,34 @@ class FrameCutter:
             else: frames.append(frame)
             del self._data[:size]
         return frames
+
+# %% ../../nbs/api/gimbals/05_driver.ipynb #0d050002
+def ask_by_udp(host:str, port:int, # Of a device in one of our networks
+               question:bytes, read, # Function of a datagram that returns what it found there, or `None`
+               seconds:float=3., # To wait at most
+               pause:float=.7): # s until it's asked again
+    "Return what `read` found in an answer, or `None`; raises `OSError` when the host is in none of our networks"
+    family,*_,peer = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
+    end = clock.monotonic()+seconds
+    with socket.socket(family, socket.SOCK_DGRAM) as sock:
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_DONTROUTE, 1)
+        while (now := clock.monotonic())<end:
+            sock.sendto(question, peer)
+            until = min(now+pause, end)
+            while (left := until-clock.monotonic())>0:
+                sock.settimeout(left)
+                try: data,sender = sock.recvfrom(2048)
+                except TimeoutError: break
+                if sender[0]==peer[0] and (found := read(data)) is not None: return found
+
+def search_by_udp(maker:str, host:str, port:int, question:bytes, read, seconds:float): # As for `ask_by_udp`
+    "Yield what `read` found, a `Found`, or a text that says why there's nothing"
+    try: found = ask_by_udp(host, port, question, read, seconds)
+    except OSError as e:
+        if e.errno not in (errno.ENETUNREACH, errno.EHOSTUNREACH, errno.EADDRNOTAVAIL): raise
+        own = f'{host.rpartition(".")[0]}.20/24'
+        yield f'{host} is in no network of this computer: if you have a {maker}, sudo ip addr add {own} dev eth0'
+    else: yield found or f'nothing answered at {host}:{port}: it takes half a minute to start, or has another address'
 
 # %% ../../nbs/api/gimbals/05_driver.ipynb #6305f8f6
 class PhotoSeries:

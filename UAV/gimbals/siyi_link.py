@@ -16,14 +16,15 @@ from ..logging import get_logger
 from ..utils import clock, clock as _clock
 from ..utils.clock import goes_by_itself
 from ..utils.devices import DeviceURL
+from ..utils.discover import Found
 from ..utils.threads import Closes, timers
 from ..utils.values import inside, Value
-from .driver import DeviceLine, FrameCutter, SerialPort, TCPPort, UDPPort
+from .driver import DeviceLine, FrameCutter, search_by_udp, SerialPort, TCPPort, UDPPort
 
 # %% auto #0
 __all__ = ['MODELS', 'SiyiLink', 'Cmd', 'siyi_frame', 'rate_data', 'angle_data', 'zoom_data', 'SiyiFrame', 'SiyiReader',
            'SiyiVersions', 'read_versions', 'SiyiModel', 'SiyiAttitude', 'read_attitude', 'SiyiConfig', 'read_config',
-           'SiyiStream', 'read_stream', 'SiyiThermal', 'read_thermal', 'read_zoom', 'read_range']
+           'SiyiStream', 'read_stream', 'SiyiThermal', 'read_thermal', 'read_zoom', 'read_range', 'search_siyi']
 
 # %% ../../nbs/api/gimbals/07_siyi_link.ipynb #3187eb35
 class SiyiLink(Closes):
@@ -338,3 +339,17 @@ def read_zoom(data:bytes)->float:
 def read_range(data:bytes)->float:
     "Decode `Cmd.distance`, m; NaN: nothing is near enough"
     return _unpack('<H', data)[0]/10 or NAN
+
+# %% ../../nbs/api/gimbals/07_siyi_link.ipynb #0d070002
+def search_siyi(seconds:float=3., # It waits so long for an answer
+                host:str='192.168.144.25', port:int=37260):
+    "Yield a `Found` for the SIYI at this address, or a text"
+    place = f'siyi://{host}'+(f':{port}' if port!=37260 else '')
+    def read(data):
+        frames = [f for f in SiyiReader().feed(data) if f.cmd==Cmd.hardware and f.ctrl==2 and len(f.data)>=2]
+        if not frames: return None
+        hardware = frames[0].data.rstrip(b'\0').decode('ascii', 'replace')
+        model = MODELS.get(hardware[:2].upper(), SiyiModel())
+        name = f'SIYI {model.name}'.replace('SIYI SIYI', 'SIYI')
+        return Found(name, dict(device=place), (f'camera and gimbal, hardware {hardware}',))
+    return search_by_udp('SIYI', host, port, siyi_frame(Cmd.hardware), read, seconds)

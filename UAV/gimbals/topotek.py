@@ -12,13 +12,14 @@ from .values import *
 from ..utils import clock
 from ..utils.clock import goes_by_itself
 from ..utils.devices import DeviceURL
+from ..utils.discover import Found
 from ..utils.values import inside
 from ..utils.sockets import url_host
 from .driver import (DeviceLine, direction_of, FrameCutter, gimbal_camera, GimbalDriver, open_camera,
-    PhotoSeries, SerialPort, UDPPort)
+    PhotoSeries, search_by_udp, SerialPort, UDPPort)
 
 # %% auto #0
-__all__ = ['Topotek', 'topotek_frame', 'TopotekReader']
+__all__ = ['Topotek', 'topotek_frame', 'TopotekReader', 'search_topotek']
 
 # %% ../../nbs/api/gimbals/11_topotek.ipynb #aab75bb0
 class Topotek(GimbalDriver):
@@ -325,3 +326,13 @@ def open(cls:Topotek, url:DeviceURL, **storage):
     where = dict(host=url.host or url.path.rstrip('/'), port=url.port)
     gimbal = cls(**{name: value for name,value in where.items() if value}, **options)
     return open_camera(gimbal, lambda gimbal: gimbal_camera(gimbal, None if video=='none' else video, **storage))
+
+# %% ../../nbs/api/gimbals/11_topotek.ipynb #0d110002
+def search_topotek(seconds:float=3., # It waits so long for an answer
+                   host:str='192.168.144.108', port:int=9003):
+    "Yield a `Found` for the Topotek at this address, or a text"
+    place = f'topotek://{host}'+(f':{port}' if port!=9003 else '')
+    def read(data):
+        versions = [data.decode('ascii', 'replace') for _,what,data in TopotekReader().feed(data) if what=='VSN']
+        return Found('Topotek', dict(device=place), (f'camera and gimbal, version {versions[0]}',)) if versions else None
+    return search_by_udp('Topotek', host, port, topotek_frame('D', 'VSN', '00', control='r'), read, seconds)

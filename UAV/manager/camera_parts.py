@@ -509,10 +509,10 @@ async def point(self:_Aim, x:float, y:float, number:int)->str:
     if why_not := self.why_not: raise GimbalError(why_not)
     gimbal,q = self.gimbal,self._held(number)
     fov = self.field_of_view(await self.row.camera.request(CAMERA_FOV_STATUS))
-    pitch,yaw = _clicked(x, y, *fov, q)
+    (pitch,yaw),place = _clicked(x, y, *fov, q),self.row.ground.place(number, x, y)     # before it turns
     await gimbal.ready()
     ack = await gimbal.aim_at(pitch, yaw)
-    return f'pitch {pitch:.1f}°, yaw {yaw:.1f}°{gimbal.beyond(pitch, yaw)}' if ack else ack
+    return f'pitch {pitch:.1f}°, yaw {yaw:.1f}°{gimbal.beyond(pitch, yaw)}{f": {place}" if place else ""}' if ack else ack
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #a7dd8213
 @patch

@@ -60,9 +60,13 @@ class CameraRow(Row):
         "Return `(number, JPEG)` of the live picture, if it is later than `after`"
         return await self.preview.picture(after)
 
+    def sight(self, number:int)->list|None:
+        "Return the numbers of a picture for `whereIs` in the browser; `None` if its place is not known"
+        return self.ground.sight(number)
+
     async def close(self):
         "Stop zooming, and close the parts"
-        ends = (self.zoomer.leave(), *(part.close() for part in self.parts))
+        ends = (self.zoomer.leave(), self.preview.close(), *(part.close() for part in self.parts))
         for e in await asyncio.gather(*ends, return_exceptions=True):
             if isinstance(e, Exception): raise e
 
@@ -80,7 +84,8 @@ def _on_information(self:CameraRow, msg):
 def _on_stream(self:CameraRow, msg):
     "Store a stream's information, and use it once all have arrived"
     self.streams[msg.stream_id] = stream_of(msg)
-    if len(self.streams)==max(msg.count, 1): self.preview.streams = [self.streams[i] for i in sorted(self.streams)]
+    if len(self.streams)==max(msg.count, 1):
+        self.preview.streams = [s for _,s in sorted(self.streams.items()) if s.kind!='webrtc']
     elif len(self.streams)>msg.count:
         self.streams.clear()
         self.soon(VIDEO_STREAM_INFORMATION)

@@ -14,6 +14,7 @@ from .gimbal_row import GimbalRow
 from .map import Fleet
 from .panel import Panel, Row
 from .server import PanelServer
+from .tiles import tiles_of
 from .widget import _card_of, _Shown, _this_kernel
 from ..mavlink.remote_camera import cameras_heard, is_camera
 from ..utils import clock
@@ -29,6 +30,14 @@ class Gui(Panel):
     lives = '_watch_cameras','_watch_gimbals','_watch_vehicles','_forget_lost'
     most_rows,forget_after = 32,600.    # of each kind; s until a lost row is removed
     ask_again = 5.,60.      # s until an unanswered request is repeated: the first, the longest
+    def __init__(self, camera_client=None, # A `CameraClient` that is on a link
+                 gimbal_client=None, # A `GimbalClient` that is on a link
+                 auto=None, reset=None, pause=None, # Functions or coroutine functions, each with a button
+                 title:str='UAV', # Shown above the panel
+                 tiles=None, # Base map: an address with {z}, {x} and {y}, a folder of Z/X/Y.png, or an .mbtiles file
+                 attribution:str=''): # What the owner of the tiles wants to be said; '': as `tiles_of`
+        self.tiles = tiles_of(tiles, attribution)       # raises `ValueError` before anything has started
+        super().__init__(camera_client, gimbal_client, auto, reset, pause, title)
 
     def card(self, timeout:float=2., # Seconds to wait for first pictures
             )->str:

@@ -18,7 +18,9 @@ from .camera_status import battery_of, picture_of
 from ..mavlink.camera_tracking import CAMERA_FOV_STATUS, from_int32
 from ..utils import clock
 from ..utils.values import known, NAN
-from ..utils.geo import metres, moved, turned, unit
+from ..utils.geo import euler, metres, moved, product, quaternion, turned, unit
+from ..utils.pose import Place, Pose
+from ..video.klv import Accuracy, FrameMetadata
 from ..wire.dialect import address, MAVError
 
 # %% auto #0
@@ -116,6 +118,7 @@ class _Vehicle:
 
     place = property(lambda self: (self.position.lat/1e7, self.position.lon/1e7), doc="`(lat, lon)`, degrees")
     above = property(lambda self: self.position.relative_alt/1e3, doc="m above home")
+    speed = property(lambda self: math.hypot(self.position.vx, self.position.vy)/100, doc="m/s over the ground")
 
     @property
     def heading(self)->float:
@@ -226,13 +229,13 @@ class _CameraGround(RowPart):
         found = fleet and fleet.vehicles.get(self.row.camera.system)
         return found if found and found.is_fresh() else None
 
-    def by_gimbal(self)->tuple|None:
+    def by_gimbal(self, when:float=math.inf)->tuple|None: # Monotonic s
         "Return `(lat, lon, m above the ground, quaternion)` from gimbal and vehicle"
         gimbal,vehicle = self.row.aim.gimbal,self.vehicle
-        now = gimbal and gimbal.client.is_fresh and gimbal.client.attitude
-        if not now or vehicle is None: return None
-        if not known(now.vehicle_yaw): now = replace(now, vehicle_yaw=vehicle.heading)
-        return (*vehicle.place, vehicle.above, now.earth_q) if all(map(known, now.earth_q)) else None
+        q = gimbal.history.at(when) if gimbal and gimbal.client.is_fresh else None
+        if q is None or vehicle is None: return None
+        if gimbal.frame=='vehicle': q = product(quaternion(yaw=vehicle.heading), q)
+        return (*vehicle.place, vehicle.above, q) if all(map(known, q)) else None
 
 # %% ../../nbs/api/manager/05_map.ipynb #7e1d1404
 @patch
@@ -268,6 +271,41 @@ def features(self:_CameraGround)->list:
     ring = [on_earth(corner) for corner in corners]
     if middle and height>0: shown.append(_feature('center', 'Point', on_earth(middle), camera=self.row.id))
     return [_feature('footprint', 'Polygon', [[*ring, ring[0]]], camera=self.row.id), *shown] if ring else shown
+
+# %% ../../nbs/api/manager/05_map.ipynb #7e1d1412
+@patch
+def metadata(self:_CameraGround, number:int)->FrameMetadata|None: # Of a picture
+    "Return the pose and field of view of a picture, from its video or from MAVLink; `None` if unknown"
+    newest,fov = self.row.preview.newest,self.row.aim.field_of_view()
+    own = dict(newest.about).get(number)
+    if own and own.pose.is_held and known(own.hfov) and known(own.vfov): return own
+    came = newest.when(number)
+    at = came and fov and not self.row.lost and (self.by_gimbal(came-self.row.aim.delay) or self.by_camera())
+    if not at: return None
+    (lat,lon,height,q),vehicle = at,self.vehicle
+    sea = vehicle.position.alt/1e3-vehicle.above if vehicle else NAN            # of home
+    late = .3*vehicle.speed if vehicle else 0.                                  # GPS four times a second
+    off = Accuracy(position=math.hypot(3., late), height=2., attitude=2.)       # the attitude is of about that moment
+    return replace(FrameMetadata.seen(Pose(lat, lon, sea+height, height, *euler(q)), fov=fov), accuracy=off)
+
+# %% ../../nbs/api/manager/05_map.ipynb #7e1d1414
+@patch
+def sight(self:_CameraGround, number:int)->list|None:
+    "Return latitude, longitude, height above the ground, quaternion, fields of view, and accuracies of a picture"
+    seen = self.metadata(number)
+    if seen is None: return None
+    pose,off = seen.pose,seen.accuracy
+    numbers = (pose.lat, pose.lon, pose.relative_alt, *pose.q, seen.hfov, seen.vfov,
+               off.position, off.height, off.attitude)
+    return [round(n, 7) for n in numbers] if all(map(known, numbers)) and pose.relative_alt>0 else None
+
+# %% ../../nbs/api/manager/05_map.ipynb #7e1d1415
+@patch
+def place(self:_CameraGround, number:int, x:float, y:float)->Place|None: # -1 to 1, right and down are positive
+    "Return the place on the ground in picture `number`; `None` in the sky, if it isn't known, or could be anywhere"
+    seen = self.metadata(number)
+    there = seen and seen.where(x+.5, y+.5, 2, 2)
+    return None if there is None or there.error>=there.distance else there
 
 # %% ../../nbs/api/manager/05_map.ipynb #d3b31195
 @patch

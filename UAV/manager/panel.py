@@ -32,6 +32,7 @@ class Panel(Closes):
     "A control panel for cameras and gimbals"
     id,kind,lives = '','',()        # `lives`: names of coroutine methods that run all the time
     fleet = None                    # a `Fleet`, with vehicles and links
+    tiles = None                    # the base map, as from `tiles_of`
     def __init__(self, camera_client=None, # A `CameraClient` that is on a link
                  gimbal_client=None, # A `GimbalClient` that is on a link
                  auto=None, reset=None, pause=None, # Functions or coroutine functions, each with a button
@@ -308,6 +309,7 @@ class Row:
     async def close(self): "Leave the device in order"
     async def picture(self, after:int)->tuple|None: "Return `(number, JPEG)` of a picture later than `after`, if any"
     def thumbnail(self, key:int)->bytes|None: "Return the JPEG of a captured picture, or `None`"
+    def sight(self, number:int)->list|None: "Return what places on the ground in that picture follow from, or `None`"
 
     def buttons(self)->dict:
         "Return `{name: state}` of its buttons"

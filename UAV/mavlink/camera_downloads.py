@@ -14,6 +14,7 @@ import asyncio, errno, math, os, re, stat
 from fastcore.basics import patch
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.dialects.v20.ardupilotmega import MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL as FILE_TRANSFER_PROTOCOL
+from ..logging import get_logger
 from ..utils import clock
 from ..utils.files import FileEntry, local_name
 from ..utils.output import Progress
@@ -28,8 +29,8 @@ from .remote_video import hosts_of
 _all_ = ['FtpError', 'FileEntry']
 
 # %% auto #0
-__all__ = ['RemoteFiles', 'FtpFile', 'FtpNumbers', 'open_part', 'place_on_disk', 'keep_part', 'RemoteFile', 'FtpError',
-           'FileEntry']
+__all__ = ['RemoteFiles', 'FtpFile', 'FtpNumbers', 'open_part', 'place_on_disk', 'keep_part', 'subtitles_of', 'RemoteFile',
+           'FtpError', 'FileEntry']
 
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #ab052711
 class RemoteFiles:
@@ -113,14 +114,14 @@ async def fetch(self:RemoteFiles, file, # Path on the vehicle, URL, listed file,
     """Fetch a file; return its bytes or path, `a_2.jpg` if `a.jpg` is another. Raises `FtpError`, `Lost`, `OSError`
 
     It comes over MAVLink FTP, lost pieces are asked for again, and its checksum is compared.
-    With `to` a transfer that broke off goes on where it was, from `NAME.part`.
+    With `to` a transfer that broke off goes on where it was, from `NAME.part`, and a film brings its subtitles.
 
     path = await camera.files.fetch('/media/IMG_000000.jpg', to='pictures')
     """
     if _is_web(url := _path_of(file)): return await self._fetch_web(url, to, progress, most, any_host)
     files,path = self._place(file)
     if progress is True: progress = Progress(local_name(path))
-    if to is not None: return await files._to_disk(path, place_on_disk(to, path), progress)
+    if to is not None: return await files._beside(path, await files._to_disk(path, place_on_disk(to, path), progress))
     wanted = FtpFile(files, path, BytesIO())
     wanted.most = most
     await wanted.fetch_checked(progress)
@@ -512,6 +513,24 @@ async def _to_disk(self:RemoteFiles, path:str, to:Path, progress)->Path:
         if os.name=='nt': sink.close()      # there an open file keeps its name
         return await keep_part(part, to)    # while it is locked
 
+# %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #5f0a0002
+_film = re.compile(r'(.+)\.(mp4|mov|m4v|ts|mts)', re.I|re.S)
+
+def subtitles_of(path:str)->str|None: # Of a file
+    "Return the path of the subtitles beside a film; `None` if the file is no film"
+    found = _film.fullmatch(path)
+    return found and f'{found[1]}.{"SRT" if found[2].isupper() else "srt"}'
+
+@patch
+async def _beside(self:RemoteFiles, path:str, place:Path)->Path:
+    "Fetch the subtitles of a film to lie beside it, if there are some; return the place of the film"
+    if not (there := subtitles_of(path)): return place
+    try: await self._to_disk(there, place.with_suffix(there[-4:]), None)
+    except (FtpError, Lost, OSError) as e:
+        absent = isinstance(e, FtpError) and (e.code==FtpCode.FILE_NOT_FOUND or e.errno==errno.ENOENT)
+        if not absent: get_logger('camera').warning('%s: no subtitles: %s', place, e)
+    return place
+
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #01116d36
 def _is_web(path:str)->bool: return path.lower().startswith(('http://','https://'))
 
@@ -697,6 +716,8 @@ def _may_go_on(self:RemoteFiles, error:Exception, vain:int)->bool:
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #2fca32fe
 @patch
 async def remove(self:RemoteFiles, file): # Path, URL, listed file, or notice of a picture
-    "Remove a file; raises `FtpError` if missing or protected"
+    "Remove a file, a film with its subtitles; raises `FtpError` if missing or protected"
     files,path = self._place(file)
     await files._ask(FtpOp.REMOVE_FILE, path)
+    if there := subtitles_of(path):
+        with suppress(FtpError): await files._ask(FtpOp.REMOVE_FILE, there)

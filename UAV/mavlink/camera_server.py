@@ -111,6 +111,13 @@ def _checked_name(name:str, what:str='name')->str:
     if not fits: raise ValueError(f'{what} is a text of 1 to 31 bytes, not {name!r}')
     return name.strip()
 
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #7b0e5821
+@patch
+def on_mav_connection(self:CameraServer):
+    "Name the vehicle in the metadata of the camera's videos, unless it has a name"
+    given = getattr(self.camera, 'platform_name', 'none')
+    if re.fullmatch(r'(System \d+)?', given): self.camera.platform_name = f'System {self.source_system}'
+
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #2e609364
 @patch
 def for_us(self:_CameraVerbs, camera_id:int):
@@ -198,7 +205,7 @@ def files(self:CameraServer):
     return self.ftp.files
 
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #0e61fc60
-_media = re.compile(r'IMG_\d{6,}_*\.[a-z0-9]{1,8}|VID_\d{6,}\.mp4')
+_media = re.compile(r'IMG_\d{6,}_*\.[a-z0-9]{1,8}|VID_\d{6,}\.(?:mp4|ts|srt)')
 
 def _no_media(name:str)->bool: return not _media.fullmatch(name)
 

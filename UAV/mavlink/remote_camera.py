@@ -25,7 +25,8 @@ from ..wire.dialect import Ack, enum_value, MAVError, number_of, storage_media
 from .protocol import check_count, check_seconds, comes_from, Failed, Lost, NoAnswer
 from .component import message_name
 from .camera_video import CAMERA_THERMAL_RANGE, VIDEO_STREAM_INFORMATION
-from .camera_tracking import CAMERA_FOV_STATUS, from_int32
+from .camera_tracking import CAMERA_FOV_STATUS
+from .remote_view import FieldOfView, fov_of
 from .remote_video import enum_word, RemoteTracking, RemoteVideo
 from .capture import Capture, PictureLog, RemotePictures
 from .camera_downloads import place_on_disk, RemoteFiles
@@ -33,7 +34,7 @@ from .parameter_client import RemoteSettings
 
 # %% auto #0
 __all__ = ['Picture', 'RemoteCamera', 'printable', 'text_of', 'flags_of', 'RemotePicture', 'CameraStatus', 'status_of',
-           'FieldOfView', 'fov_of', 'storage_of', 'is_camera', 'cameras_heard']
+           'storage_of', 'is_camera', 'cameras_heard']
 
 # %% ../../nbs/api/mavlink/15_remote_camera.ipynb #f3ff60aa
 class RemoteCamera:
@@ -391,30 +392,6 @@ async def status(self:RemoteCamera)->CameraStatus:
     settings,now = await asyncio.gather(self.request(CAMERA_SETTINGS), self.request(CAMERA_CAPTURE_STATUS))
     if settings is None and now is None: raise NoAnswer(f'{self._label} does not say what it is doing')
     return status_of(settings, now)
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #ad3cf4ef
-@dataclass(frozen=True, repr=False, eq=False)
-class FieldOfView(Value):
-    "Field of view of a camera (CAMERA_FOV_STATUS); unknown values are NaN"
-    pose:Pose # Position and attitude of the camera
-    hfov:float=NAN # Degrees
-    vfov:float=NAN # Degrees
-    center:tuple=(NAN,)*3 # Latitude, longitude, altitude (m above the sea) in the middle of the picture; `inf`: the sky
-
-    def __repr__(self):
-        p,(lat,lon,alt) = self.pose,self.center
-        shown = {f'{self.hfov:.1f}° × {self.vfov:.1f}°': known(self.hfov),
-                f'pitch {p.pitch:.1f}°, {round(p.yaw, 1)%360:.1f}° from north': known(p.pitch),
-                'the sky': math.isinf(lat), f'{lat:.6f} {lon:.6f}, {alt:.0f} m': math.isfinite(lat)}
-        return 'FieldOfView: '+(', '.join(word for word,there in shown.items() if there) or 'nothing is known')
-
-# %% ../../nbs/api/mavlink/15_remote_camera.ipynb #7416dcf0
-def fov_of(msg, # A CAMERA_FOV_STATUS
-          )->FieldOfView:
-    "Return the `FieldOfView` of a message"
-    units = dict(lat=1e7, lon=1e7, alt=1e3)
-    def place(what): return tuple(from_int32(getattr(msg, f'{name}_{what}'), scale) for name,scale in units.items())
-    return FieldOfView(Pose(*place('camera'), NAN, *euler(msg.q)), msg.hfov, msg.vfov, place('image'))
 
 # %% ../../nbs/api/mavlink/15_remote_camera.ipynb #b443cc96
 @patch

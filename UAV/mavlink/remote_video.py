@@ -20,6 +20,7 @@ from ..wire.dialect import Ack, enum_name, LinkError
 from .protocol import comes_from
 from .mavcom import ends, own_host
 from .camera_video import pushed, stream_encodings, stream_types, VIDEO_STREAM_INFORMATION
+from .remote_view import views_of
 from .camera_tracking import CAMERA_TRACKING_GEO_STATUS, CAMERA_TRACKING_IMAGE_STATUS, from_int32
 
 # %% auto #0
@@ -62,6 +63,8 @@ async def watch(self:RemoteVideo,
         if not any_host: hosts.check(url, f'the video of {self.camera.system}/{self.camera.component}')
         if not stream.running: (await self.start(stream.id)).check()
     player = Player(hosts.reachable(url), **options)
+    player.metadata_of = views_of(self.camera.client).view(self.camera, stream.hfov)
+    if not hosts: player.metadata_of.rate = 2.      # a serial line
     try:
         if is_pushed: (await self.start(stream.id)).check()
     except BaseException:
@@ -78,6 +81,7 @@ async def open(self:RemoteVideo, stream_id:int|None=None, # Stream number; `None
     "Return a `Player` of a stream; raises `ValueError` (no such stream), `PermissionError` (host), `MAVError`"
     there = await self.streams()
     found = [s for s in there if stream_id in (None,s.id) and name in (None,s.name)]
+    found.sort(key=lambda s: s.kind=='webrtc')          # what we can't play comes last
     if not found: raise ValueError(f'no such stream; there are {there or "none"}')
     return await self.watch(found[0], **options)
 
@@ -110,7 +114,7 @@ class RemoteStream:
     "A video stream of a camera (VIDEO_STREAM_INFORMATION)"
     id:int # From 1
     name:str # Name given by the camera
-    kind:str # 'rtsp', 'rtp', 'mpegts' or 'tcp'; 'unknown' for others
+    kind:str # 'rtsp', 'rtp', 'mpegts', 'tcp' or 'webrtc'; 'unknown' for others
     codec:str # 'h264' or 'h265'; '' if unknown
     width:int # px
     height:int # px
@@ -166,6 +170,7 @@ def player_url(stream:RemoteStream, # As `streams` gives it
     "Return the URL for a `Player`; raises `ValueError` for a URI of another kind"
     uri,(kind,codec) = stream.uri.strip(),_by_scheme(stream.uri, stream.kind, stream.codec)
     scheme,mark,rest = uri.partition('://')
+    if kind=='webrtc': raise ValueError(f'{uri} is a stream for browsers and players of WHEP, not for this player')
     is_known,place = not mark or scheme.lower() in _schemes,_pushed_to.fullmatch(uri)
     if is_known and kind in ('rtsp','tcp') and rest: return f'{kind}://{rest}'
     if is_known and kind=='tcp' and place and place[1]: return f'tcp://{uri}'

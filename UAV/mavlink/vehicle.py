@@ -415,15 +415,29 @@ def _looks(self:Geotagger, t:float)->tuple|None:
     vehicle,mounted = self._attitudes.at(t),getattr(self.device, 'mounted', None)
     return None if vehicle is None or mounted is None else product(vehicle, quaternion(*mounted))
 
+# %% ../../nbs/api/mavlink/04_vehicle.ipynb #7b0e5541
+@patch
+def _moment(self:Geotagger, time_utc:float|None)->float:
+    "Return a time, s since 1970, on our clock; `None`: now, -inf: an impossible one"
+    age = 0. if time_utc is None else self.utc()-time_utc
+    return self.clock()-age if -1<=age<=self.remembers else -math.inf
+
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #e666a1f8
 @patch
 def pose(self:Geotagger, time_utc:float|None=None, # Time of a frame in s since 1970; `None`: now
         )->Pose:
     "Return the camera's pose at a time; unknown values are NaN"
-    age = 0. if time_utc is None else self.utc()-time_utc
-    t = self.clock()-age if -1<=age<=self.remembers else -math.inf      # no pose for an impossible time
+    t = self._moment(time_utc)
     place,q = self._positions.at(t) or Pose(),self._looks(t)
     return place if q is None else replace(place, **dict(zip(('roll','pitch','yaw'), euler(q))))
+
+# %% ../../nbs/api/mavlink/04_vehicle.ipynb #7b0e5542
+@patch
+def platform(self:Geotagger, time_utc:float|None=None, # As for `pose`
+            )->tuple|None:
+    "Return roll, pitch and heading of the vehicle at a time, degrees, or `None`"
+    q = self._attitudes.at(self._moment(time_utc))
+    return None if q is None else euler(q)
 
 # %% ../../nbs/api/mavlink/04_vehicle.ipynb #161927e5
 _takers = {POSITION:Geotagger._take_position, ATTITUDE:Geotagger._take_attitude, GIMBAL_STATE:Geotagger._take_attitude,
@@ -469,7 +483,7 @@ def _counts(self:Geotagger, msg)->bool:
 def _pass_on(self:Geotagger, msg):
     "Give the camera a pose"
     if not self._serves or msg.get_msgId() in (SYSTEM_TIME, HOME): return
-    self.device.pose,self.device.velocity = self.pose,self.velocity
+    self.device.pose,self.device.velocity,self.device.platform = self.pose,self.velocity,self.platform
 
 @patch
 @receives(SYSTEM_TIME)

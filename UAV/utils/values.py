@@ -35,7 +35,8 @@ class Value:
 
     def __eq__(self, other):
         if type(self) is not type(other): return NotImplemented
-        return all(a == b or not (known(a) or known(b)) for a,b in zip(vars(self).values(), vars(other).values()))
+        pairs = ((getattr(self, f.name), getattr(other, f.name)) for f in fields(self))
+        return all(a == b or not (known(a) or known(b)) for a,b in pairs)
 
     def __hash__(self):
         values = (getattr(self, f.name) for f in fields(self))

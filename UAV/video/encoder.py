@@ -12,6 +12,7 @@ from ..utils import clock
 from ..utils.lazy import av, np
 from ..utils.threads import _begin_thread, Closes
 from ..utils.pictures import _checked
+from ..utils.values import known
 from .units import (AccessUnit, byte_stream, codecs, _DecodeTimes, _even, _is_hardware, is_key,
     _nal_type, nal_units, _open_codec, parameter_sets, sensible_bitrate, Sink, VideoFormat)
 
@@ -43,6 +44,8 @@ class Encoder(Closes):
     silence = 2.        # s without a frame that are a fault
     pause = .5          # s after an error, before it tries again
     patience = 2.       # s that a source or a sink may keep us waiting
+    has_metadata = False            # did a unit have some?
+    metadata_of = None  # function of a frame (`None`: its source encodes) and its time (s since 1970) to `FrameMetadata`
     size,bitrate,rate,key_interval = map(_setting, ('size','bitrate','rate','key_interval'))
 
     def __init__(self, source, # Of frames: `watching()` and `next(after, timeout)`
@@ -57,6 +60,7 @@ class Encoder(Closes):
         self.format,self.fault,self.measured = None,None,_Measured()     # last known; what is wrong now; what came out
         self._sinks,self._changed,self._delivering = {},clock.Condition(),clock.RLock()
         self._thread,self._codec,self._key_wanted,self._closed,self._number = None,None,False,False,-1
+        self._complained = False        # did `metadata_of` raise?
         self._planned = None,None       # shape of the frames, and their format; anew after each change
         store_attr()
 
@@ -171,10 +175,26 @@ def _wanted(self:Encoder, image)->VideoFormat:
     bitrate = self.bitrate or sensible_bitrate(*size, self.rate, self.codec)
     return VideoFormat(self.codec, *size, self.rate, bitrate)
 
+# %% ../../nbs/api/video/01_encoder.ipynb #5d0e33a2
+@patch
+def _metadata(self:Encoder, frame, time_utc:float, came=None):
+    "Return the `FrameMetadata` of a frame, or `None`; what `came` with it from elsewhere, unless only we have a place"
+    came = came or getattr(frame, 'metadata', None)
+    if self.metadata_of is None or came and known(came.lat): return came
+    try:
+        metadata = self.metadata_of(frame, time_utc)
+        if metadata is not None: metadata.data          # its bytes, made here, where an error costs no viewer
+        if came is None or metadata and known(metadata.lat): return metadata
+    except Exception as e:
+        if not self._complained: _log.warning('%s: no metadata: %r', self.name, e, exc_info=e)
+        self._complained = True
+    return came
+
 # %% ../../nbs/api/video/01_encoder.ipynb #c670b470
 @patch
 def _encode(self:Encoder, frame, time:float)->list:
     "Return the access units of this frame"
+    metadata = self._metadata(frame, frame.time_utc)
     with self._changed:
         key,self._key_wanted = self._key_wanted,False
         shape,wanted = self._planned
@@ -184,18 +204,19 @@ def _encode(self:Encoder, frame, time:float)->list:
     if self._codec and (self._codec.wanted is wanted or self._codec.wanted==wanted):
         last = self._codec.key_time         # long enough ago?
         key = key or last is not None and time-last>self.key_interval-.5/wanted.rate
-        try: return self._codec.encode(frame, time, key)
+        try: return self._codec.encode(frame, time, key, metadata)
         except av.FFmpegError as e:
             if not _is_hardware(self._codec.name): raise
             _log.warning('%s: %s failed, the processor goes on: %s', self.name, self._codec.name, e)
             self.hardware = False
-    self._codec,units = _open_codec(wanted, frame, time, self.hardware)
+    self._codec,units = _open_codec(wanted, frame, time, self.hardware, metadata)
     return units
 
 # %% ../../nbs/api/video/01_encoder.ipynb #59f9a288
 @patch
 def _deliver(self:Encoder, unit:AccessUnit):
     "To all sinks that have had a key frame, or get one now"
+    if unit.metadata is not None: self.has_metadata = True
     if unit.format is not self.format: self._set(format=unit.format)
     self.measured.add(unit.time, len(unit.data))
     with self._delivering:
@@ -349,6 +370,7 @@ def _watch(self:PassThrough):
 @patch
 def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
          taken:float|None=None, # When the frame was taken, monotonic s; `None` is now
+         metadata=None, # Its `FrameMetadata`, if it came with one
          **known): # What is known of the format: `width`, `height`, `rate`, `bitrate`
     "Hand an access unit to all sinks; nothing happens before the first key frame"
     now = clock.monotonic()
@@ -361,5 +383,6 @@ def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
         made = replace(made, headers=byte_stream(self._sets), **known)
     elif made is None: return
     self._number,self._came = self._number+1,now
-    decode = self._decode_times(taken)
-    self._deliver(AccessUnit(data, key, taken, clock.time()-now+taken, self._number, made, decode))
+    decode,taken_utc = self._decode_times(taken),clock.time()-now+taken
+    metadata = self._metadata(None, taken_utc, metadata)
+    self._deliver(AccessUnit(data, key, taken, taken_utc, self._number, made, decode, metadata))

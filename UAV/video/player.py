@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/video/08_player.ipynb #36bde153
 from __future__ import annotations
+from collections import deque
 from contextlib import closing, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property
@@ -16,7 +17,10 @@ from ..utils.lazy import av, np
 from ..utils.threads import _begin_thread, Closes, Opened
 from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned, NewestFrame
 from ..utils.sockets import host_in, plain_host
-from .receivers import _find, _listen_pair, _read_sdp, Receiver, RTPReader, RTPReceiver, _Stopped, TSReceiver
+from ..utils.pose import Place, Pose
+from .klv import FrameMetadata, MetadataTrack
+from UAV.video.receivers import (_find, _listen_pair, _read_sdp, Receiver, RTPMetadata, RTPReader, RTPReceiver, _Stopped,
+    TSReceiver)
 from .rtsp import _authorization, _challenges, _head_lines, _Interleaved, _RequestReader, _Response, RTSPError
 
 # %% auto #0
@@ -27,6 +31,7 @@ class Player(Closes):
     "Watch a live stream, or a file"
     first_retry,longest_back_off = .25,5.                 # s between attempts to come back, doubled each time
     _most = 30                                      # pictures that wait to be read when each is wanted
+    metadata_of = None          # function of a frame that came without `FrameMetadata`, to one; `close` ends it
     def __init__(self,
         url, # As `_open_pictures` takes it
         timeout:float=5., # s without a packet after which the stream counts as lost
@@ -62,6 +67,7 @@ class Player(Closes):
         self._closing.set()
         self._source.stop()
         self._pictures.end('closed', forget=True)
+        getattr(self.metadata_of, 'close', lambda: None)()
         if self._thread is not clock.current_thread(): self._thread.join(1)
 
     def watching(self):
@@ -109,10 +115,21 @@ async def __anext__(self:Player):
 def _play(self:Player):
     "Hand out pictures, until the file ends or the stream is lost"
     with closing(self._source.pictures()) as pictures:
-        for picture,came,utc in pictures:
-            if not self._pictures.put(Decoded(picture, self._pictures.number+1, came, utc)): raise _Stopped
+        for picture,*known in pictures:
+            frame = Decoded(picture, self._pictures.number+1, *known)
+            if frame.metadata is None and self.metadata_of: frame.metadata = self._known_of(frame)
+            if not self._pictures.put(frame): raise _Stopped
             if self.fault: self.log.info('%s is back', _url_name(self.url))
             self.connected,self.fault = True,None
+
+@patch
+def _known_of(self:Player, frame)->FrameMetadata|None:
+    "Return what `metadata_of` knows of a frame; it isn't called again when it has raised"
+    try: return self.metadata_of(frame)
+    except Exception as e:
+        self.log.warning('%s: no metadata: %r', _url_name(self.url), e, exc_info=e)
+        self.metadata_of = None
+
 
 # %% ../../nbs/api/video/08_player.ipynb #d29c3aa5
 @patch
@@ -155,7 +172,8 @@ class Decoded:
     def __init__(self, decoded, # `av.VideoFrame`
                  number:int, # Counts the pictures of a player
                  time:float, # When it came, by the sender's time stamp, monotonic s; in a file, when it is due
-                 time_utc:float): # When it was taken, if the sender says so (RTCP), else when it came; s since 1970
+                 time_utc:float, # When it was taken, if the sender says so (KLV, RTCP), else when it came; s since 1970
+                 metadata:FrameMetadata|None=None): # What the camera knew then
         store_attr()
         self._turns = _frame_turns(decoded)
         size = decoded.width,decoded.height
@@ -177,6 +195,24 @@ class Decoded:
         reformat = av.video.reformatter.VideoReformatter().reformat
         here = dict(threads=1) if 'threads' in reformat.__doc__ else {}         # PyAV from 17 on
         return _turned(reformat(self.decoded, *size, 'bgr24', **here).to_ndarray(), self._turns)
+
+# %% ../../nbs/api/video/08_player.ipynb #7d3a2c02
+@patch(as_prop=True)
+def pose(self:Decoded)->Pose|None:
+    "Where the camera was and how it was held; `None`: nothing came with the picture"
+    return self.metadata and self.metadata.pose
+
+@patch
+def where(self:Decoded, x:float, y:float, # Pixel of `image`; 0,0 is the middle of the upper left one
+         )->Place|None:
+    "Return the place on the ground under a pixel, with its error; `None`: in the sky, or it can't be known"
+    if self.metadata is None: return None
+    (width,height),(transposed,columns,rows) = self.size,self._turns or (False,)*3
+    if columns: x = width-1-x
+    if rows: y = height-1-y
+    if transposed: x,y = y,x
+    return self.metadata.where(x, y, self.decoded.width, self.decoded.height)
+
 
 # %% ../../nbs/api/video/08_player.ipynb #4b2af606
 def _decoder(codec:str):
@@ -200,13 +236,13 @@ class _Decoding:
     def __init__(self): self._codec,self._decoder,self._inside,self._number = None,None,{},0
 
     def __call__(self, unit)->list:
-        "`(av.VideoFrame, time, time_utc)` of each picture that comes out, with the times of its own unit"
+        "`(av.VideoFrame, time, time_utc, metadata)` of each picture that comes out, with what its own unit had"
         if unit.format.codec!=self._codec: self._codec,self._decoder = unit.format.codec,_decoder(unit.format.codec)
         self._number += 1
-        self._inside[self._number] = times = unit.time,unit.time_utc
+        self._inside[self._number] = known = unit.time,unit.time_utc,unit.metadata
         self._inside.pop(self._number-self.most, None)
         pictures = _decode(self._decoder, unit.data, self._number)
-        return [(picture, *self._inside.pop(picture.pts, times)) for picture in pictures]
+        return [(picture, *self._inside.pop(picture.pts, known)) for picture in pictures]
 
 # %% ../../nbs/api/video/08_player.ipynb #c62616e2
 def _open_pictures(url, timeout:float=5., paced:bool=True, transport:str|None=None):
@@ -250,14 +286,14 @@ class _LivePictures(GetAttr):
         self.receiver,self.sinks = receiver,[]      # `sinks` get the access units as they came
 
     def pictures(self):
-        "`(av.VideoFrame, time, time_utc)` of each; raises `OSError`"
+        "`(av.VideoFrame, time, time_utc, metadata)` of each; raises `OSError`"
         vain,patience = None,self.receiver.patience         # since when no unit can be decoded, monotonic s
         with closing(self.receiver.units()) as units:
             decoding = _Decoding()
             for unit in units:
                 for sink in list(self.sinks): sink.put(unit)
                 pictures = decoding(unit)
-                for picture,time,utc in pictures: yield picture,min(time, clock.monotonic()),utc
+                for picture,time,*known in pictures: yield picture,min(time, clock.monotonic()),*known
                 if pictures: vain = None
                 elif vain is None: vain = clock.monotonic()
                 elif clock.monotonic()-vain>patience:
@@ -286,12 +322,28 @@ class _FilePictures:
         self._container.close()
 
     def pictures(self):
-        "`(av.VideoFrame, time, time_utc)` of each; raises `_Stopped`"
+        "`(av.VideoFrame, time, time_utc, metadata)` of each; raises `_Stopped`"
         began,began_utc = self._began = self._began or (clock.monotonic(),clock.time())
-        for picture in self._container.decode(video=0):
+        for picture,metadata,taken in self._decoded():
             due = picture.time or 0
             if self._stopped.wait(max(0, began+due-clock.monotonic()) if self._paced else 0): raise _Stopped
-            yield picture,began+due,began_utc+due
+            yield picture,began+due,taken or began_utc+due,metadata
+
+    def _decoded(self):
+        "`(av.VideoFrame, metadata, when it was taken)` of each; a set that stands behind its picture is found, too"
+        video,track,waits = self._container.streams.video[0],MetadataTrack(),deque()
+        klv = [stream for stream in self._container.streams.data if stream.name=='klv'][:1]
+        ahead = 8 if klv else 0             # pictures
+        for packet in self._container.demux(video, *klv):
+            if packet.stream.index==video.index: waits.extend(packet.decode())
+            elif packet.size: track.put(bytes(packet), _ticks(packet))
+            while len(waits)>ahead: yield (picture := waits.popleft()),*track.of(_ticks(picture))
+        for picture in waits: yield picture,*track.of(_ticks(picture))
+
+def _ticks(one)->int|None:
+    "Return the time stamp of a packet or picture of PyAV in 1/90000 s"
+    return None if one.pts is None else round(one.pts*one.time_base*90_000)
+
 
 # %% ../../nbs/api/video/08_player.ipynb #29b1fd7b
 def strip(player, # `Player`
@@ -367,11 +419,13 @@ class RTSPReceiver(Receiver):
         self._user = unquote(place.username or ''),unquote(place.password or '')
         super().__init__(place._replace(netloc=place.netloc.rpartition('@')[2]).geturl(), timeout)
         self.transport,self._challenge,self._count = transport,'',0         # how often it was answered
+        self._wants_klv = True          # until a server gives nothing any more when it's asked for
         self._forget()
 
     def _forget(self):
         "Nothing is agreed with the server yet, or no longer"
         self._sock,self._udp,self._answers,self._packets = None,None,_AnswerReader(),[]
+        self._klv,self._klv_channel = None,None     # the reader of the metadata, and their channel
         self._cseq,self._session,self._methods,self._alive = 0,None,'',30.
         self._ping_at,self._denied = 0.,0       # when to give a sign of life, monotonic s; how many were refused
         self._ping,self._waits = 'OPTIONS',False        # by what request; is there no answer to the last one yet?
@@ -467,7 +521,11 @@ def _describe(self:RTSPReceiver):
     "Describe the server's video: `(Media, its URL, URL of the presentation)`"
     _,headers,_ = self._ask('OPTIONS', self._at, also=(400,403,404,405,454,455,501,551))
     self._methods = headers.get('public', '')
-    _,headers,body = self._ask('DESCRIBE', self._at, Accept='application/sdp')
+    code,accept = 0,'application/sdp'           # our own server offers KLV only to those who take it
+    if self._wants_klv:
+        wish = f'{accept}, application/smpte336m'
+        code,headers,body = self._ask('DESCRIBE', self._at, also=(400,406,415,501), Accept=wish)
+    if code!=200: _,headers,body = self._ask('DESCRIBE', self._at, Accept=accept)
     try: media = _read_sdp(body)
     except ValueError as e: raise ConnectionError(str(e)) from None
     base = urljoin(self._at, headers.get('content-base') or headers.get('content-location') or self._at)
@@ -494,11 +552,38 @@ def _agreed(self:RTSPReceiver, headers):
     self._alive = max(1, int(_find(r'timeout *= *(\d{1,6})', after, 60))/2)         # s; half the session's
     way = headers.get('transport', '')
     self._channel = int(_find(r'interleaved=(\d{1,3})', way, 0))
+    self._let_in(self._udp, way)
+
+@patch
+def _let_in(self:RTSPReceiver, socks, way:str):
+    "Send from our sockets to the ports in the server's `Transport`, so that a firewall lets packets of these in"
     port = int(_find(r'server_port=(\d{1,5})', way, 0))
-    if not (self._udp and port): return
+    if not (socks and port): return
     host,port = self._sock.getpeername()[0],min(port, 65534)
-    for n,sock in enumerate(self._udp):         # so that a firewall lets those of the server in
+    for n,sock in enumerate(socks):
         with suppress(OSError): sock.sendto(b'\x80\xc9\0\1\0\0\0\0', (host, port+n))     # empty RTCP report
+
+
+# %% ../../nbs/api/video/08_player.ipynb #7d3a2c11
+@patch
+def _setup_klv(self:RTSPReceiver, payload_type:int, rate:int, control:str, session_url:str):
+    "Agree with the server on the way of the metadata, if it likes; raises `_Moved` to begin anew without"
+    socks,wish = [],'RTP/AVP/TCP;unicast;interleaved=2-3'
+    if self._udp:
+        socks = _listen_pair(self._sock.getsockname()[0])
+        self._udp += socks              # closed with the others
+        port = socks[0].getsockname()[1]
+        wish = f'RTP/AVP;unicast;client_port={port}-{port+1}'
+    self._wants_klv = False             # if that fails, then for good
+    try: code,headers,_ = self._ask('SETUP', _resolve(session_url, control), also=range(400, 600), Transport=wish)
+    except OSError as e: raise _Moved(self._at) from e
+    self._wants_klv = True
+    way = headers.get('transport', '')
+    channel = 2 if socks else int(_find(r'interleaved=(\d{1,3})', way, 2))
+    if code!=200 or abs(channel-self._channel)<2: return
+    self._klv,self._klv_channel = RTPMetadata(self._reader, payload_type, rate),channel
+    self._let_in(socks, way)
+
 
 # %% ../../nbs/api/video/08_player.ipynb #1656c868
 @patch
@@ -514,7 +599,8 @@ def _listen_until(self:RTSPReceiver, until, silent_at):
     for n,sock in enumerate(self._udp or ()):
         if sock not in ready: continue
         packet,(host,*_) = sock.recvfrom(1<<16)
-        if host==self._sock.getpeername()[0]: self._packets.append((self._channel+n, packet))         # no stranger's
+        channel = self._channel+n if n<2 else self._klv_channel+n-2
+        if host==self._sock.getpeername()[0]: self._packets.append((channel, packet))                 # no stranger's
 
 # %% ../../nbs/api/video/08_player.ipynb #8def4bf9
 @patch
@@ -542,6 +628,8 @@ def _arrived(self:RTSPReceiver):
     packets,self._packets = self._packets,[]
     for channel,packet in packets:
         if channel==self._channel+1: self._reader.clock.report(packet)
+        elif self._klv and channel==self._klv_channel: self._klv(packet)
+        elif self._klv and channel==self._klv_channel+1: self._klv.clock.report(packet)
     return [packet for channel,packet in packets if channel==self._channel]
 
 # %% ../../nbs/api/video/08_player.ipynb #01ef658f
@@ -581,6 +669,7 @@ def _watch(self:RTSPReceiver):
             media,url,session_url = self._describe()
             self._setup(url)
             self._reader = RTPReader(media.codec, media.headers, media.payload_type)
+            if media.klv and self._wants_klv: self._setup_klv(*media.klv, session_url)
             self._ask('PLAY', session_url, Range='npt=0.000-')
             for packet in self._play(session_url): yield from self._read(packet)
         finally:            # say goodbye, without waiting for the answer

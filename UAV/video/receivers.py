@@ -15,12 +15,13 @@ from fastcore.basics import patch, store_attr
 from ..utils import clock
 from ..utils.threads import Closes
 from ..utils.sockets import host_in
+from .klv import MetadataTrack
 from .senders import is_group
 from .units import (AccessUnit, _begins_decoding, byte_stream, clock_rate, codecs, _DecodeTimes, _nal_type,
     nal_units, _parameter_sets as _set_kinds, _slices, VideoFormat)
 
 # %% auto #0
-__all__ = ['ts_size', 'Receiver', 'TSReceiver', 'RTPReceiver', 'listen_host', 'RTPReader']
+__all__ = ['ts_size', 'Receiver', 'TSReceiver', 'RTPReceiver', 'listen_host', 'RTPReader', 'RTPMetadata']
 
 # %% ../../nbs/api/video/03_receivers.ipynb #a3bf5f35
 class _Stopped(Exception): "The receiver was stopped"
@@ -212,6 +213,7 @@ class _Media:
     headers:bytes=b'' # The parameter sets, as a byte stream
     control:str='' # Its URL for RTSP, often relative
     session_control:str='' # The URL of all of it
+    klv:tuple=() # Payload type, clock rate and URL of the KLV beside it, if there is any
 
 # %% ../../nbs/api/video/03_receivers.ipynb #b72d834a
 def _parameter_sets(fmtp)->bytes:
@@ -232,6 +234,13 @@ def _find(pattern:str, text:str, default='')->str:
     found = re.search(pattern, text, re.M|re.I)
     return found[1].strip() if found else default
 
+# %% ../../nbs/api/video/03_receivers.ipynb #6c2f1b10
+def _klv_medium(section:str)->tuple:
+    "Return payload type, clock rate and URL of a medium of KLV (RFC 6597); empty for others"
+    found = re.search(r'^a=rtpmap: *(\d+) +SMPTE336M/(\d{1,9})', section, re.M|re.I)
+    return (int(found[1]),int(found[2]),_find(r'^a=control:(.*)', section)) if found else ()
+
+
 # %% ../../nbs/api/video/03_receivers.ipynb #f89b283e
 def _read_sdp(text:str)->_Media:
     "Return the first H.264 or H.265 video of an SDP; raises `ValueError` when it has none"
@@ -242,7 +251,8 @@ def _read_sdp(text:str)->_Media:
         fmtp = _find(rf'^a=fmtp: *{found[1]} +(.*)', section)
         host = _find(r'^c=IN IP[46] ([^/\s]+)', section) or _find(r'^c=IN IP[46] ([^/\s]+)', session)
         return _Media(found[2].lower(), int(found[1]), host, int(_find(r'^m=video (\d+)', section, 0)),
-            _parameter_sets(fmtp), _find(r'^a=control:(.*)', section), _find(r'^a=control:(.*)', session))
+            _parameter_sets(fmtp), _find(r'^a=control:(.*)', section), _find(r'^a=control:(.*)', session),
+            next(filter(None, map(_klv_medium, sections)), ()))
     raise ValueError('the SDP has no H.264 or H.265 video')
 
 # %% ../../nbs/api/video/03_receivers.ipynb #2f4331ab
@@ -290,7 +300,7 @@ class _UnitMaker:
         self.number,self.begun,self.lost = 0,False,0        # `lost`: pictures that came in part only
         self._times,self._decode_times,self._before = _SenderTimes(bits),_DecodeTimes(),b''
 
-    def __call__(self, data:bytes, taken:float|None=None, stamp:int|None=None)->list:
+    def __call__(self, data:bytes, taken:float|None=None, stamp:int|None=None, metadata=None)->list:
         "Return a list of one access unit, or none, of a picture `taken` at s since 1970, or now, to show at a `stamp`"
         data,self._before = self._before+data,b''
         nals,now = nal_units(data),clock.monotonic()
@@ -306,7 +316,8 @@ class _UnitMaker:
         self.number += 1
         time = now if stamp is None else self._times(stamp, now)
         form = VideoFormat(self.codec, 0, 0, 0, 0)              # what the decoder will find out
-        return [AccessUnit(data, key, time, taken or clock.time(), self.number-1, form, self._decode_times(time))]
+        taken,decode_time = taken or clock.time(),self._decode_times(time)
+        return [AccessUnit(data, key, time, taken, self.number-1, form, decode_time, metadata)]
 
     def _keep_sets(self, nals:list, kinds:set):
         "Remember the parameter sets that came, for key frames without them; of a kind that didn't come, those before"
@@ -427,7 +438,7 @@ class RTPReader:
                  headers:bytes=b'', # Parameter sets, when the description of the stream has them
                  payload_type:int|None=None): # Only these packets; `None` takes all
         store_attr('codec,payload_type')
-        self.clock = _SenderClock()
+        self.clock,self.track = _SenderClock(),MetadataTrack(bits=32)      # `track`: of the KLV beside it
         self._make,self._reorder = _UnitMaker(codec, headers),_Reorder()
         self._data,self._timestamp,self._last = bytearray(),None,None
         self._whole = True                                      # `None`: it was too large, and is counted already
@@ -503,9 +514,48 @@ def _complete(self:RTPReader)->list:
     "Return an access unit of the picture that is at its end, when all of it came"
     data,whole = bytes(self._data),self._whole
     self._data,self._whole,self._sliced = bytearray(),True,False
-    if whole: return self._make(data, self.clock.utc(self._timestamp), self._timestamp) if data else []
+    if whole and data:
+        metadata,taken = self.track.of(self._timestamp)
+        return self._make(data, taken or self.clock.utc(self._timestamp), self._timestamp, metadata)
     self._make.lost += whole is False
     return []
+
+# %% ../../nbs/api/video/03_receivers.ipynb #6c2f1b13
+class RTPMetadata:
+    "RTP packets of KLV in, sets for the pictures of a reader out (RFC 6597)"
+    most = 1<<16                # bytes; no set is so large
+    def __init__(self, video:RTPReader, # The reader of the video beside it, which gets them
+                 payload_type:int|None=None, # Only these packets; `None` takes all
+                 rate:int=clock_rate): # Of its time stamps, Hz
+        store_attr()
+        self.clock,self._data,self._stamp,self._last = _SenderClock(),bytearray(),None,None
+
+    def __call__(self, packet:bytes):
+        "Take a packet"
+        parts = _rtp_parts(packet)
+        if parts is None or self.payload_type not in (None,parts[0]): return
+        _,marker,sequence,stamp,payload = parts
+        missing = self._last is not None and sequence!=(self._last+1)&0xffff
+        if stamp!=self._stamp and not missing: self._keep()         # of a sender without marks
+        if missing or stamp!=self._stamp: self._data = bytearray()
+        self._last,self._stamp = sequence,stamp
+        if len(self._data)<=self.most: self._data += payload
+        if marker: self._keep()
+
+    def _keep(self):
+        "Give the video what has come together"
+        data,self._data = bytes(self._data),bytearray()
+        if 0<len(data)<=self.most: self.video.track.put(data, self._beside(self._stamp))
+
+    def _beside(self, stamp:int)->int|None:
+        "Return the video's time stamp at one of ours; `None` when it isn't known yet"
+        now,theirs,ours = self.video._timestamp,self.video.clock,self.clock
+        if self.rate!=clock_rate or now is None: return None
+        if abs((stamp-now+2**31)%2**32-2**31)<clock_rate: return stamp      # they begin at the same number
+        if theirs._at is None or ours._at is None: return None
+        early = 45                      # 0.5 ms, since NTP rounds: no set comes too late for its picture
+        return (theirs._timestamp+round((ours.utc(stamp)-theirs._at)*clock_rate)-early)%2**32
+
 
 # %% ../../nbs/api/video/03_receivers.ipynb #2c6ade4e
 ts_size = 188
@@ -524,12 +574,21 @@ def _program_map(body:bytes)->int|None:
 # %% ../../nbs/api/video/03_receivers.ipynb #1f2eed9a
 _stream_types = {0x1b:'h264', 0x24:'h265'}
 
-def _video_stream(body:bytes)->tuple|None:
-    "`(PID, codec)` of the first video in a program map"
+def _streams(body:bytes):
+    "`(type, PID, descriptors)` of each stream in a program map"
     n = 9+(int.from_bytes(body[7:9], 'big')&0xfff)
     while n+5<=len(body):
-        if body[n] in _stream_types: return int.from_bytes(body[n+1:n+3], 'big')&0x1fff,_stream_types[body[n]]
-        n += 5+(int.from_bytes(body[n+3:n+5], 'big')&0xfff)
+        end = n+5+(int.from_bytes(body[n+3:n+5], 'big')&0xfff)
+        yield body[n],int.from_bytes(body[n+1:n+3], 'big')&0x1fff,body[n+5:end]
+        n = end
+
+def _video_stream(body:bytes)->tuple|None:
+    "`(PID, codec)` of the first video in a program map"
+    return next(((pid,_stream_types[kind]) for kind,pid,_ in _streams(body) if kind in _stream_types), None)
+
+def _klv_stream(body:bytes)->int|None:
+    "Return the PID of the first KLV in a program map: private data marked 'KLVA', or metadata (ISO 13818-1)"
+    return next((pid for kind,pid,marks in _streams(body) if kind==0x15 or kind==6 and b'KLVA' in marks), None)
 
 # %% ../../nbs/api/video/03_receivers.ipynb #874d61d7
 def _ts_parts(packet:bytes)->tuple:
@@ -571,6 +630,7 @@ class _TSReader:
         self._rest,self._pes,self._size = b'',None,None         # bytes of a packet not yet complete; the picture so far
         self._counter,self._filled = None,False                 # of the packet before
         self.trust = True                                       # does a filled packet end a picture?
+        self.klv,self._klv,self._klv_counter,self._track = None,None,None,MetadataTrack()   # PID of the metadata; so far
 
     def __call__(self, data:bytes)->list:
         "Return the access units that these bytes complete"
@@ -587,14 +647,16 @@ class _TSReader:
     def _packet(self, packet)->list:
         pid,begins,filled,payload,counter = _ts_parts(packet)
         if pid==self.pid and payload: return self._video(begins, filled, payload, counter)
-        if begins and payload: self._table(pid, payload)
+        if pid in (0,self.programs): begins and payload and self._table(pid, payload)
+        elif pid==self.klv and payload: self._metadata(begins, filled, payload, counter)
         return []
 
     def _table(self, pid, payload):
         "Learn from a table where the video is"
         if pid==0: self.programs = _program_map(_section(payload))
         elif pid==self.programs:
-            found = _video_stream(_section(payload))
+            found,klv = _video_stream(_section(payload)),_klv_stream(_section(payload))
+            if found and klv!=self.klv: self.klv,self._klv,self._track = klv,None,MetadataTrack()
             if not found or found==(self.pid,self._make and self._make.codec): return
             self.pid,self._make = found[0],_UnitMaker(found[1], bits=33)
 
@@ -632,7 +694,32 @@ def _give_up(self:_TSReader):
 def _complete(self:_TSReader)->list:
     "Return an access unit of the picture that is at its end"
     data,self._pes = bytes(self._pes or b''),None
-    return self._make(data[9+data[8]:], stamp=_pes_stamp(data)) if len(data)>9 else []
+    if len(data)<=9: return []
+    stamp = _pes_stamp(data)
+    metadata,taken = self._track.of(stamp)
+    return self._make(data[9+data[8]:], taken, stamp, metadata)
+
+# %% ../../nbs/api/video/03_receivers.ipynb #6c2f1b02
+@patch
+def _metadata(self:_TSReader, begins, filled, payload, counter):
+    "Add the next packet of the metadata"
+    if counter==self._klv_counter: return                   # the same packet again
+    if self._klv_counter is not None and counter!=(self._klv_counter+1)&15: self._klv = None       # one is missing
+    self._klv_counter = counter
+    if begins: self._keep_metadata()                        # of a sender that gives no length
+    if begins: self._klv = bytearray() if payload[:3]==b'\0\0\1' else None
+    if self._klv is None: return
+    self._klv += payload
+    size = _pes_size(self._klv) if len(self._klv)>9 else None
+    if filled or size and len(self._klv)>=size: self._keep_metadata()
+    elif len(self._klv)>1<<16: self._klv = None             # no set is so large
+
+@patch
+def _keep_metadata(self:_TSReader):
+    "Keep the sets of a PES packet that is at its end"
+    data,self._klv = bytes(self._klv or b''),None
+    if len(data)>9: self._track.put(data[9+data[8]:_pes_size(data)], _pes_stamp(data))
+
 
 # %% ../../nbs/api/video/03_receivers.ipynb #4116b092
 def _has_packets(data:bytes)->bool:

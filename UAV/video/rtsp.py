@@ -15,7 +15,7 @@ from fastcore.basics import basic_repr, patch, store_attr
 from fastcore.meta import delegates
 from ..utils import clock
 from .receivers import _SenderClock
-from .senders import is_group, UDPSink
+from .senders import is_group, _klv_of, UDPSink
 from .units import AccessUnit, clock_rate, _nal_type, nal_units, parameter_sets, VideoFormat
 
 # %% auto #0
@@ -120,6 +120,7 @@ def _payloads(unit:AccessUnit, size:int=1388)->list:
 class _RTPStream:
     "Numbers the packets of one stream to one receiver, and reports about it"
     payload_type = 96       # the first of those that SDP explains
+    payloads = staticmethod(_payloads)
     def __init__(self, size:int=1388):                                          # bytes a payload may have
         self.size,self.ssrc,self.packets_sent,self.octets_sent = size,secrets.randbits(32),0,0
         self.sequence,self.start = secrets.randbits(16),secrets.randbits(32)    # next number; time stamp at 0 s
@@ -142,7 +143,7 @@ class _RTPStream:
     def packets(self, unit:AccessUnit)->list:
         "Return the RTP packets of one picture"
         if unit.time_utc: self.utc_offset = unit.time_utc-unit.time
-        pieces,timestamp = _payloads(unit, self.size),self.timestamp(unit.time)
+        pieces,timestamp = self.payloads(unit, self.size),self.timestamp(unit.time)
         return [self._packet(piece, timestamp, marker=n==len(pieces)) for n,piece in enumerate(pieces, 1)]
 
     def report(self, now:float|None=None)->bytes:
@@ -168,6 +169,19 @@ class _RTPStream:
 # %% ../../nbs/api/video/04_rtsp.ipynb #8356d936
 def _is_report(data:bytes)->bool: return len(data)>=8 and data[0]>>6==2 and data[1] in (200,201)     # RTCP
 
+# %% ../../nbs/api/video/04_rtsp.ipynb #7b0e5632
+class _KLVStream(_RTPStream):
+    "The sets that belong to a stream of pictures"
+    payload_type = 97
+    def __init__(self, pictures:_RTPStream):
+        super().__init__(pictures.size)
+        self.start = pictures.start
+
+    @staticmethod
+    def payloads(unit:AccessUnit, size:int)->list:
+        data = _klv_of(unit)
+        return [data[at:at+size] for at in range(0, len(data), size)]
+
 # %% ../../nbs/api/video/04_rtsp.ipynb #911034d6
 _sprop = {32:'vps', 33:'sps', 34:'pps'}
 
@@ -182,7 +196,7 @@ def _parameters(format:VideoFormat)->str:
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #b6f56224
 def _sdp(format:VideoFormat, host:str='0.0.0.0', port:int=0, name:str='video', control:str|None=None,
-         ttl:int|None=None)->str:
+         ttl:int|None=None, metadata:str|None=None)->str:
     "Return a description of a stream to an address; RTSP agrees on a port (0), and has `control`, a relative URL"
     family = 'IP6' if ':' in host else 'IP4'
     address = host if ttl is None or family=='IP6' else f'{host}/{ttl}'
@@ -192,6 +206,7 @@ def _sdp(format:VideoFormat, host:str='0.0.0.0', port:int=0, name:str='video', c
         control and 'a=control:*', control and 'a=range:npt=now-', f'm=video {port} RTP/AVP 96',
         f'b=AS:{max(1, round(format.bitrate/1000))}', f'a=rtpmap:96 {format.codec.upper()}/90000',
         parameters and f'a=fmtp:96 {parameters}', f'a=framerate:{format.rate:g}', control and f'a=control:{control}']
+    if metadata: lines += ['m=application 0 RTP/AVP 97', 'a=rtpmap:97 SMPTE336M/90000', f'a=control:{metadata}']
     return '\r\n'.join([*filter(None, lines), ''])
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #3648ccdd
@@ -344,6 +359,10 @@ class _Transport:
     tcp:bool
     pair:tuple # For RTP, and for RTCP
 
+    def fits(self, other)->bool:
+        "True if another track may go by that, beside this one"
+        return other.tcp==self.tcp and not set(other.pair)&set(self.pair)
+
     def header(self, ports:tuple, ssrc:int)->str:
         "Return the Transport header of our answer"
         first,second = self.pair
@@ -357,31 +376,38 @@ def _pair(text:str)->tuple|None:
     return match and (int(match[1]), int(match[2] or int(match[1])+1))
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #15293b88
-def _transport(offer:str)->_Transport|None:
+def _transport(offer:str, channel:int=0)->_Transport|None:
     protocol,*options = [part.strip() for part in offer.split(';')]
     options = dict((option+'=').split('=')[:2] for option in options)
     tcp = protocol.upper()=='RTP/AVP/TCP'
-    pair = _pair(options.get('interleaved') or '0') if tcp else _pair(options.get('client_port', ''))
+    pair = _pair(options.get('interleaved') or f'{channel}') if tcp else _pair(options.get('client_port', ''))
     known = tcp or protocol.upper() in ('RTP/AVP','RTP/AVP/UDP')
     plays = options.get('mode', 'PLAY').strip('"').upper()=='PLAY'
     fits = pair and (pair[1]<256 if tcp else 0<pair[0] and pair[1]<65536)
     return _Transport(tcp, pair) if known and plays and fits and 'multicast' not in options else None
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #9215f917
-def _parse_transport(header:str)->_Transport|None: return next(filter(None, map(_transport, header.split(','))), None)
+def _parse_transport(header:str, # Of a SETUP
+                     channel:int=0, # The first of two inside the connection, if the player names none
+                    )->_Transport|None:
+    return next(filter(None, (_transport(offer, channel) for offer in header.split(','))), None)
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #970ced36
 class _Session:
     "One player's way from DESCRIBE, which calls `wake(path)` first, to PLAY; `state` is init, ready or playing"
-    track = 'track1'        # a video has one stream, and this is its name
-    def __init__(self, videos, digest:_Digest|None=None, ports:tuple=(0,0), timeout:float=60., wake=lambda path: None):
+    tracks = 'track1','track2'          # the pictures, and what their camera knew
+    rtp = property(lambda self: self.streams['track1'], doc="The stream of pictures")
+    tcp = property(lambda self: any(way.tcp for way in self.transports.values()), doc="Inside the connection?")
+    def __init__(self, videos, digest:_Digest|None=None, ports:tuple=(0,0), timeout:float=60., wake=lambda path: None,
+                 has_metadata=lambda path: False):
         store_attr()            # `videos`: a `VideoFormat` by path; `ports`: ours, for RTP and RTCP; `timeout`: s
         self.nonce,self.last_seen = secrets.token_hex(16),0.        # `last_seen`: the last sign of life, monotonic s
         self._begin()
 
     def _begin(self):
-        self.state,self.path,self.transport = 'init',None,None
-        self.id,self.rtp = secrets.token_hex(8),_RTPStream()
+        self.state,self.path,self.transports = 'init',None,{}       # `transports`: of each track that was set up
+        self.id,pictures = secrets.token_hex(8),_RTPStream()
+        self.streams = dict(zip(self.tracks, (pictures,_KLVStream(pictures))))
 
     def overdue(self, now:float)->bool:
         "True if the client has been silent longer than `timeout`, at `now` (monotonic s)"
@@ -396,16 +422,21 @@ class _Session:
     _set_parameter = _get_parameter
 
     def _play(self, request:_Request)->_Response:
-        self.state,base = 'playing',request.uri.partition('?')[0].rstrip('/').removesuffix('/'+self.track)
-        return _Response(200, {'Range': 'npt=now-', 'RTP-Info': f'url={base}/{self.track};seq={self.rtp.sequence}'})
+        self.state,base = 'playing',re.sub(r'/track[12]$', '', request.uri.partition('?')[0].rstrip('/'))
+        about = (f'url={base}/{track};seq={self.streams[track].sequence}' for track in sorted(self.transports))
+        return _Response(200, {'Range': 'npt=now-', 'RTP-Info': ','.join(about)})
 
-    def _pause(self, request:_Request)->_Response:
-        self.state = 'ready'
-        return _Response()
+# %% ../../nbs/api/video/04_rtsp.ipynb #7b0e5671
+@patch
+def _pause(self:_Session, request:_Request)->_Response:
+    self.state = 'ready'
+    return _Response()
 
-    def _teardown(self, request:_Request)->_Response:
-        self._begin()
-        return _Response()
+@patch
+def _teardown(self:_Session, request:_Request)->_Response:
+    self.transports.pop(self._locate(request)[1], None)
+    if request.path==self.path or not self.transports: self._begin()        # else: the other track goes on
+    return _Response()
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #2ece9f00
 _offered = 'OPTIONS','DESCRIBE','SETUP','PLAY','PAUSE','TEARDOWN','GET_PARAMETER','SET_PARAMETER'
@@ -436,7 +467,7 @@ def _check(self:_Session, request:_Request):
 # %% ../../nbs/api/video/04_rtsp.ipynb #e874f6f0
 @patch
 def answer(self:_Session, request:_Request)->_Response:
-    "Our answer; afterwards `state`, `path` and `transport` say what is to be done"
+    "Our answer; afterwards `state`, `path` and `transports` say what is to be done"
     try:
         self._check(request)
         response = getattr(self, '_'+request.method.lower())(request)
@@ -448,12 +479,19 @@ def answer(self:_Session, request:_Request)->_Response:
 # %% ../../nbs/api/video/04_rtsp.ipynb #5a6f97c1
 @patch
 def _locate(self:_Session, request:_Request)->tuple:
-    "Return the path of a video, and whether the URI names its stream; raises `RTSPError`"
+    "Return the path of a video, and its track, if the URI names one; raises `RTSPError`"
     path = request.path
-    if path in self.videos: return path,False
+    if path in self.videos: return path,None
     video,_,track = path.rpartition('/')
-    if track==self.track and video in self.videos: return video,True
+    offered = self.tracks[:2 if video in self.videos and self.has_metadata(video) else 1]
+    if track in offered and video in self.videos: return video,track
     raise RTSPError(404)
+
+# %% ../../nbs/api/video/04_rtsp.ipynb #7b0e5652
+def _asks_for_klv(request:_Request)->bool:
+    "True if a DESCRIBE is from one who wants metadata, too"
+    query = request.uri.partition('?')[2].split('&')
+    return 'application/smpte336m' in request.headers.get('accept', '').lower() or 'klv' in query
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #00b44737
 @patch
@@ -463,16 +501,20 @@ def _describe(self:_Session, request:_Request)->_Response:
     accept = request.headers.get('accept', '*/*')
     if not re.search(r'application/(sdp|\*)|\*/\*', accept): raise RTSPError(406)
     base,host = request.uri.partition('?')[0].rstrip('/'),urlsplit(request.uri).hostname or ''
-    text = _sdp(self.videos[path], '::' if ':' in host else '0.0.0.0', name=path, control=self.track)
+    format,(pictures,metadata) = self.videos[path],self.tracks
+    if not (_asks_for_klv(request) and self.has_metadata(path)): metadata = None
+    text = _sdp(format, '::' if ':' in host else '0.0.0.0', name=path, control=pictures, metadata=metadata)
     return _Response(200, {'Content-Type': 'application/sdp', 'Content-Base': f'{base}/'}, text)
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #bcbfc9ae
 @patch
 def _setup(self:_Session, request:_Request)->_Response:
-    path,is_track = self._locate(request)
+    path,track = self._locate(request)
     if self.state=='playing': raise RTSPError(455)
-    if not is_track or self.path not in (None,path): raise RTSPError(459)
-    transport = _parse_transport(request.headers.get('transport', ''))
-    if transport is None: raise RTSPError(461)
-    self.state,self.path,self.transport = 'ready',path,transport
-    return _Response(200, {'Transport': transport.header(self.ports, self.rtp.ssrc)})
+    if not track or self.path not in (None,path): raise RTSPError(459)
+    transport = _parse_transport(request.headers.get('transport', ''), 2*self.tracks.index(track))
+    others = [other for name,other in self.transports.items() if name!=track]
+    if transport is None or not all(map(transport.fits, others)): raise RTSPError(461)
+    self.state,self.path = 'ready',path
+    self.transports[track] = transport
+    return _Response(200, {'Transport': transport.header(self.ports, self.streams[track].ssrc)})

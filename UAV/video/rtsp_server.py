@@ -155,6 +155,10 @@ class _Videos(dict):
         if not format: raise RTSPError(503)
         return format
 
+    def has_metadata(self, path:str)->bool:
+        "True if its pictures have metadata; known when their format is"
+        return getattr(self.get(path), 'has_metadata', False)
+
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #c6f33185
 @patch
 def _crowd(self:RTSPServer, host:str)->list:
@@ -204,16 +208,17 @@ def _read_report(self:RTSPServer, events:int):
     except OSError: return
     for connection in self.connections.values():
         viewer = connection.viewer
-        if isinstance(viewer, _UDPViewer) and viewer.addresses[1]==address and _is_report(data):
+        if not isinstance(viewer, _UDPViewer) or not _is_report(data): continue
+        if any(reports==address for _,(_,reports) in list(viewer.ways.values())):
             connection.session.last_seen = clock.monotonic()
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #950acff7
 class _Viewer(Sink):
-    "Gives one player its pictures; a subclass has `deliver(packets, report)`"
+    "Gives one player its tracks; a subclass has `deliver(pair, packets, report)`"
     taken = 0.          # when the player had taken all, monotonic s; by UDP that is not known
-    def __init__(self, rtp:_RTPStream, name:str, on_end=lambda: None):
+    def __init__(self, ways:dict, name:str, on_end=lambda: None):
         super().__init__(name)
-        self.rtp,self.end = rtp,on_end          # `end`: called on our thread when nothing more will come
+        self.ways,self.end = ways,on_end        # `ways`: by track, in order: its stream, and two addresses or channels
         self.codec,self.stopped = None,False
 
     def send(self, unit:AccessUnit):
@@ -221,7 +226,7 @@ class _Viewer(Sink):
         if self.stopped: return
         self.codec = self.codec or unit.format.codec
         if unit.format.codec!=self.codec: raise ConnectionAbortedError(f'{self.codec} has become {unit.format.codec}')
-        self.deliver(self.rtp.packets(unit), self.rtp.due_report())
+        for stream,pair in list(self.ways.values()): self.deliver(pair, stream.packets(unit), stream.due_report())
 
     def stop(self):
         "Nothing goes out any more; returns at once"
@@ -232,29 +237,29 @@ class _Viewer(Sink):
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #80cb33e3
 class _UDPViewer(_Viewer):
     "By UDP, from our two sockets to two addresses of the player, for RTP and RTCP"
-    def __init__(self, rtp, name, on_end, sockets:tuple, addresses:tuple):
-        super().__init__(rtp, name, on_end)
-        store_attr('sockets,addresses')
+    def __init__(self, ways, name, on_end, sockets:tuple):
+        super().__init__(ways, name, on_end)
+        self.sockets = sockets
 
-    def deliver(self, packets:list, report:bytes):
+    def deliver(self, pair:tuple, packets:list, report:bytes):
         "Send the packets of one picture, and a report when it is not empty"
-        for packet in packets: self._sendto(0, packet)
-        if report: self._sendto(1, report)
+        for packet in packets: self._sendto(0, packet, pair)
+        if report: self._sendto(1, report, pair)
 
-    def _sendto(self, which:int, data:bytes):
-        try: self.sockets[which].sendto(data, self.addresses[which])
+    def _sendto(self, which:int, data:bytes, addresses:tuple):
+        try: self.sockets[which].sendto(data, addresses[which])
         except OSError as e: log.debug('%r: %s', self, e)               # the time-out tells whether the player has gone
 
 # %% ../../nbs/api/video/05_rtsp_server.ipynb #1a0a1ee5
 class _InsideViewer(_Viewer):
     "Inside the RTSP connection"
-    def __init__(self, rtp, name, on_end, outbox:_Outbox, channels:tuple):
-        super().__init__(rtp, name, on_end)
-        store_attr('outbox,channels')
+    def __init__(self, ways, name, on_end, outbox:_Outbox):
+        super().__init__(ways, name, on_end)
+        self.outbox = outbox
 
-    def deliver(self, packets:list, report:bytes):
+    def deliver(self, pair:tuple, packets:list, report:bytes):
         "Send the packets of one picture and a report, and wait until the player has taken them"
-        first,second = self.channels
+        first,second = pair
         data = [part for packet in packets for part in (_inside(first, len(packet)), packet)]
         if report: data += _inside(second, len(report)),report
         self.outbox.write(b''.join(data))
@@ -266,7 +271,8 @@ class _Connection:
     pause = 1.              # s before a 404
     def __init__(self, server, sock, address:tuple):
         store_attr()
-        self.session = _Session(server.videos, server.digest, server.udp_ports, server.timeout, server.wake)
+        self.session = _Session(server.videos, server.digest, server.udp_ports, server.timeout, server.wake,
+                                server.videos.has_metadata)
         self.session.last_seen = clock.monotonic()
         self.outbox = _Outbox(sock, full=lambda: server.loop.call(self.watch))
         self.reader,self.asked,self.busy = _RequestReader(),deque(),False        # busy: what was `asked` must wait
@@ -281,11 +287,13 @@ class _Connection:
         session,encoder = self.session,self.server.videos.get(self.session.path)
         if encoder is None: return self.close()             # removed just now
         def on_end(): self.server.loop.call(self._check_viewer)
-        way = session.transport
-        if way.tcp: self.viewer = _InsideViewer(session.rtp, repr(self), on_end, self.outbox, way.pair)
+        tracks = sorted(session.transports, reverse=True)        # metadata before its picture
+        ways = {track:(session.streams[track],session.transports[track].pair) for track in tracks}
+        if session.tcp: self.viewer = _InsideViewer(ways, repr(self), on_end, self.outbox)
         else:
-            addresses = tuple((self.address[0], port, *self.address[2:]) for port in way.pair)
-            self.viewer = _UDPViewer(session.rtp, repr(self), on_end, self.server.udp, addresses)
+            host,_,*rest = self.address
+            ways = {track:(stream,tuple((host,port,*rest) for port in pair)) for track,(stream,pair) in ways.items()}
+            self.viewer = _UDPViewer(ways, repr(self), on_end, self.server.udp)
         encoder.add(self.viewer)
         log.info('%r plays', self)
 
@@ -307,7 +315,8 @@ def close(self:_Connection):
     self.server.loop.forget(self.sock)
     self.outbox.close()
     if self.viewer:
-        if isinstance(self.viewer, _UDPViewer): self.viewer.deliver([], self.session.rtp.goodbye())
+        ways = self.viewer.ways.values() if isinstance(self.viewer, _UDPViewer) else ()
+        for stream,pair in ways: self.viewer.deliver(pair, [], stream.goodbye())
         self._stop()
     self.sock.close()
 
@@ -321,6 +330,7 @@ def _reply(self:_Connection, response:_Response):
         return
     playing = self.session.state=='playing'
     if self.viewer and not playing: self._stop()
+    for track in set(self.viewer.ways if self.viewer else ())-set(self.session.transports): self.viewer.ways.pop(track)
     self.outbox.write(bytes(response))
     if playing and not self.viewer: self._play()
     self.refused += response.status==401

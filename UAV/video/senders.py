@@ -15,6 +15,8 @@ from ..utils import clock
 from ..utils.lazy import av
 from ..utils.threads import Closes
 from ..utils.sockets import _shut, is_group, listen_tcp, Loop, plain_host
+from ..utils.values import NAN
+from .klv import FrameMetadata
 from .units import AccessUnit, clock_rate, Sink
 
 # %% auto #0
@@ -97,13 +99,91 @@ def _as_packet(unit:AccessUnit, stream, show:int, decode:int|None=None, duration
     packet.pts,packet.dts,packet.duration = show,show if decode is None else decode,duration
     return packet
 
+# %% ../../nbs/api/video/02_senders.ipynb #7b0e5621
+def _klv_of(unit:AccessUnit)->bytes:
+    "Return the set of a picture, of at least its time; empty when it's larger than one PES packet may be"
+    data = (unit.metadata or FrameMetadata(unit.time_utc or NAN)).data
+    return data if len(data)<=60_000 else b''
+
+# %% ../../nbs/api/video/02_senders.ipynb #7b0e5602
+def _crc32(data:bytes)->int:
+    "Return the checksum of a table (ISO/IEC 13818-1, annex A): like zlib's, but with the highest bit first"
+    crc = 0xffffffff
+    for byte in data:
+        crc ^= byte<<24
+        for _ in range(8): crc = crc<<1 ^ 0x104c11db7 if crc>>31 else crc<<1
+    return crc
+
+# %% ../../nbs/api/video/02_senders.ipynb #7b0e5605
+_klv = dict(pid=257, tables=4096, video=256)        # PIDs; FFmpeg has the other two
+_named = b'\x05\x04KLVA'                                       # registration descriptor
+_buffered = b'\x27\x09\xc0\x04\xe2\xc0\x00\x08\xc0\x00\x00'     # 500 kbit/s and 8 kB are enough
+_in_cells = _named+b'\x26\x09\x01\x00\xffKLVA\x00\x0f'+_buffered
+
+def _with_klv(packet:bytes, synchronous:bool)->bytes:
+    "Return the packet of the table of streams, which then has one of KLV"
+    at = 5+(packet[4]+1 if packet[3]&0x20 else 0)           # behind the header, an adaptation field, and a pointer
+    size = int.from_bytes(packet[at+1:at+3], 'big')&0xfff
+    kind,described = (0x15,_in_cells) if synchronous else (6,_named)
+    table = bytearray(packet[at:at+size-1])                 # up to its checksum
+    table += bytes([kind, 0xe0|_klv['pid']>>8, _klv['pid']&255, 0xf0, len(described)])+described
+    table[1:3] = (0xb000|len(table)+1).to_bytes(2, 'big')
+    table[5] = table[5]&0xc1|1<<1                           # version 1
+    return (packet[:at]+table+_crc32(table).to_bytes(4, 'big')).ljust(188, b'\xff')
+
+# %% ../../nbs/api/video/02_senders.ipynb #7b0e5606
+class _KLVPackets:
+    "Puts sets of KLV before their pictures, synchronous (MISB ST 1402), or asynchronous"
+    def __init__(self, synchronous:bool=True):
+        self.synchronous,self._packets,self._cells = synchronous,0,0
+        self._tables = {}           # with KLV, by those without
+
+    def add(self, packets:bytes, # Of a picture, from FFmpeg's muxer
+            data:bytes, # Its set; empty: none
+           )->bytes:
+        "Return all packets of the picture: each table with a stream for KLV, and the set behind the first"
+        whole,pids = bytearray(packets),{}          # `pids`: where each has its first packet
+        for at in range(0, len(whole), 188):
+            pid = int.from_bytes(whole[at+1:at+3], 'big')&0x1fff
+            pids.setdefault(pid, at)
+            if pid==_klv['tables']: whole[at+4:at+188] = self._declared(bytes(whole[at:at+188]))[4:]
+        after,video = pids.get(_klv['tables'], -188)+188,pids[_klv['video']]
+        stamp = video+13+(whole[video+4]+1 if whole[video+3]&0x20 else 0)       # when to show the picture
+        whole[after:after] = self._packed(data, bytes(whole[stamp:stamp+5]))
+        return bytes(whole)
+
+    def _declared(self, table:bytes)->bytes:
+        key = table[3]&0xf0,table[4:]               # all but the counter
+        if key not in self._tables: self._tables[key] = _with_klv(table, self.synchronous)
+        return self._tables[key]
+
+# %% ../../nbs/api/video/02_senders.ipynb #7b0e5608
+@patch
+def _packed(self:_KLVPackets, data:bytes, stamp:bytes)->bytes:
+    "Return a set in packets; `stamp`: five bytes"
+    if not data: return b''
+    if self.synchronous: data = bytes([0, self._cells, 0xdf])+len(data).to_bytes(2, 'big')+data     # a whole cell
+    self._cells = self._cells+1 & 255
+    begin = b'\0\0\1'+(b'\xfc' if self.synchronous else b'\xbd')+(len(data)+8).to_bytes(2, 'big')
+    pes = begin+b'\x84\x80\x05'+bytes([stamp[0]&0x0f|0x20])+stamp[1:]+data
+    packets,pid = [],_klv['pid']
+    for at in range(0, len(pes), 184):
+        piece,start = pes[at:at+184],0 if at else 0x40
+        empty = 184-len(piece)
+        field = bytes([empty-1])+(b'\0'+b'\xff'*(empty-2) if empty>1 else b'') if empty else b''
+        header = bytes([0x47, start|pid>>8, pid&255, (0x30 if empty else 0x10)|self._packets])
+        self._packets = self._packets+1 & 15
+        packets.append(header+field+piece)
+    return b''.join(packets)
+
 # %% ../../nbs/api/video/02_senders.ipynb #0dde0d3a
 class TSMuxer:
-    "Puts access units into an MPEG transport stream"
+    "Puts access units into an MPEG transport stream, and their metadata"
+    synchronous = True          # see `_KLVPackets`
     def __init__(self, name:str='video'): # Of the program; players show it as the title
         self.name,self.codec = name,None
-        self._bytes,self._container,self._stream = io.BytesIO(),None,None
-        self._ticks = _Ticks()
+        self._bytes,self._container,self._stream,self._ticks = io.BytesIO(),None,None,_Ticks()
+        self._metadata = None           # puts it in, from the first key frame on that has some
 
     def __del__(self): self.close()             # PyAV up to 16 breaks memory when an open container is forgotten
     def close(self):
@@ -125,11 +205,25 @@ class TSMuxer:
         "Return its packets, 188 bytes each; empty before the first key frame"
         if unit.key and unit.format.codec!=self.codec: self._open(unit)
         if self._stream is None: return b''
+        if unit.key and unit.metadata and not self._metadata: self._metadata = _KLVPackets(self.synchronous)
         self._container.mux(_as_packet(unit, self._stream, *self._ticks(unit)))
-        packets = self._bytes.getvalue()
-        self._bytes.seek(0)
-        self._bytes.truncate()
-        return packets
+        packets = self._taken()
+        return self._metadata.add(packets, _klv_of(unit)) if self._metadata else packets
+
+# %% ../../nbs/api/video/02_senders.ipynb #0dde0d3b
+@patch
+def _taken(self:TSMuxer)->bytes:
+    "Return the packets that are ready"
+    packets = self._bytes.getvalue()
+    self._bytes.seek(0)
+    self._bytes.truncate()
+    return packets
+
+@patch
+def finish(self:TSMuxer)->bytes:
+    "Close it, and return its last packets"
+    self.close()
+    return self._taken()
 
 # %% ../../nbs/api/video/02_senders.ipynb #d2348ffb
 class TSSender(UDPSink):

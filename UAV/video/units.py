@@ -51,6 +51,8 @@ class AccessUnit:
     number:int=0 # Of the frame
     format:VideoFormat=VideoFormat() # How it is encoded
     decode_time:float|None=None # When to decode it, monotonic s, if that isn't `time`: streams with B-frames
+    metadata:object=None # What the camera knew then, a `FrameMetadata`
+    tags:dict|None=None # EXIF tags of the frame, for subtitles of recordings; not sent
 
     def __repr__(self): return f'{"key frame" if self.key else "picture"} {self.number}, {len(self.data)} bytes'
 
@@ -331,26 +333,28 @@ class Codec:
     def encode(self, frame, # With `image`, `number` and `time_utc`
                time:float, # When it came, monotonic s
                key:bool=False, # As a key frame?
+               metadata=None, # Its `FrameMetadata`
               )->list: # Access units
         "Encode a frame to one access unit; raises `av.FFmpegError` when the encoder fails"
         types = av.video.frame.PictureType
         picture = self._planes.paint(_fitted(as_bgr(frame.image), self.format.width, self.format.height))
         picture.pts,picture.pict_type = self._count,types.I if key else types.NONE
-        self._inside.append((self._count, time, frame.time_utc, frame.number))
+        tags = getattr(frame, 'tags', None)
+        self._inside.append((self._count, time, frame.time_utc, frame.number, metadata, tags))
         self._count += 1
         return [self._unit(packet) for packet in self._context.encode(picture)]
 
     def _unit(self, packet)->AccessUnit:
         "Return the access unit in a packet of PyAV, with what we know of its frame; `format` gets its parameter sets"
         while True:
-            count,*about = self._inside.popleft()
+            count,*about,metadata,tags = self._inside.popleft()
             if count>=(packet.pts or 0): break                     # those before were left out
         data,key = bytes(packet),packet.is_keyframe
         if key:
             self.key_time,sets = about[0],byte_stream(parameter_sets(data, self.format.codec))
             if not sets: data = self.format.headers+data
             elif sets!=self.format.headers: self.format = replace(self.format, headers=sets)
-        return AccessUnit(data, key, *about, self.format)
+        return AccessUnit(data, key, *about, self.format, metadata=metadata, tags=tags)
 
 # %% ../../nbs/api/video/00_units.ipynb #068a3747
 @cache
@@ -373,11 +377,11 @@ def _encoder_names(codec:str='h264', hardware:bool=True):
     if not name: raise ValueError(f'this PyAV has no encoder for {codec.upper()}')
 
 # %% ../../nbs/api/video/00_units.ipynb #d4237c13
-def _open_codec(format:VideoFormat, frame, time:float, hardware:bool=True)->tuple:
+def _open_codec(format:VideoFormat, frame, time:float, hardware:bool=True, metadata=None)->tuple:
     "`(Codec, units of the first frame)` of the best encoder for a format; raises `ValueError`, `av.FFmpegError`"
     for name in _encoder_names(format.codec, hardware):
         try:
             codec = Codec(name, format)
-            return codec,codec.encode(frame, time, key=True)
+            return codec,codec.encode(frame, time, True, metadata)
         except (av.FFmpegError, ValueError) as e: error = e         # ValueError also: PyAV does not know it
     raise error

@@ -33,14 +33,18 @@ test('An answer that does not come, and a link that is lost', async () => {
 
 test('What the view may ask', async () => {
   const asked = []
-  const answers = { poll: { tag: 'x-1', status: null, pictures: [['1/100', 4, 1.5], ['1/101', 0, null]] }, ticket: { url: 'download/T/a' },
-    act: { ok: true, text: 'ACCEPTED', ref: 1 }, map: { map: { type: 'FeatureCollection' } }, files: { all: true, entries: [] } }
+  const answers = { poll: { tag: 'x-1', status: null, pictures: [['1/100', 4, 1.5, [47.4, 8.5]], ['1/101', 0, null, null]] }, ticket: { url: 'download/T/a' },
+    act: { ok: true, text: 'ACCEPTED', ref: 1 }, map: { map: { type: 'FeatureCollection' } },
+    tiles: { tiles: { url: '', least: 3 } }, files: { all: true, entries: [] } }
   const wire = wireOf(async (kind, more) => {
     asked.push([kind, more])
     return { message: answers[kind] ?? {}, buffers: [bytes('JPEG'), bytes('WEBP')] }
   })
   const news = await wire.poll({ seen: '', after: {} }), { '1/100': first, '1/101': second } = news.pictures
   same([news.tag, first.number, await first.blob.text(), await second.blob.text(), second.time], ['x-1', 4, 'JPEG', 'WEBP', null])
+  same([first.sight, second.sight], [[47.4, 8.5], null])
+  same(await wire.tiles(), { url: '', least: 3 })
+  same([(await wire.tile({ z: 3, x: 4, y: 5, left: 17, n: 0 })).slice(0, 5), asked.at(-1)], ['blob:', ['tile', { z: 3, x: 4, y: 5 }]])
   same(Math.abs(Date.now() - 1500 - first.time) < 500, true)
   same(await wire.act({ do: 'zoom', of: '1/100', args: {} }), { ok: true, text: 'ACCEPTED' })
   same([await wire.map(), await wire.files('1/100', '/')], [{ type: 'FeatureCollection' }, { all: true, entries: [] }])

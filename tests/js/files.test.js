@@ -2,7 +2,7 @@ import test from 'node:test'
 import { panel, same } from './panel.js'
 
 const { bytes, inTurn, counted, kindOf, ending, mayOpen, dayOf, byDay, crumbs, besideOf, between, oneByOne, outcome,
-  filesIn } = panel
+  filesIn, withSubtitles } = panel
 
 test('Sizes in words', () => {
   same([0, 999, 31415, 2718281].map(bytes), ['0 B', '999 B', '31.4 kB', '2.72 MB'])
@@ -43,6 +43,15 @@ test('The list', () => {
   same(counted({ all: 1, entries: [1] }), '1 entry')
   same(counted({ all: 999, entries: [1, 2] }), 'The newest 2 of 999 entries')
   same(counted({ all: 0, entries: [] }), '')
+})
+
+test('Subtitles are folded into their film, and others have a tile of their own', () => {
+  const named = (...names) => names.map(name => ({ name, size: 1 }))
+  const found = withSubtitles({ all: 5, entries: named('VID_2.ts', 'VID_1.srt', 'VID_1.mp4', 'notes.srt', 'a.jpg') })
+  same(found.entries.map(({ name, subtitles }) => name + (subtitles ? '+' + subtitles.name : '')),
+    ['VID_2.ts', 'VID_1.mp4+VID_1.srt', 'notes.srt', 'a.jpg'])
+  same(found.all, 4)
+  same(withSubtitles({ all: 0, entries: [] }), { all: 0, entries: [] })
 })
 
 test('Arrow keys go to the tile beside, and to the nearest in the next line', () => {

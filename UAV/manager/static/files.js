@@ -37,6 +37,17 @@ export function kindOf({ name, folder }) {
   return /\.(jpe?g|png)$/i.test(name) ? 'picture' : 'file'
 }
 
+// Subtitles lie beside their film: they have no tile of their own, and come with it.
+export function withSubtitles({ all, entries }) {
+  const stem = ({ name }) => name.replace(/\.\w+$/, ''), isText = entry => /\.srt$/i.test(entry.name)
+  const films = new Set(entries.filter(entry => kindOf(entry) === 'movie').map(stem))
+  const mine = entries.filter(entry => isText(entry) && films.has(stem(entry)))
+  const texts = new Map(mine.map(text => [stem(text), text]))
+  const beside = entry => kindOf(entry) === 'movie' && texts.get(stem(entry))
+  const shown = entries.filter(entry => !isText(entry) || texts.get(stem(entry)) !== entry)
+  return { all: all - texts.size, entries: shown.map(one => beside(one) ? { ...one, subtitles: beside(one) } : one) }
+}
+
 export function ending(name) { return (name.match(/\.(\w{1,5})$/)?.[1] ?? 'file').toUpperCase() }
 
 // A view shows what its wire can do: a notebook may have no way to save or to play.
@@ -121,7 +132,8 @@ export function fileArt(entry, kind) {
 
 export function fileTile(row, entry, { use, pick }) {
   const kind = kindOf(entry), verb = kind === 'movie' && !row.wire.play ? 'Save' : VERBS[kind]
-  const about = entry.folder ? [] : [bytes(entry.size), timeOf(entry.time)].filter(Boolean)
+  const known = entry.folder ? [] : [bytes(entry.size), timeOf(entry.time), entry.subtitles && 'subtitles']
+  const about = known.filter(Boolean)
   const words = h('span', { class: 'words' }, h('b', {}, entry.name), h('small', {}, about.join(' · ')))
   const press = event => event.shiftKey && item.box ? pick(item, event) : use(entry)
   const main = h('button', { type: 'button', class: 'main', onclick: press, disabled: !mayOpen(kind, row.wire) },
@@ -215,7 +227,10 @@ export function saveAs(href, download) {
   setTimeout(URL.revokeObjectURL, 60000, href)
 }
 
-export async function savedBy(row, entry) { saveAs(await row.wire.download(row.of, entry.path), entry.name) }
+export async function savedBy(row, entry) {
+  saveAs(await row.wire.download(row.of, entry.path), entry.name)
+  if (entry.subtitles) await savedBy(row, entry.subtitles)
+}
 
 // Several files come one after the other, since they share one radio: each is read to its end, then saved. One that
 // is too large for that is left to the browser, which writes it to the disk as it comes.
@@ -288,6 +303,7 @@ export function fetchBar(row, picks) {
       say(said, 'Fetching ' + (items.indexOf(item) + 1) + ' of ' + items.length + ': ' + item.entry.name)
       await fetchFile(row, item.entry, ended.signal, have => { progress.value = (before + have) / total })
       progress.value = (before += item.entry.size) / total
+      if (item.entry.subtitles) await fetchFile(row, item.entry.subtitles, ended.signal, () => {})
       if (!ended.signal.aborted) picks().mark([item], false, item.toggleAttribute('data-saved', true))
     }
     progress.value = 0
@@ -440,9 +456,10 @@ export function filesView(row) {
     else savedBy(row, entry).catch(error => say(said, error.message))
   }
   function put(found) {
-    items = tiles.update(found.entries)
+    const shown = withSubtitles(found)
+    items = tiles.update(shown.entries)
     picks.offer(items)
-    say(said, counted(found))
+    say(said, counted(shown))
     show(none, !found.entries.length)
   }
   async function open(path = at) {

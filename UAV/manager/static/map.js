@@ -1,25 +1,23 @@
 // A map from above, drawn here without the internet: where the vehicle is and was, what the camera sees of the
 // ground, and where pictures were taken.
 //
-// A field has no network, so there are no map tiles, only a grid of metres. North is up. Over a few kilometres the
-// ground counts as flat. A click points the camera at that place on the ground.
+// A field has no network, so there is only a grid of metres, and map tiles where somebody gave them. North is up. Over
+// a few kilometres the ground counts as flat. A click points the camera at that place on the ground.
 
 import { h, icon, name, say, show } from './parts.js'
 import { Refused } from './wire.js'
 import { compassLetters, compassWord, wrapped } from './instruments.js'
+import { baseMap, eastward, mercator, unmercator } from './tiles.js'
 
-// Places and metres: `project` gives metres to the east and to the north of a place. Near a pole a degree to the
-// east is next to nothing, so it is never taken as nothing.
-export const DEGREE_METRES = 111195
-export function eastward({ lat }) { return DEGREE_METRES * Math.max(.001, Math.cos(lat * Math.PI / 180)) }
-
+// Places and metres: `project` gives metres to the east and to the north of a place, as Web Mercator has them there.
 export function project(place, from) {
-  return { x: wrapped(place.lon - from.lon) * eastward(from), y: (place.lat - from.lat) * DEGREE_METRES }
+  const metres = eastward(from)
+  return { x: wrapped(place.lon - from.lon) * metres, y: (mercator(place.lat) - mercator(from.lat)) * metres }
 }
 
 export function unproject({ x, y }, from) {
-  const lat = Math.max(-90, Math.min(90, from.lat + y / DEGREE_METRES))
-  return { lat, lon: wrapped(from.lon + x / eastward(from)) }
+  const metres = eastward(from)
+  return { lat: unmercator(mercator(from.lat) + y / metres), lon: wrapped(from.lon + x / metres) }
 }
 
 export function distance(place, from) {
@@ -182,7 +180,7 @@ export function middleOf({ vehicle, center, track, picture }, main) {
 
 // Drawing: `pen` has the canvas, its size, and where a place is on it. Colours come from the style, by elements that
 // nobody sees: so they follow the theme.
-export const MAP_COLOURS = ['ground', 'grid', 'ink', 'quiet', 'track', 'main', 'other', 'picture', 'cross']
+export const MAP_COLOURS = ['ground', 'grid', 'ink', 'quiet', 'track', 'main', 'other', 'picture', 'cross', 'veil']
 export const MAP_FONT = ' 11px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif'
 
 export function drawLine({ context }, path, colour, width, more = {}) {
@@ -314,13 +312,25 @@ export function drawCross(pen, place) {
   }
 }
 
-export function drawMap(pen, parts, { main, anchor, cross, aim }) {
+// Where you clicked on the picture.
+export function drawSpot(pen, spot) {
+  if (!spot) return
+  const { x, y } = pen.at(spot), shape = [[0, 0], [-6, -11], [-6, -17], [0, -21], [6, -17], [6, -11]]
+  const pin = shape.map(([right, down]) => [x + right, y + down])
+  drawLine(pen, pin, pen.colours.ground, 4, { closed: true })
+  drawLine(pen, pin, pen.colours.cross, 1, { closed: true, fill: pen.colours.cross })
+  drawDisc(pen, { x, y: y - 14 }, 2.5, pen.colours.ground)
+}
+
+export function drawMap(pen, parts, { main, anchor, cross, aim, base, spot }) {
   drawGrid(pen, anchor)
+  base.draw(pen)
   drawFootprints(pen, parts, main)
   drawTracks(pen, parts)
   drawSights(pen, parts, main)
   drawPictures(pen, parts)
   drawVehicles(pen, parts)
+  drawSpot(pen, spot)
   drawCross(pen, cross)
   if (aim) drawCross(pen, pen.view)
   drawScale(pen)
@@ -562,7 +572,7 @@ export function mapFoot(state, hands, toPlaceNow) {
     save.disabled = !state.answer
   }
   const hover = at => update(over = at)
-  hands.addEventListener('pointermove', event => event.pointerType === 'mouse' && hover(placeOn(hands, event)))
+  for (const kind of ['pointermove', 'pointerdown']) hands.addEventListener(kind, event => hover(placeOn(hands, event)))
   hands.addEventListener('pointerleave', () => hover(null))
   save.addEventListener('click', () => saveText(JSON.stringify(state.answer), 'track.geojson', 'application/geo+json'))
   return { node: h('footer', { class: 'map-foot' }, where, save), update }
@@ -588,12 +598,13 @@ export const HINT = 'Map: arrow keys pan, + and − zoom, Enter points the camer
 export function mapView(row) {
   const state = mapState(row), note = mapNote(), empty = h('p', { class: 'map-empty' }, NOWHERE)
   const hands = h('div', { class: 'map-hands', role: 'application', tabindex: 0, 'aria-label': HINT })
-  const { node: field, canvas, size, redraw } = canvasView(pen => drawState(pen, row, state, hands, presses))
+  const { node: field, canvas, size, redraw } = canvasView(pen => drawState(pen, row, state, hands, presses, base))
+  const base = baseMap(row.wire, redraw)
   const moves = mapMoves(state, size, lookingAt(row, state, note, redraw), redraw), presses = mapPresses(moves)
   const foot = mapFoot(state, hands, at => toPlace(at, state.view, size())), still = whenItChanges(field, redraw)
   hands.append(field)
   show(presses.node, false)
-  const body = h('div', { class: 'map-body' }, hands, empty, presses.node, note.node)
+  const body = h('div', { class: 'map-body' }, hands, empty, presses.node, base.node, note.node)
   const node = h('section', { class: 'map', 'aria-label': 'Map' }, body, foot.node)
   for (const listen of [handsOnMap, keysOnMap]) listen(hands, moves)
   for (const kind of ['focus', 'blur']) hands.addEventListener(kind, redraw)
@@ -603,15 +614,15 @@ export function mapView(row) {
     hands.toggleAttribute('data-look', !!state.status.can_look)
     foot.update(redraw())
   }
-  const take = answer => changed(Object.assign(state, { answer, told: mapParts(answer) }), note.failed(''))
+  const take = answer => changed(Object.assign(state, { answer, told: mapParts(answer) }), note.failed(''), base.open())
   const asking = askingMap(row.wire, node, take, error => note.failed(failedWords(error)))
   return { node, update: status => changed(state.status = status), open: asking.open, stop: () => asking.stop(still()) }
 }
 
-export function drawState(pen, { of }, state, hands, presses) {
+export function drawState(pen, { of, spot }, state, hands, presses, base) {
   presses.update(state.follow)
   if (!state.settle(pen.size)) return
   const { view, anchor, cross } = state, aim = hands.matches(':focus-visible')
   const at = place => toPixel(place, view, pen.size)
-  drawMap({ ...pen, view, at }, state.parts(), { main: of, anchor, cross, aim })
+  drawMap({ ...pen, view, at }, state.parts(), { main: of, anchor, cross, aim, base, spot })
 }

@@ -6,6 +6,8 @@
 // to 1, to the right and down. A click on a bar is none.
 
 import { ago, clock, h, latest, name, say, show } from './parts.js'
+import { aboutPlace, placeView } from './place.js'
+import { liveVideo } from './live.js'
 
 export function inPicture(box, [width, height], x, y) {
   const scale = Math.min(box.width / width, box.height / height)
@@ -60,7 +62,15 @@ export function frame(row) {
     if (old) URL.revokeObjectURL(old)
   }
   const forget = () => { number = -1 }
-  return { image, take, forget, number: () => number }
+  function clear(size) {
+    URL.revokeObjectURL(url)
+    url = null
+    image.removeAttribute('src')
+    image.size = size
+    show(image, false)
+    forget()
+  }
+  return { image, take, forget, clear, number: () => number }
 }
 
 export function pictureUpdate(node, status) {
@@ -75,21 +85,30 @@ export function pictureUpdate(node, status) {
 }
 
 // Where a click will look: a cross at that place, which stays for a moment after the gimbal has its command, and what
-// the panel has worked out beside it.
+// the panel has worked out beside it. Without a gimbal it says which place that is.
 const LINGERS = 2500
 export function markView(row) {
   const words = h('span'), node = h('i', { class: 'mark', hidden: true }, words)
   let timer
-  async function put(left, top, at) {
+  function put({ offsetX, offsetY }, width, text) {
     clearTimeout(timer)
-    for (const [side, place] of [['left', left], ['top', top]]) node.style.setProperty(side, place + 'px')
-    say(words, '')
+    for (const [side, place] of [['left', offsetX], ['top', offsetY]]) node.style.setProperty(side, place + 'px')
+    node.toggleAttribute('data-left', offsetX > width / 2)
+    say(words, text)
     show(node, true)
+  }
+  const hide = milliseconds => { timer = setTimeout(show, milliseconds, node, false) }
+  async function point(event, width, at) {
+    put(event, width, '')
     const answer = await row.act('point', at)
     say(words, answer.ok ? answer.text : '')
-    timer = setTimeout(show, answer.ok ? LINGERS : 0, node, false)
+    hide(answer.ok ? LINGERS : 0)
   }
-  return { node, put }
+  function tell(event, width, text) {
+    put(event, width, text)
+    hide(LINGERS)
+  }
+  return { node, point, tell }
 }
 
 // The wheel over the picture zooms, a step at a time. In a notebook it does so while the picture has the focus, since
@@ -105,21 +124,33 @@ export function wheelZoom(row, node) {
 }
 
 export function pictureView(row, ...upon) {
-  const shown = frame(row), mark = markView(row)
-  const [live, busy, count] = ['live', 'busy', 'count'].map(which => h('span', { class: 'pill ' + which }))
-  const parts = [shown.image, ...upon, mark.node, h('div', { class: 'pills' }, live, busy, count)]
+  const shown = frame(row), mark = markView(row), place = placeView(row), live = liveVideo(row, shown)
+  const [words, busy, count] = ['live', 'busy', 'count'].map(which => h('span', { class: 'pill ' + which }))
+  const parts = [shown.image, live.node, ...upon, mark.node, h('div', { class: 'pills' }, words, busy, count, place.node)]
   const node = h('div', { class: 'picture', tabindex: 0, role: 'application' }, ...parts)
   wheelZoom(row, node)
+  const under = ({ clientX, clientY }) =>
+    inPicture(node.getBoundingClientRect(), sizeOf(shown.image), clientX, clientY)
+  for (const kind of ['pointermove', 'pointerdown']) node.addEventListener(kind, event => place.hover(under(event)))
+  node.addEventListener('pointerleave', () => place.hover(null))
   node.addEventListener('click', event => {
-    const at = inPicture(node.getBoundingClientRect(), sizeOf(shown.image), event.clientX, event.clientY)
-    if (!at || !row.status.can_point || node.closest('[data-lost]')) return
-    mark.put(event.offsetX, event.offsetY, { ...at, number: shown.number() })
+    const at = under(event), { width } = node.getBoundingClientRect()
+    if (!at || node.closest('[data-lost]')) return
+    const there = place.click(at)
+    if (row.status.can_point) mark.point(event, width, { ...at, ...which() })
+    else if (there) mark.tell(event, width, aboutPlace(there))
   })
+  const which = () => live.on() ? { number: null, age: live.age() } : { number: shown.number() }
+  async function take(picture) {
+    if (!live.on()) await shown.take(picture)
+    place.take(picture.sight)
+  }
   function update(status) {
     pictureUpdate(node, status)
-    say(live, condition(status))
+    live.update(status)
+    say(words, condition(status))
     say(busy, doing(status))
     say(count, taken(status))
   }
-  return { node, update, take: shown.take, forget: shown.forget, number: shown.number }
+  return { node, update, live, take, forget: shown.forget, number: shown.number }
 }
