@@ -262,7 +262,8 @@ gimbal_components = 154,171,172,173,174,175         # MAV_COMP_ID_GIMBAL to MAV_
 def clashes(found:Configuration):
     "Yield `(sentence, *path)` of what can't be opened together"
     cameras,gimbals = found.cameras,found.gimbals
-    if not cameras: yield 'there is no camera: write a table for each, [cameras.NAME]',
+    unread = found.document is not None and found.document.problems
+    if not (cameras or unread): yield 'there is no camera: write a table for each, [cameras.NAME]',
     for n,name in enumerate(cameras):
         if n>=6: yield 'a vehicle has six cameras at most, components 100 to 105','cameras',name
     yield from _numbered('cameras', cameras, range(100, 106))

@@ -371,12 +371,12 @@ def _come(self:Slot, com):
             self.note(sentence(e))
             continue
         if self.device is None: return
-        log.info('%s is there', self.name)
         waits = bool(self.servers)
         for server in self.servers: server.close()
         if self._closing.wait(self.silent if waits else 0.): return
-        try: return self.join(com)
+        try: self.join(com)
         except LinkError: return            # closed in between
+        return log.info('%s is there', self.name)
 
 # %% ../../nbs/api/cli/02_payload.ipynb #c0f20006
 @patch

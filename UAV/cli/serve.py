@@ -133,7 +133,7 @@ def _introduce(payload, printer:StatusPrinter):
 # %% ../../nbs/api/cli/02_serve.ipynb #00cdc623
 def _described(typed)->Configuration:
     "Return what the options describe; raises `ValueError`, or `ConfigError` and `OSError` for a file"
-    if typed.config: return _from_file(typed)
+    if typed.config is not None: return _from_file(typed)
     if isinstance(typed.camera, str): typed.camera = [typed.camera]
     gimbals = {'gimbal': SimpleNamespace(device=typed.gimbal, component=mavlink.MAV_COMP_ID_GIMBAL, role=typed.role)}
     ours = dict(gimbal='gimbal' if typed.gimbal else None)
@@ -162,6 +162,7 @@ def _stem(source:str)->str:
 
 def _from_file(typed)->Configuration:
     "Read `--config`; what was typed counts more than the file"
+    if not typed.config.strip(): raise ValueError('--config names no file')         # `--config "$FILE"` in a script
     own = set(_levels['camera'].split())|set(_levels['gimbal'].split())
     for name in typed.given:
         if name in own: raise ValueError(f'--{name} is of one camera: write it in {typed.config}')
@@ -175,7 +176,7 @@ def _mistakes(found:Configuration):
                   rtsp_user=lambda: _viewer(v.rtsp_user, v.rtsp_password_file))
     for key,trial in trials.items():
         try: trial()
-        except (ValueError, OSError) as e: yield re.sub(r'--(?=[a-z])', '', sentence(e)),key
+        except (ValueError, OSError) as e: yield re.sub('--([a-z-]+)', lambda m: m[1].replace('-', '_'), sentence(e)),key
     if v.rtsp_user and v.rtsp<0: yield 'rtsp_user needs an RTSP server, and rtsp = -1 has none','rtsp_user'
     if v.path and not (v.autopilot or sims): yield 'path needs a gimbal with device = "sim", or autopilot','path'
     for name,one in found.cameras.items():
