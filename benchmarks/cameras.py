@@ -204,7 +204,7 @@ def cost(count, folder, seconds):
             time.sleep(seconds)
             b = process.cpu_times()
             used = (b.user+b.system-a.user-a.system)/(time.monotonic()-began)
-            return dict(cameras=count, what=what, cpu_percent=round(100*used, 1), rss=round(process.memory_info().rss/MiB, 1), threads=threading.active_count(), files=process.num_fds())
+            return dict(cameras=count, what=what, cpu_percent=max(round(100*used, 1), 0.), rss=round(process.memory_info().rss/MiB, 1), threads=threading.active_count(), files=process.num_fds())
         rows = [measure('idle')]
         words = ['ffmpeg','-v','quiet','-rtsp_transport','tcp']
         players = [subprocess.Popen([*words, '-i', uri, '-c', 'copy', '-f', 'null', '-'], stdin=subprocess.DEVNULL) for uri in uris_of(served)]
@@ -228,7 +228,7 @@ def per_camera(rows):
     def of(count, what): return next(row for row in rows if (row['cameras'],row['what'])==(count,what))
     most,least = max(row['cameras'] for row in rows),min(row['cameras'] for row in rows)
     if most==least: return []
-    return [dict(what=what, **{key: round((of(most, what)[key]-of(least, what)[key])/(most-least), 1) for key in ('cpu_percent','rss','threads','files')})
+    return [dict(what=what, **{key: max(round((of(most, what)[key]-of(least, what)[key])/(most-least), 1), 0.) for key in ('cpu_percent','rss','threads','files')})
             for what in dict.fromkeys(row['what'] for row in rows)]
 
 def main():
@@ -248,8 +248,12 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             found = soak(args.minutes, folder)
             rows,wrong = verdict(found)
-        first,*_,last = found['samples']
-        usage = dict(cpu_percent=round(100*(last['cpu']-first['cpu'])/(last['t']-first['t']), 1), rss=[first['rss'],last['rss']], threads=max(s['threads'] for s in found['samples']))
+        samples = found['samples']
+        first,last = samples[0],samples[-1]
+        warm = next(s for s in samples if s['t']>=min(120, .4*last['t']))
+        if last['rss']>1.05*warm['rss']: wrong.append(f'memory grew from {warm["rss"]} MiB after {warm["t"]:.0f} s to {last["rss"]} MiB')
+        cpu = 100*(last['cpu']-first['cpu'])/(last['t']-first['t'])
+        usage = dict(cpu_percent=round(cpu, 1), rss_warm=warm['rss'], rss_end=last['rss'], threads=max(s['threads'] for s in samples), files=max(s['files'] for s in samples))
         new |= dict(minutes=args.minutes, faults=wrong, unplugged=len(found['away']), server=usage, threads_left=found['threads_left'], files_left=found['files_left'], soak=rows)
         for row in rows: print(row)
         print(usage, *(wrong or ['nothing was lost']), sep='\n')

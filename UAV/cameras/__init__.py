@@ -5,7 +5,7 @@ _rooms = {'UAV.cameras.values': 'CameraBusy CameraError CameraInformation Camera
           'UAV.cameras.lens': 'Focus Lens Travel View', 'UAV.cameras.camera': 'Camera',
           'UAV.cameras.contract': 'check_camera', 'UAV.cameras.sim_world': 'SimWorld', 'UAV.cameras.sim': 'SimCamera SimDualCamera locate',
           'UAV.cameras.cv2_camera': 'CV2Camera', 'UAV.cameras.gst_cam': 'GSTCamera', 'UAV.cameras.pi_camera': 'PiCamera',
-          'UAV.cameras.url_camera': 'URLCamera', 'UAV.cameras.gphoto_camera': 'GPhotoCamera'}
+          'UAV.cameras.url_camera': 'URLCamera', 'UAV.cameras.gphoto_camera': 'GPhotoCamera', 'UAV.cameras.gpx': 'flight_gpx'}
 __all__ = sorted(' '.join(_rooms.values()).split())
 
 def __getattr__(name):

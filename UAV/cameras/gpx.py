@@ -119,9 +119,10 @@ def flight_gpx(*places, # Folders of a storage, or fetched ones; or files: `.srt
                gap:float=10., # s without a point that begin another segment
                name:str='', # Of the track; empty: the first folder's or file's
               )->str:
-    "Return the track of recordings and pictures, and a waypoint for each picture, as GPX 1.1; raises `ValueError`"
+    "Return the GPX 1.1 track of recordings and pictures, these as waypoints, too; raises `ValueError`, `OSError`"
     if not places: raise ValueError('a track needs a folder, or files')
     if not (every>=0 and gap>0): raise ValueError(f'every and gap must be 0 s or more, not {every} and {gap}')
+    for place in map(Path, places): place.stat()            # raises for one that isn't there
     files = [file for place in map(Path, places) for file in (_files_in(place) if place.is_dir() else [place])]
     films = [point for file in files if file.suffix.lower() in ('.srt','.ts') for point in _of_film(file)]
     pictures = [point for file in files if file.suffix=='.jsonl' for point in _of_log(file)]

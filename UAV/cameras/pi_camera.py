@@ -319,5 +319,6 @@ def search_libcamera(seconds:float=3.): # It takes as long as libcamera does, mo
         yield str(e)
         return
     ours = [one for one in cameras if 'usb' not in one.get('Id', '').lower()]
-    for one in ours: yield Found(one.get('Model', 'camera'), dict(device=f'picamera://{one["Num"]}'), (one.get('Id', ''),))
-    if not ours: yield 'no camera on a ribbon cable: is it seated at both ends? `rpicam-hello --list-cameras` lists them'
+    for one in ours:
+        yield Found(one.get('Model', 'camera'), dict(device=f'picamera://{one["Num"]}'), (one.get('Id', ''),))
+    if not ours: yield 'no camera on a ribbon cable: does it sit right at both ends? rpicam-hello --list-cameras'

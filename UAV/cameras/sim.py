@@ -119,11 +119,13 @@ def pose(self:SimCamera, look:tuple|None=None, # As from `look`; `None`: now
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #7b0e5531
 @patch
-def platform(self:SimCamera)->tuple|None:
+def platform(self:SimCamera, time_utc:float|None=None, # s since 1970; `None`: now
+            )->tuple|None:
     "Return roll, pitch and heading of the vehicle, degrees; `None`: there's none. A gimbal without one hangs level"
     if self.mount is None: return None
-    vehicle = getattr(self.mount, 'vehicle', None)
-    state = vehicle.state() if hasattr(vehicle, 'state') else vehicle
+    vehicle = next((v for v in (getattr(self.mount, name, None) for name in ('mount','vehicle')) if v is not None), None)
+    age = 0. if time_utc is None else self.clock()-time_utc
+    state = vehicle.state(vehicle.clock()-age) if hasattr(vehicle, 'path') else vehicle
     return (0.,0.,0.) if state is None else (state.roll, state.pitch, state.yaw)
 
 # %% ../../nbs/api/cameras/12_sim.ipynb #01f57365

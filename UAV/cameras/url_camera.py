@@ -186,7 +186,7 @@ class _CodedSource(PassThrough):
     def pass_on(self, unit, **known):
         "Hand a unit of a receiver to all sinks; its codec may be new"
         if unit.format.codec!=self.codec: self.codec,self.format,self._sets = unit.format.codec,None,[]
-        self.push(unit.data, unit.time, **known)
+        self.push(unit.data, unit.time, unit.metadata, **known)
 
 # %% ../../nbs/api/cameras/16_url_camera.ipynb #dc725d2d
 class _FrameSink(Sink):
@@ -197,6 +197,6 @@ class _FrameSink(Sink):
 
     def send(self, unit):
         "Decode one unit"
-        for picture,_,time_utc,_ in self._decoding(unit):
-            image = Decoded(picture, 0, 0., 0.).image
-            self.newest.put(Frame(image, self.newest.number+1, time_utc or clock.time()))
+        for picture,_,time_utc,metadata in self._decoding(unit):
+            image,pose = Decoded(picture, 0, 0., 0.).image,metadata.pose if metadata and known(metadata.lat) else None
+            self.newest.put(Frame(image, self.newest.number+1, time_utc or clock.time(), pose, metadata=metadata))

@@ -66,6 +66,7 @@ class Frame:
     time_utc:float # When it was taken, s since 1970
     pose:Pose|None=None # Where it was taken
     tags:dict|None=field(default=None, kw_only=True) # EXIF tags of this one, such as {'ExposureTime': .01}
+    metadata:object=field(default=None, kw_only=True) # What came with it from another camera, a `FrameMetadata`
 
     def __repr__(self): return f'Frame({self.number}, {self.image.shape[1]}x{self.image.shape[0]})'
 

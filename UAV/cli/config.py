@@ -94,6 +94,7 @@ def _put(self:Document, line:int, path:tuple, value, again:bool=False):
     else: node.setdefault(path[-1], value)
     for n in range(1, len(path)+1): self.lines.setdefault(path[:n], line)
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00002
 def _header(found)->tuple:
     "Return the path of a table header, from its values"
     if isinstance(found, list): return _header(found[0])
@@ -116,6 +117,7 @@ def _instead(name:str, names)->str:
     close = get_close_matches(name.lower().replace('-', '_'), names, 1)
     return f'did you mean {close[0]}?' if close else f'there {"is" if len(names)==1 else "are"} {", ".join(names)}'
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00004
 def option_value(name:str, # Option
                  kind, # Its type on the command line
                  value): # Value of a key
@@ -135,6 +137,7 @@ def option_value(name:str, # Option
         raise ValueError(f'{name} is one of {", ".join(choices)}, not {_named(value)}')
     return value if choices else _checked(name, kind, value)
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00005
 def _checked(name:str, kind, text:str):
     try: return kind(text)
     except (ArgumentTypeError, ValueError) as e: raise ValueError(f'{name}: {e}') from None
@@ -148,6 +151,7 @@ class ConfigError(ValueError):
         lines = (f'{file}:{line}: {text}' for line,text in self.problems)
         super().__init__('\n'.join((f'{file} has {count} mistake{"s"*(count>1)}; nothing was started', *lines)))
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00007
 class Configuration:
     "A vehicle's options, gimbals and cameras, with the options as attributes"
     def __init__(self, system, gimbals:dict, cameras:dict, file:str='', document:Document|None=None):
@@ -201,6 +205,7 @@ def _no_key(self:_Reader, name, value, names, path)->str:
         return f'[{name}] is no table; did you mean [cameras.{name}]?'
     return f'{name} is no key; {_instead(name, [*names, "cameras", "gimbals"])}'
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00008
 @patch
 def tables(self:_Reader, kind:str)->dict:
     "Return the tables of one kind, 'cameras' or 'gimbals', by name"
@@ -217,12 +222,14 @@ def read_config(file:str, # Name of a TOML file
                 words:dict, # `{option: its annotation, default and comment}`, those of the command line
                 levels:dict, # Names of options by table: 'vehicle', 'both', 'camera', 'gimbal'
                 typed:dict={}, # Options that were typed, which count more than the file's top level
+                usual:dict|None=None, # Defaults of the options; `None`: those of `words`
                 text:str|None=None, # In place of what is in the file
                 checks=()): # Functions of the `Configuration` that yield `(sentence, *path)` of more mistakes
     "Return the `Configuration` in a file; raises `ConfigError` with all mistakes, and `OSError`"
     reader = _Reader(Document(_text_of(file) if text is None else text), words, levels, typed)
     names,given = reader.names,reader.document.values
-    def defaults(names): return {name: words[name].default for name in names}
+    if usual is None: usual = {name: word.default for name,word in words.items()}
+    def defaults(names): return {name: usual[name] for name in names}
     on_top = names['vehicle']+names['both']
     top = reader.options({k: v for k,v in given.items() if k not in ('cameras','gimbals')}, on_top)
     top = defaults(on_top)|top|typed
@@ -241,6 +248,7 @@ def read_config(file:str, # Name of a TOML file
     if reader.problems: raise ConfigError(file, reader.problems)
     return found
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00009
 def _text_of(file:str)->str:
     "Return what is in a file; raises `ConfigError` unless it's UTF-8, and `OSError`"
     data = Path(file).read_bytes()
@@ -263,6 +271,7 @@ def clashes(found:Configuration):
     for name,camera in cameras.items(): yield from _no_camera(name, camera, gimbals, found.has)
     for key in _unique: yield from _shared(key, cameras, found.vehicle)
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00011
 def _numbered(kind:str, tables:dict, allowed):
     "Number the components that have none; yield mistakes"
     taken = {}
@@ -285,12 +294,14 @@ def _no_device(key:str, text:str)->str|None:
     schemes = device_schemes()
     return None if scheme in schemes else f'{key}: no driver for {scheme}://; {_instead(scheme, schemes)}'
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00012
 def _no_gimbal(name:str, gimbal, has):
     "Yield mistakes in a gimbal's table"
     at,device = ('gimbals',name),gimbal.device
     if not has(*at, 'device'): yield 'device is missing: "sim", or a URL such as "siyi://192.168.144.25"',*at
     if device not in (None,'sim') and (why := _no_device('device', device)): yield why,*at,'device'
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00014
 def _no_camera(name:str, camera, gimbals:dict, has):
     "Yield mistakes in a camera's table"
     at,source,device,gimbal = ('cameras',name),camera.camera,camera.device,camera.gimbal
@@ -322,6 +333,7 @@ def _shared(key:str, cameras:dict, vehicle):
             if value in taken: yield f'{shown} is that of {taken[value]}, too','cameras',name,*last
             else: taken[value] = f'[cameras.{name}]'
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00016
 def _names(name:str, camera):
     shown = camera.name or name
     yield shown,f'the name {shown!r}',*(['name'] if camera.name else [])
@@ -336,6 +348,7 @@ def _folders(name:str, camera):
     for more in (camera.storage or '').split(','):
         if more.strip(): yield os.path.realpath(more.strip()),f'folder {more.strip()!r}','storage'
 
+# %% ../../nbs/api/cli/02_config.ipynb #c0e00017
 def _sources(name:str, camera):
     source = str(camera.camera or '')
     if source.isdigit(): source = f'/dev/video{source}'

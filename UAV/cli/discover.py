@@ -44,7 +44,8 @@ def _table(found:Found, name:str, component:int|None)->list:
 # %% ../../nbs/api/cli/01_discover.ipynb #0dc1000f
 _head = ('Cameras that this computer can reach. To serve them:', '  uav-camera-server --discover > cameras.toml',
          '  uav-camera-server --config cameras.toml', '',
-         'The autopilot, or a ground station; without it, programs on this computer:', 'connection = "/dev/serial0,921600"')
+         'The autopilot, or a ground station; without it, programs on this computer:',
+         'connection = "/dev/serial0,921600"')
 
 def _named(found:Discovery):
     "Yield the search, the device, its name and its component of all devices"
@@ -66,8 +67,9 @@ def configuration(found:Discovery)->str:
 # %% ../../nbs/api/cli/01_discover.ipynb #0dc10014
 def _json_lines(found:Discovery)->str:
     "Return what was found as JSON, an object in each line"
-    rows = [dict(search=search, name=name, component=component, model=one.model, table=one.table, notes=list(one.notes),
-                 trouble=one.trouble or None, command=start_command(one)) for search,one,name,component in _named(found)]
+    rows = [dict(search=search, name=name, component=component, model=one.model, table=one.table,
+                 notes=list(one.notes), trouble=one.trouble or None, command=start_command(one))
+            for search,one,name,component in _named(found)]
     rows += [dict(search=result.name, remark=remark) for result in found for remark in result.remarks]
     return ''.join(json.dumps(row, ensure_ascii=False)+'\n' for row in rows)
 

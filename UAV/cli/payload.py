@@ -20,6 +20,7 @@ from ..utils.devices import device_schemes, device_url, open_device
 from ..utils.files import read_secret
 from ..utils.threads import _begin_thread, _has_ended, Closes
 from ..utils.values import one_of
+from ..wire.dialect import LinkError
 from ..wire.signing import Signing
 
 # %% auto #0
@@ -282,9 +283,9 @@ class Payload(Closes):
                 slot = getattr(self, kind)[name] = enter(make(n, name, table))
                 self._open_slot(slot, kind)
         self.com = enter(on_links(connections, source_system=v.system, signing=signing, forward=v.forward))
-        for slot in (*self.cameras.values(), *self.gimbals.values()):
-            self._open.callback(slot.stop)              # before the links close
-            slot.join(self.com)
+        slots = [*self.cameras.values(), *self.gimbals.values()]
+        self._open.callback(lambda: [slot.stop(0.) for slot in slots])          # before the links close
+        for slot in slots: slot.join(self.com)
         if v.autopilot: self.com.add_component(_autopilot(self.vehicle))
 
 # %% ../../nbs/api/cli/02_payload.ipynb #c0f20008
@@ -331,14 +332,14 @@ class Slot(Closes):
             self.device,self._open = device,stack.pop_all()
         self.note(None)
 
-    def stop(self):
-        "Try no more"
+    def stop(self, patience:float=5.)->bool: # s
+        "Try no more; false if the driver doesn't return"
         self._closing.set()
-        if not _has_ended(self._thread, 10.): log.error('%s: its driver does not return', self.name)
+        return _has_ended(self._thread, patience)
 
     def close(self):
         "Close the device; safe to call twice"
-        self.stop()
+        if not self.stop(): log.error('%s: its driver does not return', self.name)
         self._open.close()
 
 # %% ../../nbs/api/cli/02_payload.ipynb #c0f20005
@@ -361,8 +362,9 @@ def _come(self:Slot, com):
         log.info('%s is there', self.name)
         waits = bool(self.servers)
         for server in self.servers: server.close()
-        if waits and self._closing.wait(self.silent): return
-        return self.join(com)
+        if self._closing.wait(self.silent if waits else 0.): return
+        try: return self.join(com)
+        except LinkError: return            # closed in between
 
 # %% ../../nbs/api/cli/02_payload.ipynb #c0f20006
 @patch
@@ -371,6 +373,7 @@ def _hanging(self:Payload)->tuple:
     sims = {name for name,gimbal in self.found.gimbals.items() if gimbal.device=='sim'}
     return bool(sims),any(c.gimbal in sims and (c.camera or 'sim') in _simulated for c in self.found.cameras.values())
 
+# %% ../../nbs/api/cli/02_payload.ipynb #c0e00504
 @patch
 def _gimbal_slot(self:Payload, n:int, name:str, table)->Slot:
     on_it = [c for c in self.found.cameras.values() if c.gimbal==name]
@@ -407,19 +410,22 @@ def _open_camera(self:Payload, one, stack:ExitStack, name:str)->tuple:
     storage = _storage(one)
     gimbal,camera = _device(one, stack, storage)
     own = aboard = None
+    number = 0                  # of the gimbal device
     if gimbal:
         how = dict(zip(('component','number'), self._spare(one)))
         aboard = own = stack.enter_context(Aboard(gimbal, camera=one.camera or 'sim', role=getattr(one, 'role', 'both'),
                                                   mounted=one.mounted, vehicle=self.vehicle, **how))
-    elif one.gimbal is not None: aboard = self._gimbal(one.gimbal)
+        number = own.server.gimbal_device_id
+    elif one.gimbal is not None: aboard,number = self._gimbal(one.gimbal, bool(one.camera or camera))
     camera = camera or _camera_of(one, stack, aboard, storage, self)
     camera.mounted,camera.record_as = one.mounted,one.record
-    if aboard: camera.gimbal_device_id = aboard.server.gimbal_device_id
+    if number: camera.gimbal_device_id = number
     bitrate = None if one.bitrate is None else int(one.bitrate*1e6)
     wanted = [] if _on_card(camera) else _wanted_streams(one)
     add_streams(camera, wanted, self.rtsp, name, codec=one.codec, size=one.size, rate=one.rate, bitrate=bitrate)
     return camera,own
 
+# %% ../../nbs/api/cli/02_payload.ipynb #c0e00506
 @patch
 def _spare(self:Payload, one)->tuple:
     "Return component and number of the gimbal that may come with a camera's device"
@@ -429,9 +435,10 @@ def _spare(self:Payload, one)->tuple:
     if place>=len(free): raise ValueError(f'a vehicle has {len(gimbal_components)} gimbals at most')
     return free[place],len(given)+place+1
 
+# %% ../../nbs/api/cli/02_payload.ipynb #c0e00507
 @patch
-def _gimbal(self:Payload, name:str):
-    "Return the `Aboard` of a gimbal; raises `CameraError` while it's missing"
-    slot = self.gimbals[name]
-    if slot.device is None: raise CameraError(f'gimbal {name} is missing: {slot.fault}')
-    return slot.device
+def _gimbal(self:Payload, name:str, alone:bool)->tuple: # `alone`: the camera works without it
+    "Return the `Aboard` of a gimbal, or `None` while it's missing, and its number; raises `CameraError`"
+    slot,table = self.gimbals[name],self.found.gimbals[name]
+    if slot.device is None and not alone: raise CameraError(f'gimbal {name} is missing: {slot.fault}')
+    return slot.device,[*self.gimbals].index(name)+1 if table.role=='both' else table.component

@@ -66,7 +66,6 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
       uav-camera-server --device siyi://192.168.144.25      # camera and gimbal of a SIYI
       uav-camera-server --camera flight.mp4 --rtp 10.0.0.9:5600 --rtsp -1     # a file, sent as RTP
       uav-camera-server --gimbal sim --path circle --autopilot      # an aircraft with a gimbal
-      uav-camera-server --camera 0 --camera 2      # two cameras, components 100 and 101
       uav-camera-server --config cameras.toml      # all cameras and gimbals of a vehicle
       uav-camera-server --discover > cameras.toml      # what is plugged in, or on the network"""
     if discover or json: return _discover(discover, json)
@@ -126,8 +125,9 @@ def _introduce(payload, printer:StatusPrinter):
     if guard: printer.line(f'  only these may format, reset and delete: {_named(guard)}')
     for slot in filter(lambda slot: slot.device, cameras):
         camera,named = slot.device,f'{slot.name} ' if payload.waits else ''
-        for storage in repr(camera.storages).splitlines()*(len(camera.storages)>1): printer.line(f'  {named}storage {storage}')
-        for s in camera.streams: printer.line(f'  {named}{s.kind}: {s.uri(slot.servers[0].video.host_for())}, {s.format}')
+        storages,host = repr(camera.storages).splitlines(),slot.servers[0].video.host_for()
+        for storage in storages if len(storages)>1 else (): printer.line(f'  {named}storage {storage}')
+        for stream in camera.streams: printer.line(f'  {named}{stream.kind}: {stream.uri(host)}, {stream.format}')
 
 # %% ../../nbs/api/cli/02_serve.ipynb #00cdc623
 def _described(typed)->Configuration:
@@ -145,7 +145,7 @@ def _described(typed)->Configuration:
     cameras = {}
     for n,source in enumerate(typed.camera):
         stem = _stem(source)
-        name = next(name for k in itertools.count(1) if (name := stem+(f'_{k}' if k>1 else '')) not in cameras)
+        name = next(name for k in itertools.count(1) if (name := f'{stem}_{k}' if k>1 else stem) not in cameras)
         own = dict(camera=source, component=typed.component+n, folder=str(Path(typed.folder, name)))
         cameras[name] = SimpleNamespace(**vars(typed)|ours|own)
     found = Configuration(typed, gimbals if typed.gimbal else {}, cameras)
@@ -165,7 +165,7 @@ def _from_file(typed)->Configuration:
     for name in typed.given:
         if name in own: raise ValueError(f'--{name} is of one camera: write it in {typed.config}')
     given = {name: value for name,value in typed.given.items() if name!='config'}
-    return read_config(typed.config, _words_of(serve_camera), _levels, given, checks=[_mistakes])
+    return read_config(typed.config, _words_of(serve_camera), _levels, given, vars(typed), checks=[_mistakes])
 
 def _mistakes(found:Configuration):
     "Yield `(sentence, *path)` of what only this room can check"

@@ -302,9 +302,10 @@ def sight(self:_CameraGround, number:int)->list|None:
 # %% ../../nbs/api/manager/05_map.ipynb #7e1d1415
 @patch
 def place(self:_CameraGround, number:int, x:float, y:float)->Place|None: # -1 to 1, right and down are positive
-    "Return the place on the ground in picture `number`; `None` in the sky, or if it isn't known"
+    "Return the place on the ground in picture `number`; `None` in the sky, if it isn't known, or could be anywhere"
     seen = self.metadata(number)
-    return seen and seen.where(x+.5, y+.5, 2, 2)
+    there = seen and seen.where(x+.5, y+.5, 2, 2)
+    return None if there is None or there.error>=there.distance else there
 
 # %% ../../nbs/api/manager/05_map.ipynb #d3b31195
 @patch

@@ -130,7 +130,7 @@ def tiles_of(
     if not place or isinstance(place, Tiles): return place or None
     attribution = ' '.join(attribution.split())[:200]
     if '://' in (text := str(place)): return _web_tiles(text, attribution)
-    path = Path(text).expanduser()
+    path = Path(text).expanduser().absolute()
     try:
         if path.is_dir(): return _folder_tiles(path, attribution)
         if path.is_file(): return _mbtiles(path, attribution)

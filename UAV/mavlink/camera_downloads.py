@@ -716,6 +716,8 @@ def _may_go_on(self:RemoteFiles, error:Exception, vain:int)->bool:
 # %% ../../nbs/api/mavlink/14_camera_downloads.ipynb #2fca32fe
 @patch
 async def remove(self:RemoteFiles, file): # Path, URL, listed file, or notice of a picture
-    "Remove a file; raises `FtpError` if missing or protected"
+    "Remove a file, a film with its subtitles; raises `FtpError` if missing or protected"
     files,path = self._place(file)
     await files._ask(FtpOp.REMOVE_FILE, path)
+    if there := subtitles_of(path):
+        with suppress(FtpError): await files._ask(FtpOp.REMOVE_FILE, there)

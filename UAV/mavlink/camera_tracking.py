@@ -4,6 +4,7 @@
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #e2c37761
 from __future__ import annotations
+from dataclasses import replace
 import math
 
 from fastcore.basics import patch
@@ -13,16 +14,17 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_FOV_STAT
     MAVLINK_MSG_ID_CAMERA_TRACKING_IMAGE_STATUS as CAMERA_TRACKING_IMAGE_STATUS)
 from ..cameras.values import known, NAN, Pose, TrackingStatus
 from ..utils.clock import time_since_boot_ms
-from ..utils.geo import metres, turned
+from ..utils.geo import metres
+from ..utils.pose import earth_radius, ray_to_ground
 from ..wire.dialect import address, enum_value
 from .basecomponent import Part
 from .protocol import Busy, Denied, Unsupported, announced, command, message
 
-_all_ = ['CAMERA_FOV_STATUS', 'CAMERA_TRACKING_GEO_STATUS', 'CAMERA_TRACKING_IMAGE_STATUS']
+_all_ = ['earth_radius', 'CAMERA_FOV_STATUS', 'CAMERA_TRACKING_GEO_STATUS', 'CAMERA_TRACKING_IMAGE_STATUS']
 
 # %% auto #0
-__all__ = ['earth_radius', 'not_known', 'sky', 'TrackingPart', 'field_of_view', 'image_center', 'footprint', 'as_int32',
-           'from_int32', 'CAMERA_FOV_STATUS', 'CAMERA_TRACKING_GEO_STATUS', 'CAMERA_TRACKING_IMAGE_STATUS']
+__all__ = ['not_known', 'sky', 'TrackingPart', 'field_of_view', 'image_center', 'footprint', 'as_int32', 'from_int32',
+           'earth_radius', 'CAMERA_FOV_STATUS', 'CAMERA_TRACKING_GEO_STATUS', 'CAMERA_TRACKING_IMAGE_STATUS']
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #8ed5c10f
 class TrackingPart(Part):
@@ -46,30 +48,25 @@ class TrackingPart(Part):
 def field_of_view(camera, # A Camera, or an object with `information`
                  )->tuple:
     "Return the current horizontal and vertical field of view in degrees, NaN if unknown"
+    if hasattr(camera, 'field_of_view'): return camera.field_of_view()
     i,lens = camera.information,getattr(camera, 'lens', None)
     focal_length = (lens or i).focal_length
     shown = i.shown(i.resolution_h, i.resolution_v)
     return tuple(math.degrees(2*math.atan2(size/2, focal_length)) for size in shown)
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #2aa0add3
-earth_radius = 6371e3       # m
-
-def _on_ground(pose:Pose, ray:tuple)->tuple:
-    "Return latitude, longitude and altitude where `ray` (north, east, down) meets the ground; `inf` in the sky"
-    north,east,down = ray
-    height = pose.relative_alt
-    if not all(map(known, (*ray, height))) or height<0: return NAN,NAN,NAN
-    horizon = math.sqrt(2*earth_radius*height)
-    if down<=0 or math.hypot(north, east)*height>horizon*down: return (math.inf,)*3
-    there = pose.moved(north*height/down, east*height/down, -height)
+def _on_ground(pose:Pose, right:float=0., down:float=0.)->tuple:
+    "Return latitude, longitude and altitude where a ray meets the ground; `inf` in the sky"
+    north,east = ray_to_ground(pose.q, right, down, pose.relative_alt)
+    if not (known(north) and math.isfinite(north)): return (north,)*3
+    there = pose.moved(north, east, -pose.relative_alt)
     return there.lat,there.lon,there.alt
 
 def image_center(pose:Pose, # The camera's pose
                 )->tuple:
     "Return latitude, longitude and altitude (m above sea level) of the picture's centre; `inf` in the sky"
     if not (known(pose.pitch) and known(pose.yaw)): return NAN,NAN,NAN
-    pitch,yaw = math.radians(pose.pitch),math.radians(pose.yaw)
-    return _on_ground(pose, (math.cos(pitch)*math.cos(yaw), math.cos(pitch)*math.sin(yaw), -math.sin(pitch)))
+    return _on_ground(replace(pose, roll=0.))           # which doesn't move the centre
 
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #fa49f2da
@@ -80,7 +77,7 @@ def footprint(pose:Pose, # The camera's pose
     right,up = (math.tan(math.radians(angle)/2) for angle in fov)
     if not all(map(known, (pose.roll, pose.pitch, pose.yaw))): return [(NAN,NAN)]*4
     corners = (-right,-up), (right,-up), (right,up), (-right,up)
-    return [_on_ground(pose, turned(pose.q, (1.,*corner)))[:2] for corner in corners]
+    return [_on_ground(pose, *corner)[:2] for corner in corners]
 
 
 # %% ../../nbs/api/mavlink/06_camera_tracking.ipynb #0caaf17d

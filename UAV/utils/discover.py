@@ -53,6 +53,8 @@ def searches()->dict:
         name: found[name] for name in sorted(found, key=str.lower) if name not in _searches}
 
 # %% ../../nbs/api/utils/08_discover.ipynb #0d150011
+_slack = 3.         # s that a search may take longer than it should: some libraries load slowly on a small computer
+
 class _Search:
     "A search that runs in a thread"
     def __init__(self, name:str, load, seconds:float):
@@ -77,7 +79,7 @@ class _Search:
         "Wait for its end for so long; return what it has found until then"
         ended = _has_ended(self.thread, seconds)
         self.over = True
-        late = () if ended else (f'has not ended after {self.seconds+1:g} s, and was left behind: does a device hang?',)
+        late = () if ended else (f'has not ended after {self.seconds+_slack:g} s, and was left behind: does a device hang?',)
         return SearchResult(self.name, tuple(self.found), (*self.remarks, *late))
 
 # %% ../../nbs/api/utils/08_discover.ipynb #0d150012
@@ -110,6 +112,6 @@ def discover(seconds:float=3., # That each search may take; what asks a network 
     known = searches()
     unknown = [name for name in only or () if name not in known]
     if unknown: raise ValueError(f'no search {unknown[0]!r}; there are {", ".join(known)}')
-    end = clock.monotonic()+seconds+1
+    end = clock.monotonic()+seconds+_slack
     running = [_Search(name, known[name], seconds) for name in (known if only is None else only)]
     return Discovery(search.result(max(end-clock.monotonic(), 0.)) for search in running)

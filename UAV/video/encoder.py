@@ -12,6 +12,7 @@ from ..utils import clock
 from ..utils.lazy import av, np
 from ..utils.threads import _begin_thread, Closes
 from ..utils.pictures import _checked
+from ..utils.values import known
 from .units import (AccessUnit, byte_stream, codecs, _DecodeTimes, _even, _is_hardware, is_key,
     _nal_type, nal_units, _open_codec, parameter_sets, sensible_bitrate, Sink, VideoFormat)
 
@@ -176,16 +177,18 @@ def _wanted(self:Encoder, image)->VideoFormat:
 
 # %% ../../nbs/api/video/01_encoder.ipynb #5d0e33a2
 @patch
-def _metadata(self:Encoder, frame, time_utc:float):
-    "Return the `FrameMetadata` of a frame, or `None`"
-    if self.metadata_of is None: return getattr(frame, 'metadata', None)        # a frame that was received has its own
+def _metadata(self:Encoder, frame, time_utc:float, came=None):
+    "Return the `FrameMetadata` of a frame, or `None`; what `came` with it from elsewhere, unless only we have a place"
+    came = came or getattr(frame, 'metadata', None)
+    if self.metadata_of is None or came and known(came.lat): return came
     try:
         metadata = self.metadata_of(frame, time_utc)
         if metadata is not None: metadata.data          # its bytes, made here, where an error costs no viewer
-        return metadata
+        if came is None or metadata and known(metadata.lat): return metadata
     except Exception as e:
         if not self._complained: _log.warning('%s: no metadata: %r', self.name, e, exc_info=e)
         self._complained = True
+    return came
 
 # %% ../../nbs/api/video/01_encoder.ipynb #c670b470
 @patch
@@ -367,6 +370,7 @@ def _watch(self:PassThrough):
 @patch
 def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
          taken:float|None=None, # When the frame was taken, monotonic s; `None` is now
+         metadata=None, # Its `FrameMetadata`, if it came with one
          **known): # What is known of the format: `width`, `height`, `rate`, `bitrate`
     "Hand an access unit to all sinks; nothing happens before the first key frame"
     now = clock.monotonic()
@@ -380,5 +384,5 @@ def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
     elif made is None: return
     self._number,self._came = self._number+1,now
     decode,taken_utc = self._decode_times(taken),clock.time()-now+taken
-    metadata = self._metadata(None, taken_utc)
+    metadata = self._metadata(None, taken_utc, metadata)
     self._deliver(AccessUnit(data, key, taken, taken_utc, self._number, made, decode, metadata))

@@ -426,14 +426,17 @@ class _Session:
         about = (f'url={base}/{track};seq={self.streams[track].sequence}' for track in sorted(self.transports))
         return _Response(200, {'Range': 'npt=now-', 'RTP-Info': ','.join(about)})
 
-    def _pause(self, request:_Request)->_Response:
-        self.state = 'ready'
-        return _Response()
+# %% ../../nbs/api/video/04_rtsp.ipynb #7b0e5671
+@patch
+def _pause(self:_Session, request:_Request)->_Response:
+    self.state = 'ready'
+    return _Response()
 
-    def _teardown(self, request:_Request)->_Response:
-        self.transports.pop(self._locate(request)[1], None)
-        if request.path==self.path or not self.transports: self._begin()        # else: the other track goes on
-        return _Response()
+@patch
+def _teardown(self:_Session, request:_Request)->_Response:
+    self.transports.pop(self._locate(request)[1], None)
+    if request.path==self.path or not self.transports: self._begin()        # else: the other track goes on
+    return _Response()
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #2ece9f00
 _offered = 'OPTIONS','DESCRIBE','SETUP','PLAY','PAUSE','TEARDOWN','GET_PARAMETER','SET_PARAMETER'
@@ -499,8 +502,8 @@ def _describe(self:_Session, request:_Request)->_Response:
     if not re.search(r'application/(sdp|\*)|\*/\*', accept): raise RTSPError(406)
     base,host = request.uri.partition('?')[0].rstrip('/'),urlsplit(request.uri).hostname or ''
     format,(pictures,metadata) = self.videos[path],self.tracks
-    offered = _asks_for_klv(request) and self.has_metadata(path)
-    text = _sdp(format, '::' if ':' in host else '0.0.0.0', name=path, control=pictures, metadata=metadata if offered else None)
+    if not (_asks_for_klv(request) and self.has_metadata(path)): metadata = None
+    text = _sdp(format, '::' if ':' in host else '0.0.0.0', name=path, control=pictures, metadata=metadata)
     return _Response(200, {'Content-Type': 'application/sdp', 'Content-Base': f'{base}/'}, text)
 
 # %% ../../nbs/api/video/04_rtsp.ipynb #bcbfc9ae

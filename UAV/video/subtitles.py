@@ -85,16 +85,16 @@ def _date(time_utc:float)->str:
 def text(self:Cue)->str:
     "The cue as SubRip text, as newer DJI drones write it; what is unknown is left out"
     p = self.pose
-    values = dict(iso=self.iso, shutter=1/self.exposure, fnum=self.f_number, focal_len=self.focal_length, latitude=p.lat,
-        longitude=p.lon, rel_alt=p.relative_alt, abs_alt=p.alt, gb_yaw=p.yaw, gb_pitch=p.pitch, gb_roll=p.roll)
+    values = dict(iso=self.iso, shutter=1/self.exposure, fnum=self.f_number, focal_len=self.focal_length,
+        latitude=p.lat, longitude=p.lon, rel_alt=p.relative_alt, abs_alt=p.alt, gb_yaw=p.yaw, gb_pitch=p.pitch, gb_roll=p.roll)
     shown = ' '.join(filter(None, (_group(names, values) for names in _groups)))
     lines = (f'FrameCnt: {self.number}, DiffTime: {round(1000*(self.end-self.start))}ms', _date(self.time_utc), shown)
     return f'{self.number}\n{_clock(self.start)} --> {_clock(self.end)}\n'+'\n'.join(filter(None, lines))+'\n\n'
 
 # %% ../../nbs/api/video/05_subtitles.ipynb #5b0a0015
-_times = re.compile(r'(\d+):(\d\d):(\d\d)[,.](\d{1,3})\s*-->\s*(\d+):(\d\d):(\d\d)[,.](\d{1,3})')
+_times = re.compile(r'(\d{1,4}):(\d\d):(\d\d)[,.](\d{1,3}) {0,4}--> {0,4}(\d{1,4}):(\d\d):(\d\d)[,.](\d{1,3})')
 _when = re.compile(r'(\d{4})-(\d\d)-(\d\d) (\d\d):(\d\d):(\d\d)[.,](\d{3})')
-_field = re.compile(r'(\w+) ?: ?(?:1/)?(-?\d{1,9}(?:\.\d{1,12})?)(?=[ \]])')
+_field = re.compile(r'\b(\w{1,32}) ?: ?(?:1/)?(-?\d{1,9}(?:\.\d{1,12})?)(?=[ \]])')
 
 def _read_date(text:str)->float:
     "Return the date in a text as s since 1970, as if it was UTC; NaN if there is none"

@@ -614,13 +614,9 @@ export function mapView(row) {
     hands.toggleAttribute('data-look', !!state.status.can_look)
     foot.update(redraw())
   }
-  const take = answer => changed(Object.assign(state, { answer, told: mapParts(answer) }), note.failed(''))
+  const take = answer => changed(Object.assign(state, { answer, told: mapParts(answer) }), note.failed(''), base.open())
   const asking = askingMap(row.wire, node, take, error => note.failed(failedWords(error)))
-  const open = yes => {
-    asking.open(yes)
-    if (yes) base.open()
-  }
-  return { node, update: status => changed(state.status = status), open, stop: () => asking.stop(still()) }
+  return { node, update: status => changed(state.status = status), open: asking.open, stop: () => asking.stop(still()) }
 }
 
 export function drawState(pen, { of, spot }, state, hands, presses, base) {

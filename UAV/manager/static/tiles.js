@@ -89,12 +89,14 @@ export function tileStore(load, changed, now = Date.now) {
   return { want, best }
 }
 
-// A picture of an address. Another site is told of our origin, as some ask for, but never of the token.
+// A picture of an address. Another site is told of our origin, as some ask for, but never of the token. A server that
+// doesn't answer is given up after a while: it would keep the others waiting.
+export const TILE_PATIENCE = 20000
 export function pictureAt(address) {
-  const image = new Image()
+  const image = new Image(), late = setTimeout(() => image.removeAttribute('src'), TILE_PATIENCE)
   image.referrerPolicy = 'strict-origin'
   image.src = address
-  return image.decode().then(() => image)
+  return image.decode().then(() => image).finally(() => clearTimeout(late))
 }
 
 export async function tileOf(wire, { url }, tile) {
@@ -117,7 +119,7 @@ export function drawTiles({ context, size, view, colours }, tiles, store, least,
   }
 }
 
-// The base of a map: asked for when the map is opened, and drawn below all else. What the owner of the tiles wants to
+// The base of a map: asked for once the map is open, and drawn below all else. What the owner of the tiles wants to
 // be said stands in a corner.
 export function baseMap(wire, redraw) {
   const credit = h('p', { class: 'map-credit', hidden: true })
