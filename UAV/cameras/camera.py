@@ -400,14 +400,15 @@ def _platform(self:Camera, pose:Pose, time_utc:float)->tuple|None:
 # %% ../../nbs/api/cameras/09_camera.ipynb #7b0e5524
 @patch
 def frame_metadata(self:Camera, frame:Frame|None=None, # `None`: one that the device itself encoded
-                   time_utc:float|None=None, # When that was taken, s since 1970
+                   time_utc:float|None=None, # When that was taken, s since 1970; `None`: now
                    source:str='', # Of a camera with several
                   )->FrameMetadata:
     "Return what we know of a frame, for its video"
-    frame = self._posed(Frame(None, 0, time_utc) if frame is None else frame)
+    if frame is None: frame = Frame(None, 0, clock.time() if time_utc is None else time_utc)
+    taken,frame = frame.time_utc,self._posed(frame)             # `taken`: by this computer's clock
     width,height = (0,0) if frame.image is None else frame.image.shape[1::-1]
     pose,fov = frame.pose or Pose(),self.field_of_view(width, height, source)
-    platform,sensor = self._platform(pose, frame.time_utc),f'{self.information.model} {source}'.strip()
+    platform,sensor = self._platform(pose, taken),f'{self.information.model} {source}'.strip()
     return FrameMetadata.seen(pose, frame.time_utc, fov, platform, self.platform_name, sensor)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #5c0a531b
