@@ -358,7 +358,8 @@ async def download(self:Site, request, visit, ticket:str):
     if clock.monotonic()>until: raise Refused(404, 'this link is too old: go back to the panel')
     try: coming = await _Messages(self.gui)._camera_of(of, path).files.open(path)
     except (MAVError, ValueError) as e: raise Refused(404, str(e)[:300] or type(e).__name__) from None
-    headers = _rules_for(request.headers['Host'], self.gui.tiles)|{'Content-Type':kind, 'Content-Length':str(coming.size)}
+    rules = _rules_for(request.headers['Host'], self.gui.tiles)
+    headers = rules|{'Content-Type':kind, 'Content-Length':str(coming.size)}
     if kind=='application/octet-stream': headers['Content-Disposition'] = f'attachment; filename="{_saved_as(path)}"'
     response = web.StreamResponse(headers=headers)
     try:
