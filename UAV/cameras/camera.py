@@ -400,14 +400,15 @@ def _platform(self:Camera, pose:Pose, time_utc:float)->tuple|None:
 # %% ../../nbs/api/cameras/09_camera.ipynb #7b0e5524
 @patch
 def frame_metadata(self:Camera, frame:Frame|None=None, # `None`: one that the device itself encoded
-                   time_utc:float|None=None, # When that was taken, s since 1970
+                   time_utc:float|None=None, # When that was taken, s since 1970; `None`: now
                    source:str='', # Of a camera with several
                   )->FrameMetadata:
     "Return what we know of a frame, for its video"
-    frame = self._posed(Frame(None, 0, time_utc) if frame is None else frame)
+    if frame is None: frame = Frame(None, 0, clock.time() if time_utc is None else time_utc)
+    taken,frame = frame.time_utc,self._posed(frame)             # `taken`: by this computer's clock
     width,height = (0,0) if frame.image is None else frame.image.shape[1::-1]
     pose,fov = frame.pose or Pose(),self.field_of_view(width, height, source)
-    platform,sensor = self._platform(pose, frame.time_utc),f'{self.information.model} {source}'.strip()
+    platform,sensor = self._platform(pose, taken),f'{self.information.model} {source}'.strip()
     return FrameMetadata.seen(pose, frame.time_utc, fov, platform, self.platform_name, sensor)
 
 # %% ../../nbs/api/cameras/09_camera.ipynb #5c0a531b
@@ -446,7 +447,7 @@ def _close_cameras():
 @patch
 def add_stream(self:Camera,
     name:str='', # For people; empty: the model and a number
-    kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts' or 'tcp'
+    kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts', 'tcp' or 'webrtc'
     host:str='', # Where 'rtp' and 'mpegts' send to (this machine, or who sends START); where a server listens (all)
     port:int|None=None, # `None` is the usual one of its kind; 0: a server takes a free one
     codec:str='h264', # 'h264' or 'h265'
@@ -454,7 +455,7 @@ def add_stream(self:Camera,
     rate:float|None=15., # Pictures in a second, at most; `None`: the camera's own `frame_rate`
     bitrate:int|None=None, # bit/s; `None`: what suits size and rate
     uri:str='', # What viewers get, in place of what we think
-    server=None, # Your own `RTSPServer`, such as one with a password; `None`: that of this process at `port`
+    server=None, # Your own `RTSPServer` or `WHEPServer`, such as one with a password; `None`: this process's at `port`
     **how, # `source`, for a camera with several
 ):
     "Add and start a stream; raises `ValueError` for a used name, `OSError` for a used port"

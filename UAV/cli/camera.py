@@ -426,7 +426,7 @@ async def meant_files(self:CameraVisit, path:str)->list:
     beside = [] if path.strip('/')=='' else await self.entries(parent or '/')
     if any(e.name==name and not e.folder for _,e in beside): return [path]
     found = [one for one,e in await self.entries(path) if not e.folder]
-    brought = {subtitles_of(one) for one in found}          # they come with their films
+    brought = set(map(subtitles_of, found))         # they come with their films
     return [one for one in found if one not in brought]
 
 # %% ../../nbs/api/cli/03_camera.ipynb #54a9982c
@@ -444,8 +444,8 @@ async def bring(self:CameraVisit,
         return False
     size,beside = place.stat().st_size,subtitles_of(str(place))
     more = dict(subtitles=beside) if beside and Path(beside).exists() else {}
-    self.report(f'{path} → {place}  {amount(size)}{", with subtitles"*bool(more)}', path=path, saved=str(place), size=size,
-                **more)
+    text = f'{path} → {place}  {amount(size)}{", with subtitles"*bool(more)}'
+    self.report(text, path=path, saved=str(place), size=size, **more)
     return True
 
 @_verb('fetch /media --to pictures', 'fetch /media/IMG_000000.jpg')
@@ -480,11 +480,10 @@ async def _gpx(visit, places:list[str], # Local folders with recordings and pict
     if not places: raise ValueError('which folder? `fetch /media --to pictures` fills one')
     from UAV.cameras.gpx import flight_gpx
     text = flight_gpx(*places, every=every)
-    points,pictures = text.count('<trkpt'),text.count('<wpt')
-    if to is None: return visit.show(Result(text.rstrip(), verb='gpx', gpx=text, points=points, pictures=pictures))
+    about = dict(verb='gpx', points=text.count('<trkpt'), pictures=text.count('<wpt'))
+    if to is None: return visit.show(Result(text.rstrip(), gpx=text, **about))
     with open(to, 'x', encoding='utf-8') as f: f.write(text)
-    said = f'{to}: {points} points, {pictures} pictures'
-    visit.show(Result(said, verb='gpx', saved=to, points=points, pictures=pictures))
+    visit.show(Result(f'{to}: {about["points"]} points, {about["pictures"]} pictures', saved=to, **about))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #5d502622
 def _setting(table, name:str, width:int=0)->Result:

@@ -12,8 +12,8 @@ import logging, os, signal, sys, webbrowser
 from .common import (address, between, key_in, links, log_to, number, on_links, or_exit, place_for,
     run_with_options, sentence, StatusPrinter)
 from ..manager import Gui
-from ..manager.server import Door
 from ..manager.tiles import tiles_of
+from ..utils.web import Door
 from ..mavlink import CameraClient, GimbalClient, mavlink
 from ..wire.signing import state_file
 from typing import Literal

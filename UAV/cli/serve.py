@@ -41,6 +41,7 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
     rtp:_host_port=None, # Send RTP to HOST:PORT, for example a ground station
     mpegts:_host_port=None, # Send MPEG-TS over UDP to HOST:PORT
     tcp:between(0, 65535, int)=None, # Serve MPEG-TS over TCP on this port
+    webrtc:between(0, 65535, int)=None, # Serve WebRTC (WHEP, and a page for browsers) on this port, such as 8889
     host:address=None, # Our address in stream URLs; default: the one that reaches each client
     codec:Literal['h264','h265']='h264', # Video codec
     record:Literal['mp4','ts']='mp4', # Recordings: MP4, or MPEG-TS with place and attitude for each frame (KLV)
@@ -74,10 +75,10 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
 _groups = {'several cameras':'config discover json', 'the link':'connection system component sign guard forward',
            'the camera':'device camera name mounted folder quota storage',
-           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate record',
+           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp webrtc host codec size rate bitrate record',
            'gimbal and vehicle':'gimbal role path autopilot'}
 _levels = dict(                     # where each option stands in a file
-    vehicle='connection system sign guard forward rtsp rtsp_user rtsp_password_file host path autopilot',
+    vehicle='connection system sign guard forward rtsp rtsp_user rtsp_password_file webrtc host path autopilot',
     both='folder quota mounted codec size rate bitrate record',        # of a camera, or on top, for all
     camera='device camera component name gimbal storage rtp mpegts tcp', gimbal='device component role')
 

@@ -111,6 +111,13 @@ def _checked_name(name:str, what:str='name')->str:
     if not fits: raise ValueError(f'{what} is a text of 1 to 31 bytes, not {name!r}')
     return name.strip()
 
+# %% ../../nbs/api/mavlink/11_camera_server.ipynb #7b0e5821
+@patch
+def on_mav_connection(self:CameraServer):
+    "Name the vehicle in the metadata of the camera's videos, unless it has a name"
+    given = getattr(self.camera, 'platform_name', 'none')
+    if re.fullmatch(r'(System \d+)?', given): self.camera.platform_name = f'System {self.source_system}'
+
 # %% ../../nbs/api/mavlink/11_camera_server.ipynb #2e609364
 @patch
 def for_us(self:_CameraVerbs, camera_id:int):

@@ -10,7 +10,7 @@ from functools import cached_property
 import math
 
 from fastcore.basics import patch
-from ..utils.geo import euler, inverse, metres, product, quaternion, turned
+from ..utils.geo import euler, inverse, metres, product, quaternion, turned, wrap
 from ..utils.lazy import np
 from ..utils.pose import Place, Pose
 from ..utils.values import known, NAN, Value
@@ -124,6 +124,10 @@ def _has(value)->bool: return any(map(_has, value)) if isinstance(value, tuple) 
 # %% ../../nbs/api/video/01_klv.ipynb #ac5e2f63
 def _turned(angle:float)->float: return angle%360 if known(angle) else NAN
 
+def _name(text:str)->bytes:
+    "Return at most 127 bytes of UTF-8, whole characters"
+    return text.encode(errors='replace')[:127].decode(errors='ignore').encode()
+
 @patch
 def _numbers(self:FrameMetadata)->dict:
     "`{tag: (kind of number, value)}`"
@@ -134,7 +138,7 @@ def _numbers(self:FrameMetadata)->dict:
              19:(_elevation,elevation), 20:(_fine_turn,_turned(sensor_roll)), 21:(_range,self.slant_range),
              23:(_lat,lat), 24:(_lon,lon), 25:(_height,alt), 90:(_lat,pitch), 91:(_lat,roll)}
     for n,(corner_lat,corner_lon) in enumerate(self.corners):
-        found |= {26+2*n:(_offset,corner_lat-lat), 27+2*n:(_offset,corner_lon-lon),
+        found |= {26+2*n:(_offset,corner_lat-lat), 27+2*n:(_offset,wrap(corner_lon-lon)),
                   82+2*n:(_lat,corner_lat), 83+2*n:(_lon,corner_lon)}
     return found
 
@@ -143,10 +147,10 @@ def _numbers(self:FrameMetadata)->dict:
 def encode(self:FrameMetadata)->bytes:
     "Return the set in bytes: the key, its length, the time first, the checksum last (ST 0601)"
     items = {tag:kind.pack(value) for tag,(kind,value) in self._numbers().items()}
-    items |= {tag:text.encode()[:127] for tag,text in {10:self.platform_name, 11:self.sensor_name}.items()}
+    items |= {10:_name(self.platform_name), 11:_name(self.sensor_name)}
     if _has(self.corners) or known(self.center[0]) or known(self.lat): items[12] = b'Geodetic WGS84'
     items[65] = bytes([version])
-    stamp = known(self.time_utc) and round(self.time_utc*1e6).to_bytes(8, 'big') or b''
+    stamp = known(self.time_utc) and 0<=self.time_utc<2**64/1e6 and round(self.time_utc*1e6).to_bytes(8, 'big') or b''
     ordered = {2:stamp, **dict(sorted(items.items()))}
     body = b''.join(bytes([tag])+_length(len(data))+data for tag,data in ordered.items() if data)
     data = key+_length(len(body)+4)+body+b'\1\2'
@@ -193,8 +197,9 @@ def decode(cls:FrameMetadata, data:bytes, # A whole set; what follows it is igno
         except (KeyError, ValueError): return NAN
     def first(*values): return next(filter(known, values), NAN)
     lat,lon = of(23, _lat),of(24, _lon)
-    corners = tuple((first(of(82+2*n, _lat), lat+of(26+2*n, _offset)), first(of(83+2*n, _lon), lon+of(27+2*n, _offset)))
-                    for n in range(4))
+    offsets = [(of(26+2*n, _offset),of(27+2*n, _offset)) for n in range(4)]
+    corners = tuple((first(of(82+2*n, _lat), lat+north), first(of(83+2*n, _lon), wrap(lon+east)))
+                    for n,(north,east) in enumerate(offsets))
     platform = first(of(91, _lat), of(7, _roll)),first(of(90, _lat), of(6, _pitch)),of(5, _turn)
     relative = _signed(of(20, _fine_turn)),of(19, _elevation),_signed(of(18, _fine_turn))
     made = cls(_time(items.get(2, b'')), of(13, _lat), of(14, _lon), of(15, _height),
@@ -218,7 +223,7 @@ def seen(cls:FrameMetadata, pose:Pose, # Of the camera
         )->FrameMetadata:
     "Return the metadata of a frame that a camera takes in this pose"
     held = pose.roll,pose.pitch,pose.yaw
-    platform = held if platform is None else platform
+    if platform is None: platform = (0.,0.,pose.yaw) if abs(pose.roll)>90 or abs(pose.pitch)>90 else held
     relative = euler(product(inverse(quaternion(*platform)), quaternion(*held)))
     if not all(map(known, relative)): platform,relative = tuple(platform),(NAN,)*3
     center,places = pose.on_ground(),[pose.on_ground(*ray) for ray in _corner_rays(fov)]

@@ -117,7 +117,8 @@ def _crc32(data:bytes)->int:
 # %% ../../nbs/api/video/02_senders.ipynb #7b0e5605
 _klv = dict(pid=257, tables=4096, video=256)        # PIDs; FFmpeg has the other two
 _named = b'\x05\x04KLVA'                                       # registration descriptor
-_in_cells = _named+b'\x26\x09\x01\x00\xffKLVA\x00\x0f' + b'\x27\x09\xc0\x04\xe2\xc0\x00\x08\xc0\x00\x00'    # 500 kbit/s, 8 kB
+_buffered = b'\x27\x09\xc0\x04\xe2\xc0\x00\x08\xc0\x00\x00'     # 500 kbit/s and 8 kB are enough
+_in_cells = _named+b'\x26\x09\x01\x00\xffKLVA\x00\x0f'+_buffered
 
 def _with_klv(packet:bytes, synchronous:bool)->bytes:
     "Return the packet of the table of streams, which then has one of KLV"
@@ -134,7 +135,8 @@ def _with_klv(packet:bytes, synchronous:bool)->bytes:
 class _KLVPackets:
     "Puts sets of KLV before their pictures, synchronous (MISB ST 1402), or asynchronous"
     def __init__(self, synchronous:bool=True):
-        self.synchronous,self._packets,self._cells,self._tables = synchronous,0,0,{}    # `_tables`: with KLV, by those without
+        self.synchronous,self._packets,self._cells = synchronous,0,0
+        self._tables = {}           # with KLV, by those without
 
     def add(self, packets:bytes, # Of a picture, from FFmpeg's muxer
             data:bytes, # Its set; empty: none

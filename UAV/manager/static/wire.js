@@ -73,7 +73,8 @@ export function unpacked(data) {
 }
 
 // The token stands behind the # of the address, which a browser sends to nobody.
-export const pageToken = () => new URLSearchParams(location.hash.slice(1)).get('token') ?? ''
+const behind = () => new URLSearchParams(location.hash.slice(1))
+export const pageToken = () => behind().get('token') ?? ''
 
 function socketAddress() {
   const address = new URL('socket', location.href)
@@ -115,7 +116,9 @@ export function socketWire(token) {
   }
   const late = kind => { if (kind === 'poll' && link) lose(link, new Error(NO_LINK)) }
   const { ask, take, drop } = asking(send, late), stop = () => { if (link) lose(link, new Error(NO_LINK)) }
-  return { ...wireOf(ask), stop, patient: false }
+  const video = async (of, offer) => (await ask('watch', { of, offer }, 2 * PATIENCE)).message.answer
+  const watch = behind().has('jpeg') ? undefined : video          // `&jpeg` behind the token: pictures only as JPEGs
+  return { ...wireOf(ask), watch, stop, patient: false }
 }
 
 // In a notebook: Pictures travel beside a message, as they are. The kernel may be busy, and a press is done when the
