@@ -126,7 +126,8 @@ export function wheelZoom(row, node) {
 export function pictureView(row, ...upon) {
   const shown = frame(row), mark = markView(row), place = placeView(row), live = liveVideo(row, shown)
   const [words, busy, count] = ['live', 'busy', 'count'].map(which => h('span', { class: 'pill ' + which }))
-  const parts = [shown.image, live.node, ...upon, mark.node, h('div', { class: 'pills' }, words, busy, count, place.node)]
+  const pills = h('div', { class: 'pills' }, words, busy, count, place.node)
+  const parts = [shown.image, live.node, ...upon, mark.node, pills]
   const node = h('div', { class: 'picture', tabindex: 0, role: 'application' }, ...parts)
   wheelZoom(row, node)
   const under = ({ clientX, clientY }) =>
@@ -142,7 +143,8 @@ export function pictureView(row, ...upon) {
   })
   const which = () => live.on() ? { number: null, age: live.age() } : { number: shown.number() }
   async function take(picture) {
-    if (!live.on()) await shown.take(picture)
+    if (live.on()) return
+    await shown.take(picture)
     place.take(picture.sight)
   }
   function update(status) {
@@ -152,5 +154,5 @@ export function pictureView(row, ...upon) {
     say(busy, doing(status))
     say(count, taken(status))
   }
-  return { node, update, live, take, forget: shown.forget, number: shown.number }
+  return { node, update, live, take, see: place.take, forget: shown.forget, number: shown.number }
 }
