@@ -83,18 +83,22 @@ _releases = dict(hold='release', zoom_hold='zoom_release')      # the release of
 
 class _Messages:
     "Answers to one viewer, on the panel's loop: each a dict and a list of pictures"
-    kinds,most = ('poll','act','thumbnail','map','tiles','tile','files','photo','ticket','watch'),64     # requests; holds
+    kinds = 'poll','act','thumbnail','map','tiles','tile','files','photo','ticket','watch','sight'      # of requests
+    most = 64               # holds kept
     def __init__(self, gui, # The panel
                  give=None): # Called with camera, path, play; returns an address. `None`: no downloads
         store_attr()
         self.held = {}          # `{(row, hold): release}` of the viewer's holds
         self.place,self.watched = None,{}       # of a page: its address, and ours; `{row: (preview, viewer)}`
 
-    async def poll(self, seen:str='', after:dict|None=None):
-        "Wait for an update, see `Gui.poll`"
+    async def poll(self, seen:str='', after:dict|None=None, watched:list|None=None):
+        "Wait for an update, see `Gui.poll`, with the newest sight of each row that is `watched` as a video"
         new = await self.gui.poll(seen, after)
         pictures = [[id, number, *_about(self.gui.rows.get(id), number)] for id,number,_ in new.pictures]
-        return dict(tag=new.tag, status=new.status, pictures=pictures),[jpeg for *_,jpeg in new.pictures]
+        answer = dict(tag=new.tag, status=new.status, pictures=pictures)
+        rows = [self.gui.rows[id] for id in watched or () if id in self.gui.rows]
+        if rows: answer['sights'] = {row.id: row.sight(row.preview.newest.number) for row in rows if row.preview}
+        return answer,[jpeg for *_,jpeg in new.pictures]
 
     async def act(self, do:str, of:str|None=None, args:dict|None=None):
         "Press a button, see `Gui.do`"
@@ -143,6 +147,12 @@ async def watch(self:_Messages, of:str, offer:str):
     except Refused as e: raise ValueError(e.text) from None
     self.watched[of] = preview,viewer
     return dict(answer=answer),[]
+
+@patch
+async def sight(self:_Messages, of:str, age:float):
+    "Return the numbers of the picture that came `age` s ago, see `CameraRow.sight`"
+    row = self._camera_of(of, '')
+    return dict(sight=row.sight(_by_age(row, age)['number'])),[]
 
 # %% ../../nbs/api/manager/09_server.ipynb #c398a948
 @patch
