@@ -17,10 +17,9 @@ from pymavlink.dialects.v20.ardupilotmega import (MAVLINK_MSG_ID_CAMERA_CAPTURE_
     MAVLINK_MSG_ID_CAMERA_IMAGE_CAPTURED as CAMERA_IMAGE_CAPTURED,
     MAVLINK_MSG_ID_CAMERA_INFORMATION as CAMERA_INFORMATION, MAVLINK_MSG_ID_CAMERA_SETTINGS as CAMERA_SETTINGS,
     MAVLINK_MSG_ID_STORAGE_INFORMATION as STORAGE_INFORMATION)
-from ..cameras.values import media_in, Pose, StorageInformation, ThermalRange
+from ..cameras.values import media_in, StorageInformation, ThermalRange
 from ..utils.docs import for_async
-from ..utils.values import known, NAN, one_of, Value
-from ..utils.geo import euler
+from ..utils.values import known, NAN, one_of
 from ..wire.dialect import Ack, enum_value, MAVError, number_of, storage_media
 from .protocol import check_count, check_seconds, comes_from, Failed, Lost, NoAnswer
 from .component import message_name
