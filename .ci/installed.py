@@ -1,4 +1,4 @@
-"""What this machine has for cells that begin with `#| gst`, `#| browser`, `#| firefox` or `#| axe`."""
+"""What this machine has for cells that begin with `#| gst`, `#| browser`, `#| firefox`, `#| axe` or `#| webrtc`."""
 import subprocess, sys
 
 GST = """
@@ -11,7 +11,8 @@ for name in 'videotestsrc videobalance x264enc h264parse avdec_h264'.split():   
 BROWSER = 'import selenium; from tests.browser import find_chromium; find_chromium()'
 FIREFOX = 'import websocket; from tests.browser import find_firefox; find_firefox()'
 AXE = 'from tests.browser import axe_source; axe_source()'
-NEEDS = dict(gst=GST, browser=BROWSER, firefox=FIREFOX, axe=AXE)      # what must work where such cells shall run
+WEBRTC = 'import aiortc'
+NEEDS = dict(gst=GST, browser=BROWSER, firefox=FIREFOX, axe=AXE, webrtc=WEBRTC)      # what must work where such cells shall run
 
 
 def installed():

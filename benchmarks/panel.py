@@ -53,7 +53,7 @@ def panel(port, url):
     from UAV.mavlink import CameraClient, MAVCom
     from UAV.manager import Gui
     with MAVCom(f'udpin:127.0.0.1:{port}', source_system=255) as com, Gui(com.add_component(CameraClient(190))) as gui:
-        tell(page=gui.serve().url)
+        tell(page=gui.serve().url+'&jpeg')        # the panel's pictures, not a video
         sys.stdin.read()
 
 def mjpeg(port, url, at_once=False):

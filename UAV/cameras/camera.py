@@ -447,7 +447,7 @@ def _close_cameras():
 @patch
 def add_stream(self:Camera,
     name:str='', # For people; empty: the model and a number
-    kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts' or 'tcp'
+    kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts', 'tcp' or 'webrtc'
     host:str='', # Where 'rtp' and 'mpegts' send to (this machine, or who sends START); where a server listens (all)
     port:int|None=None, # `None` is the usual one of its kind; 0: a server takes a free one
     codec:str='h264', # 'h264' or 'h265'
@@ -455,7 +455,7 @@ def add_stream(self:Camera,
     rate:float|None=15., # Pictures in a second, at most; `None`: the camera's own `frame_rate`
     bitrate:int|None=None, # bit/s; `None`: what suits size and rate
     uri:str='', # What viewers get, in place of what we think
-    server=None, # Your own `RTSPServer`, such as one with a password; `None`: that of this process at `port`
+    server=None, # Your own `RTSPServer` or `WHEPServer`, such as one with a password; `None`: this process's at `port`
     **how, # `source`, for a camera with several
 ):
     "Add and start a stream; raises `ValueError` for a used name, `OSError` for a used port"

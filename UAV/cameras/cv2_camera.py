@@ -164,13 +164,20 @@ def _how_to_open(source, open_timeout:float, read_timeout:float, backend:int|Non
 os.environ['OPENCV_FFMPEG_LOGLEVEL'] = os.environ.get('OPENCV_FFMPEG_LOGLEVEL', '-8')
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #02ed1d99
+_quiet = dict(users=0, level=None, lock=clock.Lock())        # several cameras may be opened at once
+
 @contextmanager
 def _silent_cv2():
     "Suppress OpenCV's output; errors are raised"
     set_level = cv2.setLogLevel if hasattr(cv2, 'setLogLevel') else cv2.utils.logging.setLogLevel      # OpenCV 4 and 5
-    level = set_level(0)
+    with _quiet['lock']:
+        if not _quiet['users']: _quiet['level'] = set_level(0)
+        _quiet['users'] += 1
     try: yield
-    finally: set_level(level)
+    finally:
+        with _quiet['lock']:
+            _quiet['users'] -= 1
+            if not _quiet['users']: set_level(_quiet['level'])
 
 # %% ../../nbs/api/cameras/13_cv2_camera.ipynb #a551c63b
 @patch

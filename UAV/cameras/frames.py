@@ -184,7 +184,7 @@ class Filming:
 # %% ../../nbs/api/cameras/08_frames.ipynb #3eb487ca
 @patch
 def add(self:Filming, name:str='', # For people; empty: the model and a number
-        kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts' or 'tcp'
+        kind:str='rtsp', # 'rtsp', 'rtp', 'mpegts', 'tcp' or 'webrtc'
         host:str='', # As for `VideoStream`
         port:int|None=None, # As for `VideoStream`
         uri:str='', # As for `VideoStream`
@@ -198,9 +198,11 @@ def add(self:Filming, name:str='', # For people; empty: the model and a number
         name = name or f'{information.model} {number}'
         if any(name==s.name for s in self.streams): raise ValueError(f'there is a stream {name!r} already')
         size = information.resolution_h or 640,information.resolution_v or 480
-        same = (s.server for s in self.streams if (s.kind,s.host,s.port)==(kind,host,port)==('rtsp',host,port))
+        same = (s.server for s in self.streams if (s.kind,s.host,s.port)==(kind,host,port) and s.server)
         stream = VideoStream(self.encoder(**how), kind, name, number, host, port, server or next(same, None), uri,
                              size=size, on_change=self._announce_stream)
+        twins = (s.path for s in self.streams if s.kind=='rtsp' and s.encoder is stream.encoder)
+        if kind=='webrtc': stream.path = next(twins, stream.path)           # the same picture has one name
         self.streams.append(stream)         # a listener that gets its start finds it among the others
         try: stream.start()
         except BaseException:

@@ -262,7 +262,8 @@ gimbal_components = 154,171,172,173,174,175         # MAV_COMP_ID_GIMBAL to MAV_
 def clashes(found:Configuration):
     "Yield `(sentence, *path)` of what can't be opened together"
     cameras,gimbals = found.cameras,found.gimbals
-    if not cameras: yield 'there is no camera: write a table for each, [cameras.NAME]',
+    unread = found.document is not None and found.document.problems
+    if not (cameras or unread): yield 'there is no camera: write a table for each, [cameras.NAME]',
     for n,name in enumerate(cameras):
         if n>=6: yield 'a vehicle has six cameras at most, components 100 to 105','cameras',name
     yield from _numbered('cameras', cameras, range(100, 106))
@@ -327,7 +328,10 @@ def _no_source(text:str)->str|None:
 def _shared(key:str, cameras:dict, vehicle):
     "Yield mistakes: values that only one camera may have"
     taken = {}
-    if key=='port' and (rtsp := getattr(vehicle, 'rtsp', -1))>0: taken['tcp',rtsp] = 'RTSP'
+    for server in ('rtsp','webrtc') if key=='port' else ():
+        port = getattr(vehicle, server, None) or 0
+        if ('tcp',port) in taken: yield f'port {port} is that of {taken["tcp",port]}, too',server
+        elif port>0: taken['tcp',port] = server
     for name,camera in cameras.items():
         for value,shown,*last in _unique[key](name, camera):
             if value in taken: yield f'{shown} is that of {taken[value]}, too','cameras',name,*last

@@ -12,8 +12,8 @@ import logging, os, signal, sys, webbrowser
 from .common import (address, between, key_in, links, log_to, number, on_links, or_exit, place_for,
     run_with_options, sentence, StatusPrinter)
 from ..manager import Gui
-from ..manager.server import Door
 from ..manager.tiles import tiles_of
+from ..utils.web import Door
 from ..mavlink import CameraClient, GimbalClient, mavlink
 from ..wire.signing import state_file
 from typing import Literal
@@ -97,7 +97,7 @@ def _own_token(typed:str|None)->str|None:
 # %% ../../nbs/api/cli/05_gui.ipynb #7e1d3102
 def _wanted_tiles(typed):
     "Return the base map of the options, or `None`; raises `ValueError`"
-    if typed.attribution and not typed.tiles: raise ValueError('--attribution names the owner of tiles: it needs --tiles')
+    if typed.attribution and not typed.tiles: raise ValueError('--attribution is of tiles: it needs --tiles')
     return tiles_of(typed.tiles, typed.attribution)
 
 # %% ../../nbs/api/cli/05_gui.ipynb #1fa05b10

@@ -67,8 +67,8 @@ def _make_camera(text:str, size:tuple|None=None, mount=None, gimbal=None, **stor
 # %% ../../nbs/api/cli/02_payload.ipynb #738ce307
 def _streams_of(camera, kind:str, host:str, port:int, name:str='')->list:
     "Return (kind, host, port, further arguments of `Camera.add_stream`) of each stream"
-    two,rtsp = 'ir' in getattr(camera, 'sources', ()),kind=='rtsp'
-    named,beside = ('',0) if rtsp else (f' {kind}',2 if port else 0)
+    two = 'ir' in getattr(camera, 'sources', ())
+    named,beside = ('',0) if kind=='rtsp' else (f' {kind}',2 if port and kind!='webrtc' else 0)
     if not two: return [(kind, host, port, dict(name=name+named) if name else {})]
     return [(kind, host, port, dict(name=f'{name or "shown"}{named}')),
             (kind, host, port+beside, dict(name=f'{name} ir{named}' if name else f'thermal{named}', source='ir'))]
@@ -77,12 +77,13 @@ def _streams_of(camera, kind:str, host:str, port:int, name:str='')->list:
 def add_streams(camera, # A Camera
                 wanted:list, # (kind, host, port) of each stream, as from `_wanted_streams`
                 rtsp=None, # RTSP server, as from `_rtsp_server`
+                whep=None, # `WHEPServer`, as from `_whep_server`
                 name:str='', # Of the streams, and of the RTSP path; empty: the model and a number
                 **how): # `codec`, `size`, `rate` and `bitrate` of `Camera.add_stream`
     "Add streams to the camera; raises `CameraError` for one that can't be opened"
     for kind,host,port,eye in [stream for one in wanted for stream in _streams_of(camera, *one, name)]:
-        own = dict(server=rtsp) if kind=='rtsp' else {}
-        with place_for(f'{kind} stream', host, port, CameraError, '--rtsp 0' if kind=='rtsp' else ''):
+        own = {'rtsp':dict(server=rtsp), 'webrtc':dict(server=whep)}.get(kind, {})
+        with place_for(f'{kind} stream', host, port, CameraError, f'--{kind} 0' if own else ''):
             camera.add_stream(kind=kind, host=host, port=port, **how, **eye, **own)
 
 # %% ../../nbs/api/cli/02_payload.ipynb #79f91b00
@@ -93,6 +94,15 @@ def _rtsp_server(wanted:list, watcher:dict, several:bool=False):
     if not watcher and (port is None or not several): return nullcontext()
     from UAV.video.rtsp_server import RTSPServer
     with place_for('rtsp stream', host, port, CameraError, '--rtsp 0'): return RTSPServer(port, host, **watcher)
+
+# %% ../../nbs/api/cli/02_payload.ipynb #6a1e0b02
+def _whep_server(port:int|None, watcher:dict, several:bool=False):
+    "Open a `WHEPServer` with the password of `_viewer` as its token, or for several cameras, or yield `None`"
+    if port is None or not (watcher or several): return nullcontext()
+    from UAV.video.webrtc import WHEPServer
+    with place_for('webrtc stream', '', port, CameraError, '--webrtc 0'):
+        try: return WHEPServer(port, token=watcher.get('password'))
+        except ValueError as e: raise ValueError(f'--webrtc with the password of --rtsp-user: {e}') from None
 
 # %% ../../nbs/api/cli/02_payload.ipynb #e308caa4
 @contextmanager
@@ -188,6 +198,7 @@ def _wanted_streams(typed)->list:
     if typed.rtp: found.append(('rtp', *typed.rtp))
     if typed.mpegts: found.append(('mpegts', *typed.mpegts))
     if typed.tcp is not None: found.append(('tcp', '', typed.tcp))
+    if typed.webrtc is not None: found.append(('webrtc', '', typed.webrtc))
     return found
 
 # %% ../../nbs/api/cli/02_payload.ipynb #fbf8e396
@@ -277,6 +288,7 @@ class Payload(Closes):
         for one in found.cameras.values(): _places(one)
         watcher = _viewer(v.rtsp_user, v.rtsp_password_file)
         self.rtsp = enter(_rtsp_server([('rtsp', '', v.rtsp)] if v.rtsp>=0 else [], watcher, self.waits))
+        self.whep = enter(_whep_server(v.webrtc, watcher, self.waits))
         self.vehicle = _flying(v.path, v.autopilot, *self._hanging())
         for kind,make in (('gimbals',self._gimbal_slot),('cameras',self._camera_slot)):
             for n,(name,table) in enumerate(getattr(found, kind).items()):
@@ -359,12 +371,12 @@ def _come(self:Slot, com):
             self.note(sentence(e))
             continue
         if self.device is None: return
-        log.info('%s is there', self.name)
         waits = bool(self.servers)
         for server in self.servers: server.close()
         if self._closing.wait(self.silent if waits else 0.): return
-        try: return self.join(com)
+        try: self.join(com)
         except LinkError: return            # closed in between
+        return log.info('%s is there', self.name)
 
 # %% ../../nbs/api/cli/02_payload.ipynb #c0f20006
 @patch
@@ -422,7 +434,7 @@ def _open_camera(self:Payload, one, stack:ExitStack, name:str)->tuple:
     if number: camera.gimbal_device_id = number
     bitrate = None if one.bitrate is None else int(one.bitrate*1e6)
     wanted = [] if _on_card(camera) else _wanted_streams(one)
-    add_streams(camera, wanted, self.rtsp, name, codec=one.codec, size=one.size, rate=one.rate, bitrate=bitrate)
+    add_streams(camera, wanted, self.rtsp, self.whep, name, codec=one.codec, size=one.size, rate=one.rate, bitrate=bitrate)
     return camera,own
 
 # %% ../../nbs/api/cli/02_payload.ipynb #c0e00506

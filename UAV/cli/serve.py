@@ -41,6 +41,7 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
     rtp:_host_port=None, # Send RTP to HOST:PORT, for example a ground station
     mpegts:_host_port=None, # Send MPEG-TS over UDP to HOST:PORT
     tcp:between(0, 65535, int)=None, # Serve MPEG-TS over TCP on this port
+    webrtc:between(0, 65535, int)=None, # Serve WebRTC (WHEP, and a page for browsers) on this port, such as 8889
     host:address=None, # Our address in stream URLs; default: the one that reaches each client
     codec:Literal['h264','h265']='h264', # Video codec
     record:Literal['mp4','ts']='mp4', # Recordings: MP4, or MPEG-TS with place and attitude for each frame (KLV)
@@ -74,10 +75,10 @@ def serve_camera(config:str=None, # Serve the cameras and gimbals in this file; 
 # %% ../../nbs/api/cli/02_serve.ipynb #7a20c1d7
 _groups = {'several cameras':'config discover json', 'the link':'connection system component sign guard forward',
            'the camera':'device camera name mounted folder quota storage',
-           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp host codec size rate bitrate record',
+           'video':'rtsp rtsp_user rtsp_password_file rtp mpegts tcp webrtc host codec size rate bitrate record',
            'gimbal and vehicle':'gimbal role path autopilot'}
 _levels = dict(                     # where each option stands in a file
-    vehicle='connection system sign guard forward rtsp rtsp_user rtsp_password_file host path autopilot',
+    vehicle='connection system sign guard forward rtsp rtsp_user rtsp_password_file webrtc host path autopilot',
     both='folder quota mounted codec size rate bitrate record',        # of a camera, or on top, for all
     camera='device camera component name gimbal storage rtp mpegts tcp', gimbal='device component role')
 
@@ -132,7 +133,7 @@ def _introduce(payload, printer:StatusPrinter):
 # %% ../../nbs/api/cli/02_serve.ipynb #00cdc623
 def _described(typed)->Configuration:
     "Return what the options describe; raises `ValueError`, or `ConfigError` and `OSError` for a file"
-    if typed.config: return _from_file(typed)
+    if typed.config is not None: return _from_file(typed)
     if isinstance(typed.camera, str): typed.camera = [typed.camera]
     gimbals = {'gimbal': SimpleNamespace(device=typed.gimbal, component=mavlink.MAV_COMP_ID_GIMBAL, role=typed.role)}
     ours = dict(gimbal='gimbal' if typed.gimbal else None)
@@ -161,6 +162,7 @@ def _stem(source:str)->str:
 
 def _from_file(typed)->Configuration:
     "Read `--config`; what was typed counts more than the file"
+    if not typed.config.strip(): raise ValueError('--config names no file')         # `--config "$FILE"` in a script
     own = set(_levels['camera'].split())|set(_levels['gimbal'].split())
     for name in typed.given:
         if name in own: raise ValueError(f'--{name} is of one camera: write it in {typed.config}')
@@ -174,7 +176,7 @@ def _mistakes(found:Configuration):
                   rtsp_user=lambda: _viewer(v.rtsp_user, v.rtsp_password_file))
     for key,trial in trials.items():
         try: trial()
-        except (ValueError, OSError) as e: yield re.sub(r'--(?=[a-z])', '', sentence(e)),key
+        except (ValueError, OSError) as e: yield re.sub('--([a-z-]+)', lambda m: m[1].replace('-', '_'), sentence(e)),key
     if v.rtsp_user and v.rtsp<0: yield 'rtsp_user needs an RTSP server, and rtsp = -1 has none','rtsp_user'
     if v.path and not (v.autopilot or sims): yield 'path needs a gimbal with device = "sim", or autopilot','path'
     for name,one in found.cameras.items():

@@ -512,7 +512,8 @@ async def point(self:_Aim, x:float, y:float, number:int)->str:
     (pitch,yaw),place = _clicked(x, y, *fov, q),self.row.ground.place(number, x, y)     # before it turns
     await gimbal.ready()
     ack = await gimbal.aim_at(pitch, yaw)
-    return f'pitch {pitch:.1f}°, yaw {yaw:.1f}°{gimbal.beyond(pitch, yaw)}{f": {place}" if place else ""}' if ack else ack
+    there = f'{gimbal.beyond(pitch, yaw)}{f": {place}" if place else ""}'
+    return f'pitch {pitch:.1f}°, yaw {yaw:.1f}°{there}' if ack else ack
 
 # %% ../../nbs/api/manager/06_camera_parts.ipynb #a7dd8213
 @patch

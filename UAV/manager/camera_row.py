@@ -66,7 +66,7 @@ class CameraRow(Row):
 
     async def close(self):
         "Stop zooming, and close the parts"
-        ends = (self.zoomer.leave(), *(part.close() for part in self.parts))
+        ends = (self.zoomer.leave(), self.preview.close(), *(part.close() for part in self.parts))
         for e in await asyncio.gather(*ends, return_exceptions=True):
             if isinstance(e, Exception): raise e
 
@@ -84,7 +84,8 @@ def _on_information(self:CameraRow, msg):
 def _on_stream(self:CameraRow, msg):
     "Store a stream's information, and use it once all have arrived"
     self.streams[msg.stream_id] = stream_of(msg)
-    if len(self.streams)==max(msg.count, 1): self.preview.streams = [self.streams[i] for i in sorted(self.streams)]
+    if len(self.streams)==max(msg.count, 1):
+        self.preview.streams = [s for _,s in sorted(self.streams.items()) if s.kind!='webrtc']
     elif len(self.streams)>msg.count:
         self.streams.clear()
         self.soon(VIDEO_STREAM_INFORMATION)

@@ -5,12 +5,16 @@
 # %% ../../nbs/api/manager/01_preview.ipynb #0d5de61c
 from __future__ import annotations
 from collections import deque
+from functools import lru_cache
+from importlib.util import find_spec
 import asyncio, math
 
 from fastcore.basics import patch, store_attr
+from ..logging import get_logger
 from ..mavlink.protocol import Lost
 from ..utils import clock
 from ..utils.sockets import set_within
+from ..utils.web import Refused
 from ..wire.dialect import MAVError
 
 # %% auto #0
@@ -27,6 +31,7 @@ class Preview:
         store_attr()
         self.streams,self.chosen,self.fault = None,None,''  # `None`: not received; an id; the last error
         self.newest,self.player,self.sinks = _Numbered(),None,[]
+        self.viewers = None                         # by WebRTC, from the first one on
         self._looked,self._since = -math.inf,0.     # when a viewer last looked; when we opened it, or a picture came
         self._wake,self._lock,self._anew = asyncio.Event(),asyncio.Lock(),False
 
@@ -46,7 +51,7 @@ class Preview:
 
     async def find(self):
         "Request the camera's streams; raises `MAVError`"
-        self.streams = await self.camera.video.streams()
+        self.streams = [s for s in await self.camera.video.streams() if s.kind!='webrtc']      # a player has no WebRTC
         self.news()
 
     def reopen(self):
@@ -81,13 +86,28 @@ def state(self:Preview)->tuple:
     if why := (self.player and self.player.fault) or self.fault: return 'lost',why
     return ('lost',f'no picture for {self.silent:.0f} s') if self.begun else ('waiting','')
 
+# %% ../../nbs/api/manager/01_preview.ipynb #2c9e5d02
+_log = get_logger('manager.preview')
+
+@lru_cache
+def _has_webrtc()->bool:
+    "True if aiortc is installed; the log says once that it isn't"
+    there = find_spec('aiortc') is not None
+    if not there: _log.info('pictures come as JPEGs: WebRTC needs Python 3.11, and pip install "aiortc>=1.16"')
+    return there
+
+@patch(as_prop=True)
+def can_watch(self:Preview)->bool:
+    "True if the stream may be watched by WebRTC: its codec is H.264, or not known"
+    return self.stream is not None and self.stream.codec in ('h264','') and _has_webrtc()
+
 # %% ../../nbs/api/manager/01_preview.ipynb #d99f9d62
 @patch
 def status(self:Preview)->dict:
     "Return state, size and rate as plain values"
     (state,why),size = self.state,self.newest.size
     rate = round(self.newest.rate(clock.monotonic()), 1) if state=='running' else None
-    return dict(state=state, why=why, size=size and list(size), fps=rate)
+    return dict(state=state, why=why, size=size and list(size), fps=rate, webrtc=self.can_watch)
 
 # %% ../../nbs/api/manager/01_preview.ipynb #d790c70b
 @patch
@@ -187,6 +207,23 @@ def remove_sink(self:Preview, sink):
     for sinks in (self.sinks, self.player.sinks if self.player else []):
         if sink in sinks: sinks.remove(sink)
 
+# %% ../../nbs/api/manager/01_preview.ipynb #2c9e5d03
+@patch
+async def watch(self:Preview, offer:str, # SDP
+                host:str, # Of the viewer
+                reached:str, # Our address that its request came to
+               )->tuple: # The viewer, and the answer; raises `Refused`
+    "Answer an offer of WebRTC: the viewer gets the stream as it comes"
+    from UAV.video.webrtc import WebRTCViewers
+    if not self.can_watch: raise Refused(406, 'this stream cannot be watched by WebRTC')
+    self.viewers = self.viewers or WebRTCViewers()
+    return await self.viewers.answer(offer, host, self.add_sink, self.remove_sink, reached)
+
+@patch
+async def close(self:Preview):
+    "End those who watch by WebRTC"
+    if self.viewers: await self.viewers.close()
+
 # %% ../../nbs/api/manager/01_preview.ipynb #51f5b90a
 class _Numbered:
     "The newest picture, numbered across players, and the times of the last ones"
@@ -213,6 +250,11 @@ class _Numbered:
     def when(self, number:int)->float|None:
         "Return when it came, monotonic s; the oldest time kept if it is too old, `None` before the first"
         return dict(self.times).get(number, self.times[0][1] if self.times else None)
+
+    def before(self, time:float)->int:
+        "Return the number of the last picture that had come at `time`, monotonic s; the oldest kept if none had"
+        times = list(self.times) or [(-1, time)]
+        return max((number for number,came in times if came<=time), default=times[0][0])
 
     def rate(self, now:float)->float:
         "Return the latest pictures per second; `now` is monotonic s"

@@ -5,43 +5,36 @@
 # %% ../../nbs/api/manager/09_server.ipynb #884f3edc
 from __future__ import annotations
 from contextlib import suppress
-from functools import lru_cache
 from html import escape
-from http import HTTPStatus
 from importlib.resources import files
-import asyncio, hmac, ipaddress, json, re, secrets, socket
+import asyncio, json, re, secrets
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
 from ..utils.files import local_name
-from ..utils.threads import Closes
-from ..utils.sockets import listen_tcp, url_host, _Guesses, is_loopback
+from ..utils.values import inside
+from ..utils.sockets import url_host
+from ..utils.web import Door, Refused, WebServer, _name_of
 from ..wire.dialect import MAVError
 
 # %% auto #0
-__all__ = ['log', 'modules', 'panel_css', 'panel_js', 'PanelServer', 'Door', 'Refused', 'Site', 'bundle']
+__all__ = ['log', 'modules', 'panel_css', 'panel_js', 'PanelServer', 'Site', 'bundle']
 
 # %% ../../nbs/api/manager/09_server.ipynb #a6ed9cc8
 log = get_logger('manager.server')
 
 # %% ../../nbs/api/manager/09_server.ipynb #ce352bb2
-class PanelServer(Closes):
+class PanelServer(WebServer):
     "Web server of a panel; `with` closes it"
-    most = 128                              # connections at once
-    patience,idle,sending = 5.,30.,10.      # s until a request arrives; between two; until bytes are read
     def __init__(self, gui, # The panel
                  port:int=0, # TCP port; 0: any free one
                  host:str='127.0.0.1', # Address to listen on; '': all, for other computers, too
                  token:str|None=None, # `None`: a new one; set your own so that open pages find a restarted panel
                  names:tuple=()): # Further host names, such as that of a proxy
         if gui.closed: raise RuntimeError('the panel is closed')
-        host = host.strip('[]')
-        store_attr('gui,host')
-        self.site,self.visits,self.closed = Site(gui, Door(host, token, names)),{},False
-        web = _web_class()                  # imports aiohttp here, so that the panel's loop doesn't wait
-        self.listener = listen_tcp(host, port)
-        self.port = self.listener.getsockname()[1]
-        self.started = gui.loop.run(self._start(web))
+        self.gui,self.site = gui,Site(gui, Door(host.strip('[]'), token, names))
+        self.respond,self.reply = self.site.respond,self.site.reply
+        super().__init__(gui.loop, port, host)
         gui.hosts.append(self)
 
     def __repr__(self): return f'{type(self).__name__} {self.url.partition("#")[0]}, {len(self.visits)} connections'
@@ -51,134 +44,25 @@ class PanelServer(Closes):
         "Return the address of the page, with its token"
         return f'http://{url_host(host)}:{self.port}/#token={self.site.door.token}'
 
-    async def _start(self, web):
-        self.web = web(self)
-        self.serving = await asyncio.get_running_loop().create_server(self.web, sock=self.listener)
-        self.sweeping = asyncio.ensure_future(self._sweep())
+    def close(self, patience:float=1.): # Seconds for answers under way
+        "Close all connections and the port; safe to call twice, and from any thread"
+        if self in self.gui.hosts: self.gui.hosts.remove(self)
+        super().close(patience)
 
-    async def _sweep(self):
-        while True:
-            await asyncio.sleep(min(.5, self.patience/4, self.sending/4))
-            now = clock.monotonic()
-            for visit in list(self.visits.values()):
-                if visit.late(now, self.patience, self.sending): visit.transport.abort()
+    async def farewell(self, patience:float):
+        "Send the answers under way, and close the sockets"
+        under_way = [task for talk in self.site.talks for task in talk.tasks]
+        if under_way: await asyncio.wait(under_way, timeout=patience)
+        for task in under_way: task.cancel()
+        goodbyes = [talk.socket.close(code=1001, message=b'the panel has ended') for talk in self.site.talks]
+        await asyncio.gather(*goodbyes, return_exceptions=True)
+
 
 # %% ../../nbs/api/manager/09_server.ipynb #4a714c3f
 @patch(as_prop=True)
 def url(self:PanelServer)->str:
     "Address of the page for a browser on this computer"
     return self.link('127.0.0.1' if self.site.door.everywhere else self.host)
-
-# %% ../../nbs/api/manager/09_server.ipynb #dddce80a
-@patch
-def close(self:PanelServer, patience:float=1.): # Seconds for answers under way
-    "Close all connections and the port; safe to call twice, and from any thread"
-    if self.closed: return
-    self.closed,loop = True,self.gui.loop
-    if self in self.gui.hosts: self.gui.hosts.remove(self)
-    if loop.orphaned: return self.listener.close()          # a forked process: the connections are its parent's
-    try: ended = loop.run(self._end(patience))
-    except RuntimeError: return self.listener.close()       # its loop is gone
-    if not loop.inside: ended.result(10)
-
-# %% ../../nbs/api/manager/09_server.ipynb #cc9931a3
-@patch
-async def _end(self:PanelServer, patience:float):
-    await asyncio.wrap_future(self.started)
-    self.sweeping.cancel()
-    self.serving.close()
-    under_way = [task for talk in self.site.talks for task in talk.tasks]
-    if under_way: await asyncio.wait(under_way, timeout=patience)
-    for task in under_way: task.cancel()
-    goodbyes = [talk.socket.close(code=1001, message=b'the panel has ended') for talk in self.site.talks]
-    await asyncio.gather(*goodbyes, return_exceptions=True)
-    for visit in list(self.visits.values()):
-        if not visit.busy: visit.transport.close()
-    await self.web.shutdown(patience)
-    for visit in list(self.visits.values()): visit.transport.abort()
-    await asyncio.sleep(0)                  # lets them notice that they are closed
-
-# %% ../../nbs/api/manager/09_server.ipynb #e566ed1a
-class Door:
-    "Checks of host, origin and token"
-    def __init__(self, host:str='127.0.0.1', # Address to listen on; '', '0.0.0.0' or '::': all
-                 token:str|None=None, # At least 8 characters that need no quoting in a URL; `None`: a new one
-                 names:tuple=()): # Further host names, such as that of a proxy
-        if token is not None and not re.fullmatch(r'[A-Za-z0-9._~-]{8,200}', token):
-            raise ValueError('a token has 8 or more characters, of A-Z, a-z, 0-9, and . _ ~ -')
-        self.token = token or secrets.token_urlsafe(24)
-        self.everywhere = host in ('','0.0.0.0','::')
-        self.guesses,self.queues = _Guesses() if token else None,{}         # `[lock, how many wait]` for each address
-        own = socket.gethostname().lower()
-        names = host, *names, *((own, f'{own.partition(".")[0]}.local') if self.everywhere else ())
-        self.names = {*map(str.lower, names)}-{''}
-
-    def __repr__(self): return f'{type(self).__name__} {", ".join(sorted(self.names))}'
-
-    def check_token(self, given:str|None): # Token sent by the browser
-        "Check the token; raises `Refused` (403)"
-        if not hmac.compare_digest((given or '').encode('utf-8', 'replace'), self.token.encode()):
-            raise Refused(403, 'this link has no token, or an old one')
-
-    def is_known(self, name:str)->bool:
-        "True if a host name or address is one of ours"
-        return is_loopback(name) or name in self.names or (self.everywhere and _is_address(name))
-
-    def check_host(self, hosts:list): # All `Host` headers of a request
-        "Check the host; raises `Refused` (400, 403)"
-        if len(hosts)!=1: raise Refused(400, 'one Host is needed')
-        if self.is_known(_name_of(hosts[0])): return
-        raise Refused(403, 'the panel does not know the name in this address: serve(names=…)')
-
-# %% ../../nbs/api/manager/09_server.ipynb #0421d4ea
-def _name_of(place:str|None)->str:
-    "Return the host of a `Host` header in lower case; empty if it is neither a name nor an address"
-    found = re.fullmatch(r'(\[[0-9a-f:.%]+\]|[0-9a-z._-]+)(:\d{1,5})?', (place or '').lower())
-    return found[1].strip('[]') if found else ''
-
-# %% ../../nbs/api/manager/09_server.ipynb #fa7bcfe7
-def _is_address(name:str)->bool:
-    try: return bool(ipaddress.ip_address(name.partition('%')[0]))
-    except ValueError: return False
-
-# %% ../../nbs/api/manager/09_server.ipynb #43690a9c
-class Refused(Exception):
-    "A refused request: an HTTP status, and a text"
-    def __init__(self, status:int, # HTTP status, such as 403
-                 text:str=''): # Text to show; defaults to the phrase of the status
-        self.status,self.text = status,text or HTTPStatus(status).phrase
-        super().__init__(f'{status} {self.text}')
-
-# %% ../../nbs/api/manager/09_server.ipynb #3a0e5f50
-@patch
-async def admit(self:Door, given:str|None, # Token sent by the browser
-                address:str): # Of the browser
-    "As `check_token`; a chosen token waits for its turn when many from that address were wrong. Raises `Refused`"
-    if self.guesses is None: return self.check_token(given)
-    queue = self.queues.setdefault(address, [asyncio.Lock(), 0])
-    if queue[1]>=8: raise Refused(429, 'too many wrong tokens come from your address')
-    queue[1] += 1
-    try:
-        async with queue[0]:
-            while wait := self.guesses.wait(address): await asyncio.sleep(wait)
-            try: self.check_token(given)
-            except Refused:
-                self.guesses.wrong(address)
-                raise
-    finally:
-        queue[1] -= 1
-        if not queue[1]: self.queues.pop(address, None)
-
-# %% ../../nbs/api/manager/09_server.ipynb #7ba89998
-@patch
-def check_origin(self:Door, origin:str|None, # `Origin` header; `None`: there is none
-                 host:str): # `Host` header of the same request
-    "Check the origin; raises `Refused` (403) for a page of another site"
-    if origin is None: return
-    scheme,_,place = origin.partition('://')
-    name = _name_of(place) if scheme in ('http','https') else ''
-    if not (name and (place.lower()==host.lower() or is_loopback(name) or name in self.names)):
-        raise Refused(403, 'this came from a page of another site')
 
 # %% ../../nbs/api/manager/09_server.ipynb #5b164134
 _around = ' '.join(f'{scheme}://{name}:*' for scheme in ('http','https') for name in ('localhost','127.0.0.1'))
@@ -199,22 +83,28 @@ _releases = dict(hold='release', zoom_hold='zoom_release')      # the release of
 
 class _Messages:
     "Answers to one viewer, on the panel's loop: each a dict and a list of pictures"
-    kinds,most = ('poll','act','thumbnail','map','tiles','tile','files','photo','ticket'),64     # requests; holds kept
+    kinds = 'poll','act','thumbnail','map','tiles','tile','files','photo','ticket','watch','sight'      # of requests
+    most = 64               # holds kept
     def __init__(self, gui, # The panel
                  give=None): # Called with camera, path, play; returns an address. `None`: no downloads
         store_attr()
         self.held = {}          # `{(row, hold): release}` of the viewer's holds
+        self.place,self.watched = None,{}       # of a page: its address, and ours; `{row: (preview, viewer)}`
 
-    async def poll(self, seen:str='', after:dict|None=None):
-        "Wait for an update, see `Gui.poll`"
+    async def poll(self, seen:str='', after:dict|None=None, watched:list|None=None):
+        "Wait for an update, see `Gui.poll`, with the newest sight of each row that is `watched` as a video"
         new = await self.gui.poll(seen, after)
         pictures = [[id, number, *_about(self.gui.rows.get(id), number)] for id,number,_ in new.pictures]
-        return dict(tag=new.tag, status=new.status, pictures=pictures),[jpeg for *_,jpeg in new.pictures]
+        answer = dict(tag=new.tag, status=new.status, pictures=pictures)
+        rows = [self.gui.rows[id] for id in watched or () if id in self.gui.rows]
+        if rows: answer['sights'] = {row.id: row.sight(row.preview.newest.number) for row in rows if row.preview}
+        return answer,[jpeg for *_,jpeg in new.pictures]
 
     async def act(self, do:str, of:str|None=None, args:dict|None=None):
         "Press a button, see `Gui.do`"
         args = args or {}
         if not isinstance(args, dict): raise ValueError('args is an object')
+        if 'age' in args: args = _by_age(self.gui.rows.get(of), **args)
         key = of,str(args.get('hold'))
         if do in _releases and len(self.held)<self.most: self.held[key] = _releases[do]
         elif do in _releases.values(): self.held.pop(key, None)
@@ -228,7 +118,8 @@ class _Messages:
 
     async def leave(self):
         "Release all holds of a viewer that is gone"
-        held,self.held = self.held,{}
+        for preview,viewer in self.watched.values(): preview.viewers.end(viewer)
+        self.watched,held,self.held = {},self.held,{}
         releases = (self.gui.do(release, of or None, hold=hold) for (of,hold),release in held.items())
         await asyncio.gather(*releases, return_exceptions=True)         # a row may be gone
 
@@ -237,6 +128,31 @@ def _about(row, number:int)->tuple:
     "Return the seconds since that picture came to the panel, and its `sight`; `None` if unknown"
     when = row.preview.newest.when(number) if row and row.preview else None
     return when and round(clock.monotonic()-when, 3),row and row.sight(number)
+
+# %% ../../nbs/api/manager/09_server.ipynb #7b2d4c01
+def _by_age(row, age, number=None, **args)->dict:
+    "Return `args` with the number of the picture that came `age` s ago: that's all a viewer of a video knows"
+    age = inside('age', age, 0, 60)
+    newest = row.preview.newest if row and row.preview else None
+    return dict(args, number=number if newest is None else newest.before(clock.monotonic()-age))
+
+# %% ../../nbs/api/manager/09_server.ipynb #7b2d4c03
+@patch
+async def watch(self:_Messages, of:str, offer:str):
+    "Answer an offer of WebRTC; raises `ValueError`"
+    preview = self._camera_of(of, '').preview
+    if preview is None or self.place is None or not isinstance(offer, str): raise ValueError('there is no WebRTC here')
+    if before := self.watched.pop(of, None): preview.viewers.end(before[1])
+    try: viewer,answer = await preview.watch(offer, *self.place)
+    except Refused as e: raise ValueError(e.text) from None
+    self.watched[of] = preview,viewer
+    return dict(answer=answer),[]
+
+@patch
+async def sight(self:_Messages, of:str, age:float):
+    "Return the numbers of the picture that came `age` s ago, see `CameraRow.sight`"
+    row = self._camera_of(of, '')
+    return dict(sight=row.sight(_by_age(row, age)['number'])),[]
 
 # %% ../../nbs/api/manager/09_server.ipynb #c398a948
 @patch
@@ -383,10 +299,11 @@ _icon = ("data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='
 _page_css = ':root { color-scheme: light dark } body { margin: 0 }'
 
 # %% ../../nbs/api/manager/09_server.ipynb #d548f9eb
-_static = files('UAV.manager')/'static'
+_statics = files('UAV.manager')/'static', files('UAV.video')/'static'
 def _texts(ending:str)->dict:
     "Return name and text of the static files with this ending, by name"
-    found = sorted((file for file in _static.iterdir() if file.name.endswith(ending)), key=lambda file: file.name)
+    found = sorted((file for folder in _statics for file in folder.iterdir()
+                    if file.name.endswith(ending) and not file.name.startswith('view.')), key=lambda file: file.name)
     return {file.name:file.read_text(encoding='utf-8') for file in found}
 
 # %% ../../nbs/api/manager/09_server.ipynb #0890adc7
@@ -451,7 +368,8 @@ async def download(self:Site, request, visit, ticket:str):
     if clock.monotonic()>until: raise Refused(404, 'this link is too old: go back to the panel')
     try: coming = await _Messages(self.gui)._camera_of(of, path).files.open(path)
     except (MAVError, ValueError) as e: raise Refused(404, str(e)[:300] or type(e).__name__) from None
-    headers = _rules_for(request.headers['Host'], self.gui.tiles)|{'Content-Type':kind, 'Content-Length':str(coming.size)}
+    rules = _rules_for(request.headers['Host'], self.gui.tiles)
+    headers = rules|{'Content-Type':kind, 'Content-Length':str(coming.size)}
     if kind=='application/octet-stream': headers['Content-Disposition'] = f'attachment; filename="{_saved_as(path)}"'
     response = web.StreamResponse(headers=headers)
     try:
@@ -480,6 +398,7 @@ class _Talk:
         if not self.socket.can_prepare(request): raise Refused(426, 'this is the place of a WebSocket')
         visit = self.visit
         visit.admitted,visit.since,visit.busy = False,clock.monotonic(),0        # until it has sent the token
+        self.viewer.place = request.remote or '',(visit.transport.get_extra_info('sockname') or ('',))[0]
         await self.socket.prepare(request)
         self.site.talks.add(self)
         try:
@@ -545,72 +464,3 @@ def _packed(answer:dict, pictures:list)->bytes:
     "Pack an answer and its pictures into one message"
     head = json.dumps(answer|dict(sizes=[len(jpeg) for jpeg in pictures])).encode()
     return b''.join([len(head).to_bytes(4, 'big'), head, *pictures])
-
-# %% ../../nbs/api/manager/09_server.ipynb #d8d625be
-class _Visit:
-    "Connection of a browser"
-    def __init__(self, handler, transport):
-        store_attr()
-        self.trusted = self.admitted = False    # it has sent the token; it has made a permitted request
-        self.since = self.moved = clock.monotonic()
-        self.busy,self.waiting = 0,0            # answers under way; bytes not yet read by it
-
-    def rank(self)->tuple: "Return its rank; the lowest is dropped first"; return self.trusted,self.busy>0,self.since
-
-    def late(self, now:float, patience:float, sending:float)->bool:
-        "True if the connection should be aborted"
-        waiting = self.transport.get_write_buffer_size()
-        if waiting!=self.waiting or not waiting: self.waiting,self.moved = waiting,now
-        return now-self.moved>sending or not self.admitted and now-self.since>patience
-
-# %% ../../nbs/api/manager/09_server.ipynb #12df8810
-@lru_cache
-def _web_class():
-    from aiohttp import web
-    from types import SimpleNamespace
-    quiet = SimpleNamespace(exception=log.debug, debug=log.debug, warning=log.debug)    # invalid requests are common
-    class PanelWeb(web.Server):
-        def __init__(self, host):
-            super().__init__(host._serve, logger=quiet, access_log=None, keepalive_timeout=host.idle, lingering_time=1.)
-            self.host = host
-        def connection_made(self, handler, transport):
-            super().connection_made(handler, transport)
-            self.host._welcome(_Visit(handler, transport))
-        def connection_lost(self, handler, exc=None):
-            super().connection_lost(handler, exc)
-            self.host.visits.pop(handler, None)
-    return PanelWeb
-
-# %% ../../nbs/api/manager/09_server.ipynb #b634d7e6
-@patch
-def _welcome(self:PanelServer, visit:_Visit):
-    "Accept a connection, if there is room"
-    others = list(self.visits.values())
-    self.visits[visit.handler] = visit
-    if len(others)<self.most: return
-    first = min(others, key=_Visit.rank)
-    full = first.trusted and first.busy                     # all wait for an answer
-    dropped = visit if full else first
-    del self.visits[dropped.handler]
-    if not full: return dropped.transport.abort()
-    visit.transport.write(b'HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n')
-    self.gui.loop.loop.call_soon(visit.transport.close)     # aiohttp has not started with it yet
-
-# %% ../../nbs/api/manager/09_server.ipynb #17e6ecb6
-@patch
-async def _serve(self:PanelServer, request):
-    "Respond to a request"
-    visit = self.visits.get(request.protocol)
-    if visit is None or self.closed: raise ConnectionError('there is no place for it')
-    visit.busy += 1
-    try: return await self.site.respond(request, visit)
-    except Refused as e: refused = e
-    except ConnectionError: raise           # the browser is gone
-    except Exception:
-        log.exception('a request failed')
-        refused = Refused(500)
-    finally: visit.busy,visit.since = visit.busy-1,clock.monotonic()
-    log.debug('%s: %s', request.remote, refused)
-    response = self.site.reply(request, refused.text, 'text/plain', refused.status)
-    response.force_close()
-    return response

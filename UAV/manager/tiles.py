@@ -56,7 +56,7 @@ def _web_tiles(url:str, attribution:str='')->Tiles:
     odd = [name for name in names if name not in ('z','x','y','-y')]
     if parts.scheme not in ('http','https'): raise ValueError(f'tiles come from http:// or https://, not {url!r:.200}')
     if parts.username is not None or parts.password is not None:
-        raise ValueError('a browser loads no pictures from an address with a user name: put a key into the path or query')
+        raise ValueError('a browser loads no pictures from an address with a user name: put the key into the query')
     if odd: raise ValueError(f'{{{odd[0]}}} means nothing here: an address of tiles has {{z}}, {{x}} and {{y}}')
     _ = parts.port                          # raises `ValueError`
     if not re.fullmatch(r'([A-Za-z0-9.-]+|\[[0-9a-fA-F:.]+\])(:\d{1,5})?', parts.netloc) or not parts.hostname:

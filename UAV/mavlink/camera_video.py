@@ -86,7 +86,8 @@ def _hfov(self:VideoPart, stream)->int:
 
 # %% ../../nbs/api/mavlink/05_camera_video.ipynb #afa46ff2
 stream_types = dict(rtsp=mavlink.VIDEO_STREAM_TYPE_RTSP, rtp=mavlink.VIDEO_STREAM_TYPE_RTPUDP,
-                    tcp=mavlink.VIDEO_STREAM_TYPE_TCP_MPEG, mpegts=mavlink.VIDEO_STREAM_TYPE_MPEG_TS)
+                    tcp=mavlink.VIDEO_STREAM_TYPE_TCP_MPEG, mpegts=mavlink.VIDEO_STREAM_TYPE_MPEG_TS,
+                    webrtc=getattr(mavlink, 'VIDEO_STREAM_TYPE_WHEP', 4))       # of 2025
 pushed = 'rtp','mpegts'      # pushed over UDP; a player fetches the others
 stream_encodings = dict(h264=mavlink.VIDEO_STREAM_ENCODING_H264, h265=mavlink.VIDEO_STREAM_ENCODING_H265)
 _running = mavlink.VIDEO_STREAM_STATUS_FLAGS_RUNNING

@@ -81,6 +81,7 @@ async def open(self:RemoteVideo, stream_id:int|None=None, # Stream number; `None
     "Return a `Player` of a stream; raises `ValueError` (no such stream), `PermissionError` (host), `MAVError`"
     there = await self.streams()
     found = [s for s in there if stream_id in (None,s.id) and name in (None,s.name)]
+    found.sort(key=lambda s: s.kind=='webrtc')          # what we can't play comes last
     if not found: raise ValueError(f'no such stream; there are {there or "none"}')
     return await self.watch(found[0], **options)
 
@@ -113,7 +114,7 @@ class RemoteStream:
     "A video stream of a camera (VIDEO_STREAM_INFORMATION)"
     id:int # From 1
     name:str # Name given by the camera
-    kind:str # 'rtsp', 'rtp', 'mpegts' or 'tcp'; 'unknown' for others
+    kind:str # 'rtsp', 'rtp', 'mpegts', 'tcp' or 'webrtc'; 'unknown' for others
     codec:str # 'h264' or 'h265'; '' if unknown
     width:int # px
     height:int # px
@@ -169,6 +170,7 @@ def player_url(stream:RemoteStream, # As `streams` gives it
     "Return the URL for a `Player`; raises `ValueError` for a URI of another kind"
     uri,(kind,codec) = stream.uri.strip(),_by_scheme(stream.uri, stream.kind, stream.codec)
     scheme,mark,rest = uri.partition('://')
+    if kind=='webrtc': raise ValueError(f'{uri} is a stream for browsers and players of WHEP, not for this player')
     is_known,place = not mark or scheme.lower() in _schemes,_pushed_to.fullmatch(uri)
     if is_known and kind in ('rtsp','tcp') and rest: return f'{kind}://{rest}'
     if is_known and kind=='tcp' and place and place[1]: return f'tcp://{uri}'

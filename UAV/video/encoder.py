@@ -183,7 +183,7 @@ def _metadata(self:Encoder, frame, time_utc:float, came=None):
     if self.metadata_of is None or came and known(came.lat): return came
     try:
         metadata = self.metadata_of(frame, time_utc)
-        if metadata is not None: metadata.data          # its bytes, made here, where an error costs no viewer
+        if metadata is not None: memoryview(metadata.data)      # made here, where an error costs no viewer
         if came is None or metadata and known(metadata.lat): return metadata
     except Exception as e:
         if not self._complained: _log.warning('%s: no metadata: %r', self.name, e, exc_info=e)

@@ -15,7 +15,7 @@ from ..utils.threads import Closes
 from ..utils.sockets import _Guesses, url_host
 from .receivers import _listen_pair
 from .rtsp import _Digest, _inside, _is_report, _Request, _RequestReader, _Response
-from .rtsp import _RTPStream, RTSPError, _Session
+from .rtsp import RTSPError, _Session
 from .senders import listen_tcp, Loop, _Outbox, plain_host, _tune
 from .units import AccessUnit, Sink
 

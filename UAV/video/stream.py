@@ -6,6 +6,7 @@
 from __future__ import annotations
 from contextlib import suppress
 import math, re
+from typing import TYPE_CHECKING
 from fastcore.basics import patch, store_attr
 from ..logging import get_logger
 from ..utils import clock
@@ -16,13 +17,17 @@ from .rtsp_server import RTSPServer
 from .senders import is_group, TSSender, TSServer
 from .units import _even, sensible_bitrate, VideoFormat
 
+if TYPE_CHECKING: from UAV.video.webrtc import WHEPServer
+
+
 # %% auto #0
-__all__ = ['default_ports', 'senders', 'log', 'VideoStream']
+__all__ = ['default_ports', 'senders', 'served', 'log', 'VideoStream']
 
 # %% ../../nbs/api/video/07_stream.ipynb #c4fb3010
-default_ports = dict(rtsp=8554, rtp=5600, mpegts=5610, tcp=5620)
+default_ports = dict(rtsp=8554, rtp=5600, mpegts=5610, tcp=5620, webrtc=8889)
 
 senders = dict(rtp=RTPSender, mpegts=TSSender)
+served = 'rtsp','webrtc'         # by a server that streams may share, each at a path
 
 # %% ../../nbs/api/video/07_stream.ipynb #4dc351ee
 class VideoStream(Closes):
@@ -30,23 +35,24 @@ class VideoStream(Closes):
     def __init__(self,
         encoder, # An `Encoder`; several streams may share one
         kind:str='rtsp', # One of `default_ports`
-        name:str='video', # For people; and the path of an RTSP stream
+        name:str='video', # For people; and the path of an RTSP or WebRTC stream
         stream_id:int=1, # From 1
         host:str='', # Where a sender sends to (this machine); the address that a server listens at (all)
         port:int|None=None, # Where a sender sends to, or a server listens; `None`: as in `default_ports`, 0: a free one
-        server:RTSPServer|None=None, # For RTSP; `None`: that of this process at `port`
+        server:RTSPServer|WHEPServer|None=None, # For RTSP or WebRTC; `None`: that of this process at `port`
         uri:str='', # What viewers get, in place of what we work out
         hfov:float=math.nan, # Horizontal field of view, degrees
         size:tuple=(640,480), # Of the frames (px), as long as none was seen
         on_change=lambda stream: None, # Called when it starts or stops
     ):
         if kind not in default_ports: raise ValueError(f'kind must be one of {", ".join(default_ports)}, not {kind!r}')
-        if server and kind!='rtsp': raise ValueError(f'an RTSP server cannot serve a stream of kind {kind!r}')
+        if server and kind not in served: raise ValueError(f'no server is for a stream of kind {kind!r}')
+        if kind=='webrtc' and encoder.codec!='h264': raise ValueError('WebRTC sends H.264 as it is, and this is H.265')
         store_attr('encoder,kind,name,stream_id,host,server,hfov,size,on_change')
         self.port,self.own_uri,self.home = server.port if server else _port(kind, port),uri,host   # `home`: first host
         self.running,self.sink,self._lock = False,None,clock.Lock()         # `sink`: a sender, or a `TSServer`
         self._shared = self._closed = self._noted = False       # `_shared`: is `server` one that we must let go?
-        self.path = _path_of(name, stream_id)       # on an RTSP server
+        self.path = _path_of(name, stream_id)       # on a server
         _streams.add(self)
 
     viewers = property(lambda self: len(self.viewer_hosts) if self.kind not in senders else int(self.running),
@@ -82,19 +88,22 @@ def _path_of(name:str, stream_id:int)->str:
     return re.sub(r'[^a-z0-9]+', '_', name.lower()).strip('_') or f'stream_{stream_id}'
 
 # %% ../../nbs/api/video/07_stream.ipynb #d12a38c7
-_servers,_servers_lock = {},clock.Lock()        # `{(host, port): [server, how many use it]}`
+_servers,_servers_lock = {},clock.Lock()        # `{(kind, host, port): [server, how many use it]}`
 _streams = Opened()
 
 # %% ../../nbs/api/video/07_stream.ipynb #5f66b242
-def _rtsp_server(host:str='', port:int=8554)->RTSPServer:
-    "Return the server of this process at that port, or one of its own (0); `_let_go` gives it back; raises `OSError`"
+def _server(host:str='', port:int=8554, kind:str='rtsp')->RTSPServer|WHEPServer:
+    "Return this process's server at that port, or one of its own (0); `_let_go` gives it back; raises `OSError`"
+    if kind=='rtsp': make = RTSPServer
+    else: from UAV.video.webrtc import WHEPServer as make           # aiortc is an extra, and takes long to load
     with _servers_lock:
-        if (host,port) not in _servers: _servers[host,port] = [RTSPServer(port, host), 0]
-        _servers[host,port][1] += 1
-        return _servers[host,port][0] if port else _servers.pop((host,port))[0]
+        key = kind,host,port
+        if key not in _servers: _servers[key] = [make(port, host), 0]
+        _servers[key][1] += 1
+        return _servers[key][0] if port else _servers.pop(key)[0]
 
 # %% ../../nbs/api/video/07_stream.ipynb #ffba49f2
-def _let_go(server:RTSPServer):
+def _let_go(server:RTSPServer|WHEPServer):
     "Close the server, unless others use it"
     with _servers_lock:
         key,entry = next(((k,e) for k,e in _servers.items() if e[0] is server), (None,[server,1]))
@@ -115,7 +124,7 @@ def _no_servers():
 @patch(as_prop=True)
 def viewer_hosts(self:VideoStream)->list:
     "The address of each player that fetches the stream; where a stream is sent to is its `host`"
-    if self.kind=='rtsp' and self.running: return self.server.hosts(self.path)
+    if self.kind in served and self.running: return self.server.hosts(self.path)
     return getattr(self.sink, 'hosts', [])
 
 # %% ../../nbs/api/video/07_stream.ipynb #06d55015
@@ -131,8 +140,8 @@ def format(self:VideoStream)->VideoFormat:
 @patch
 def _open(self:VideoStream):
     "Let the pictures out; raises `OSError`"
-    if self.kind=='rtsp':
-        if self.server is None: self.server,self._shared = _rtsp_server(self.host, self.port),True
+    if self.kind in served:
+        if self.server is None: self.server,self._shared = _server(self.host, self.port, self.kind),True
         return self._offer()
     if self.kind=='tcp': self.sink = TSServer(self.encoder, self.port, self.host)
     else:
@@ -146,7 +155,7 @@ def _stop(self:VideoStream, rests:bool=False):
     if not self.running: return
     sink,self.sink = self.sink,None
     self.running = False
-    if self.kind=='rtsp': return self.server.rest(self.path, self.start) if rests else self.server.remove(self.path)
+    if self.kind in served: return self.server.rest(self.path, self.start) if rests else self.server.remove(self.path)
     if self.kind in senders: self.encoder.remove(sink)
     sink.close()
 
@@ -156,8 +165,8 @@ log = get_logger('video')
 @patch
 def _note_open(self:VideoStream):
     "Log, once, that anyone on the network may watch"
-    if self._noted or self.kind in senders or self.kind=='rtsp' and self.server.digest: return
-    host,port = (self.server if self.kind=='rtsp' else self.sink).listener.getsockname()[:2]
+    if self._noted or self.kind in senders or self.kind in served and self.server.digest: return
+    host,port = (self.server if self.kind in served else self.sink).listener.getsockname()[:2]
     if is_loopback(host): return
     self._noted = True
     log.info('stream %s is open to the network: anyone who reaches port %d may watch', self.name, port)
@@ -189,7 +198,7 @@ def stop(self:VideoStream):
 # %% ../../nbs/api/video/07_stream.ipynb #85a1344e
 @patch
 def rest(self:VideoStream):
-    "Send the viewers away, until `start`, or a player asks the RTSP server for the stream; fine when it does not run"
+    "Send the viewers away, until `start`, or a player asks the server for the stream; fine when it does not run"
     with self._lock:
         if not self.running: return
         self._stop(rests=True)
@@ -198,7 +207,7 @@ def rest(self:VideoStream):
 @patch
 def send_away(self:VideoStream, leaves): # Which players that fetch it: a function of their address
     "Send some viewers away; the stream goes on for the others"
-    if self.kind=='rtsp' and self.running: self.server.send_away(self.path, leaves)
+    if self.kind in served and self.running: self.server.send_away(self.path, leaves)
     elif sink := self.kind=='tcp' and self.sink: sink.send_away(leaves)
 
 # %% ../../nbs/api/video/07_stream.ipynb #0cefed48
@@ -209,10 +218,10 @@ def uri(self:VideoStream, host:str='127.0.0.1', # Our address, as the viewer can
     if self.own_uri: return self.own_uri
     if self.kind in senders and is_group(self.host): return f'udp://{url_host(self.host)}:{self.port}'
     if self.kind in senders: return str(self.port)
-    if self.kind=='rtsp' and self.server: return self.server.url(self.path, host)
-    port = self.sink.port if self.sink else self.port
-    host = url_host(host)
-    return f'rtsp://{host}:{port}/{self.path}' if self.kind=='rtsp' else f'tcp://{host}:{port}'
+    if self.kind in served and self.server: return self.server.url(self.path, host)
+    place = f'{url_host(host)}:{self.sink.port if self.sink else self.port}'
+    uris = dict(rtsp=f'rtsp://{place}/{self.path}', webrtc=f'http://{place}/whep/{self.path}')
+    return uris.get(self.kind, f'tcp://{place}')
 
 # %% ../../nbs/api/video/07_stream.ipynb #9f8acd64
 @patch

@@ -6,9 +6,9 @@ import { modules, panel, source } from './panel.js'
 
 const KEYWORDS = `async await break case catch class const continue default delete do else export extends false finally for
   from function get if import in instanceof let new null of return super switch this throw true try typeof undefined void while`
-const GLOBALS = `AbortController AbortSignal Array Blob Boolean DataView Date Error Image IntersectionObserver JSON Map Math Number Object
-  Promise Set String TextDecoder WebSocket
-  TextEncoder URL URLSearchParams clearInterval clearTimeout document fetch globalThis location setInterval setTimeout window`
+const GLOBALS = `AbortController AbortSignal Array Blob Boolean DataView Date Error Image IntersectionObserver JSON Map Math
+  MediaStream Number Object Promise RTCPeerConnection Set String TextDecoder WebSocket
+  TextEncoder URL URLSearchParams clearInterval clearTimeout document fetch globalThis location performance setInterval setTimeout window`
 const words = text => text.split(/\s+/)
 
 // The code without comments, texts and regular expressions

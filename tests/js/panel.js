@@ -1,12 +1,13 @@
 // The panel's modules as one that gives all of its functions, for tests: `node --test tests/js/*.test.js`.
 import assert from 'node:assert/strict'
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
 
 const IMPORTS = /^import [^']*'\.\/([\w.]+)'\n/gm
-const read = name => readFileSync(new URL('../../UAV/manager/static/' + name, import.meta.url), 'utf8')
+const places = ['manager', 'video'].map(folder => new URL('../../UAV/' + folder + '/static/', import.meta.url))
+const read = name => readFileSync(places.map(place => new URL(name, place)).find(existsSync), 'utf8')
 const inOrder = name => [...new Set([...[...read(name).matchAll(IMPORTS)].flatMap(([, inner]) => inOrder(inner)), name])]
 
 export const modules = Object.fromEntries(inOrder('panel.js').map(name => [name, read(name)]))

@@ -198,6 +198,7 @@ export function cameraCard(panel, of) {
   }
   function lead(main) {
     picture.node.inert = !main
+    picture.live.lead(main)
     if (main) return
     gimbal.turning.stop()
     hands.escape()
@@ -240,22 +241,30 @@ export function cardsShown(panel, place) {
     return made
   }
   function keep(ids) {
-    for (const [id, { node }] of cards) {
+    for (const [id, { node, picture }] of cards) {
       if (ids.has(id)) continue
+      picture?.live.stop()
       for (const part of [forget, letPicturesGo]) part(node)
       node.remove()
       cards.delete(id)
     }
   }
   const pictures = () => [...cards].filter(([, { node, picture }]) => picture && seen(node))
-  return { cards, card, keep, pictures, stop: () => watch.disconnect() }
+  function stop() {
+    watch.disconnect()
+    for (const { picture } of cards.values()) picture?.live.stop()
+  }
+  return { cards, card, keep, pictures, stop }
 }
 
 export function picturesOf(cards, pictures) {
-  const after = () => Object.fromEntries(pictures().map(([id, { picture }]) => [id, picture.number()]))
+  const still = () => pictures().filter(([, { picture }]) => !picture.live.on())
+  const after = () => Object.fromEntries(still().map(([id, { picture }]) => [id, picture.number()]))
   const take = shown => Promise.all(Object.entries(shown).map(([id, one]) => cards.get(id)?.picture?.take(one)))
+  const watched = () => pictures().filter(([, { picture }]) => picture.live.on()).map(([id]) => id)
+  const see = sights => { for (const [id, sight] of Object.entries(sights)) cards.get(id)?.picture?.see(sight) }
   const forget = () => { for (const { picture } of cards.values()) picture?.forget() }
-  return { after, take, forget }
+  return { after, take, forget, watched, see }
 }
 
 // Nothing there yet: which links the panel listens on, what came there, and how to start a simulated camera.

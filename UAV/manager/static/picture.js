@@ -7,6 +7,7 @@
 
 import { ago, clock, h, latest, name, say, show } from './parts.js'
 import { aboutPlace, placeView } from './place.js'
+import { liveVideo } from './live.js'
 
 export function inPicture(box, [width, height], x, y) {
   const scale = Math.min(box.width / width, box.height / height)
@@ -61,7 +62,15 @@ export function frame(row) {
     if (old) URL.revokeObjectURL(old)
   }
   const forget = () => { number = -1 }
-  return { image, take, forget, number: () => number }
+  function clear(size) {
+    URL.revokeObjectURL(url)
+    url = null
+    image.removeAttribute('src')
+    image.size = size
+    show(image, false)
+    forget()
+  }
+  return { image, take, forget, clear, number: () => number }
 }
 
 export function pictureUpdate(node, status) {
@@ -115,9 +124,11 @@ export function wheelZoom(row, node) {
 }
 
 export function pictureView(row, ...upon) {
-  const shown = frame(row), mark = markView(row), place = placeView(row)
-  const [live, busy, count] = ['live', 'busy', 'count'].map(which => h('span', { class: 'pill ' + which }))
-  const parts = [shown.image, ...upon, mark.node, h('div', { class: 'pills' }, live, busy, count, place.node)]
+  const shown = frame(row), mark = markView(row), live = liveVideo(row, shown)
+  const place = placeView(row, () => live.on() ? live.age() : null)
+  const [words, busy, count] = ['live', 'busy', 'count'].map(which => h('span', { class: 'pill ' + which }))
+  const pills = h('div', { class: 'pills' }, words, busy, count, place.node)
+  const parts = [shown.image, live.node, ...upon, mark.node, pills]
   const node = h('div', { class: 'picture', tabindex: 0, role: 'application' }, ...parts)
   wheelZoom(row, node)
   const under = ({ clientX, clientY }) =>
@@ -128,18 +139,21 @@ export function pictureView(row, ...upon) {
     const at = under(event), { width } = node.getBoundingClientRect()
     if (!at || node.closest('[data-lost]')) return
     const there = place.click(at)
-    if (row.status.can_point) mark.point(event, width, { ...at, number: shown.number() })
+    if (row.status.can_point) mark.point(event, width, { ...at, ...which() })
     else if (there) mark.tell(event, width, aboutPlace(there))
   })
+  const which = () => live.on() ? { number: null, age: live.age() } : { number: shown.number() }
   async function take(picture) {
+    if (live.on()) return
     await shown.take(picture)
     place.take(picture.sight)
   }
   function update(status) {
     pictureUpdate(node, status)
-    say(live, condition(status))
+    live.update(status)
+    say(words, condition(status))
     say(busy, doing(status))
     say(count, taken(status))
   }
-  return { node, update, take, forget: shown.forget, number: shown.number }
+  return { node, update, live, take, see: place.take, forget: shown.forget, number: shown.number }
 }

@@ -39,10 +39,11 @@ export function wireOf(ask, slow = 12 * PATIENCE) {
   const jpeg = bytes => new Blob([bytes], { type: 'image/jpeg' })
   const image = async (kind, more) => URL.createObjectURL(jpeg((await ask(kind, more, slow)).buffers[0]))
   async function poll(what) {
-    const { message: { tag, status, pictures }, buffers } = await ask('poll', what, 2 * PATIENCE), now = Date.now()
+    const { message, buffers } = await ask('poll', what, 2 * PATIENCE), now = Date.now()
+    const { tag, status, pictures, sights } = message
     const shown = pictures.map(([id, number, age, sight], i) =>
       [id, { number, blob: jpeg(buffers[i]), time: age == null ? null : now - 1000 * age, sight }])
-    return { tag, status, pictures: Object.fromEntries(shown) }
+    return { tag, status, pictures: Object.fromEntries(shown), sights }
   }
   async function act(what) {
     const { message: { ok, text } } = await ask('act', what, slow)
@@ -59,6 +60,7 @@ export function wireOf(ask, slow = 12 * PATIENCE) {
     tiles: async () => (await ask('tiles', {}, 2 * PATIENCE)).message.tiles,
     tile: ({ z, x, y }) => image('tile', { z, x, y }),
     photo: (of, path) => image('photo', { of, path }),
+    sight: async (of, age) => (await ask('sight', { of, age }, PATIENCE)).message.sight,
     download: (of, path) => ticket(of, path, false), play: (of, path) => ticket(of, path, true),
   }
 }
@@ -73,7 +75,8 @@ export function unpacked(data) {
 }
 
 // The token stands behind the # of the address, which a browser sends to nobody.
-export const pageToken = () => new URLSearchParams(location.hash.slice(1)).get('token') ?? ''
+const behind = () => new URLSearchParams(location.hash.slice(1))
+export const pageToken = () => behind().get('token') ?? ''
 
 function socketAddress() {
   const address = new URL('socket', location.href)
@@ -115,7 +118,9 @@ export function socketWire(token) {
   }
   const late = kind => { if (kind === 'poll' && link) lose(link, new Error(NO_LINK)) }
   const { ask, take, drop } = asking(send, late), stop = () => { if (link) lose(link, new Error(NO_LINK)) }
-  return { ...wireOf(ask), stop, patient: false }
+  const video = async (of, offer) => (await ask('watch', { of, offer }, 2 * PATIENCE)).message.answer
+  const watch = behind().has('jpeg') ? undefined : video          // `&jpeg` behind the token: pictures only as JPEGs
+  return { ...wireOf(ask), watch, stop, patient: false }
 }
 
 // In a notebook: Pictures travel beside a message, as they are. The kernel may be busy, and a press is done when the
