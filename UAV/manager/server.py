@@ -91,14 +91,11 @@ class _Messages:
         self.held = {}          # `{(row, hold): release}` of the viewer's holds
         self.place,self.watched = None,{}       # of a page: its address, and ours; `{row: (preview, viewer)}`
 
-    async def poll(self, seen:str='', after:dict|None=None, watched:list|None=None):
-        "Wait for an update, see `Gui.poll`, with the newest sight of each row that is `watched` as a video"
+    async def poll(self, seen:str='', after:dict|None=None):
+        "Wait for an update, see `Gui.poll`"
         new = await self.gui.poll(seen, after)
         pictures = [[id, number, *_about(self.gui.rows.get(id), number)] for id,number,_ in new.pictures]
-        answer = dict(tag=new.tag, status=new.status, pictures=pictures)
-        rows = [self.gui.rows[id] for id in watched or () if id in self.gui.rows]
-        if rows: answer['sights'] = {row.id: row.sight(row.preview.newest.number) for row in rows if row.preview}
-        return answer,[jpeg for *_,jpeg in new.pictures]
+        return dict(tag=new.tag, status=new.status, pictures=pictures),[jpeg for *_,jpeg in new.pictures]
 
     async def act(self, do:str, of:str|None=None, args:dict|None=None):
         "Press a button, see `Gui.do`"

@@ -28,7 +28,7 @@ test("A refused press tells the reason", async () => {
 })
 
 test("A panel that was started anew forgets the old pictures", async () => {
-  const told = [], cards = { forget: () => told.push('forget'), see: () => {}, take: async pictures => { told.push(pictures) } }
+  const told = [], cards = { forget: () => told.push('forget'), take: async pictures => { told.push(pictures) } }
   const panel = { tag: '', unlinked: why => told.push(why) }, take = takeOf(panel, [{ update: status => told.push(status.title) }], cards)
   await take({ tag: 'a-1', status: { title: 'Survey', closed: false }, pictures: 1 })
   await take({ tag: 'a-2', status: null, pictures: 2 })

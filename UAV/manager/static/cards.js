@@ -261,10 +261,8 @@ export function picturesOf(cards, pictures) {
   const still = () => pictures().filter(([, { picture }]) => !picture.live.on())
   const after = () => Object.fromEntries(still().map(([id, { picture }]) => [id, picture.number()]))
   const take = shown => Promise.all(Object.entries(shown).map(([id, one]) => cards.get(id)?.picture?.take(one)))
-  const watched = () => pictures().filter(([, { picture }]) => picture.live.on()).map(([id]) => id)
-  const see = sights => { for (const [id, sight] of Object.entries(sights)) cards.get(id)?.picture?.see(sight) }
   const forget = () => { for (const { picture } of cards.values()) picture?.forget() }
-  return { after, take, forget, watched, see }
+  return { after, take, forget }
 }
 
 // Nothing there yet: which links the panel listens on, what came there, and how to start a simulated camera.

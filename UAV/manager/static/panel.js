@@ -120,14 +120,13 @@ function linkedOf(element, top, all, patient) {
 }
 
 function takeOf(panel, parts, cards) {
-  return async ({ tag, status, pictures, sights = {} }) => {
+  return async ({ tag, status, pictures }) => {
     if (panel.closed) return
     if (tag.split('-')[0] !== panel.tag.split('-')[0]) cards.forget()
     panel.tag = tag
     if (status) for (const part of parts) part.update(status)
     if (status) panel.ended = status.closed
     panel.unlinked(panel.ended ? 'the panel has ended' : '')
-    cards.see(sights)
     await cards.take(pictures)
   }
 }
@@ -190,10 +189,7 @@ function panelOf(element, wire) {
   const linked = linkedOf(element, top, all, wire.patient)
   panel.choose = cards.choose
   panel.unlinked = why => linked(why, why && panel.letGo())
-  panel.wanted = () => {
-    const watched = cards.watched()
-    return { seen: panel.tag, after: cards.after(), ...(watched.length ? { watched } : {}) }
-  }
+  panel.wanted = () => ({ seen: panel.tag, after: cards.after() })
   panel.take = takeOf(panel, [top, cards, list], cards)
   cards.node.addEventListener('click', ({ target }) => { if (target.closest('[data-open]')) log.close() })
   const pads = { main: () => cards.hands() ?? null, swap: cards.next, tell: top.tell }

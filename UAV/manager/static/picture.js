@@ -155,5 +155,5 @@ export function pictureView(row, ...upon) {
     say(busy, doing(status))
     say(count, taken(status))
   }
-  return { node, update, live, take, see: place.take, forget: shown.forget, number: shown.number }
+  return { node, update, live, take, forget: shown.forget, number: shown.number }
 }

@@ -39,11 +39,10 @@ export function wireOf(ask, slow = 12 * PATIENCE) {
   const jpeg = bytes => new Blob([bytes], { type: 'image/jpeg' })
   const image = async (kind, more) => URL.createObjectURL(jpeg((await ask(kind, more, slow)).buffers[0]))
   async function poll(what) {
-    const { message, buffers } = await ask('poll', what, 2 * PATIENCE), now = Date.now()
-    const { tag, status, pictures, sights } = message
+    const { message: { tag, status, pictures }, buffers } = await ask('poll', what, 2 * PATIENCE), now = Date.now()
     const shown = pictures.map(([id, number, age, sight], i) =>
       [id, { number, blob: jpeg(buffers[i]), time: age == null ? null : now - 1000 * age, sight }])
-    return { tag, status, pictures: Object.fromEntries(shown), sights }
+    return { tag, status, pictures: Object.fromEntries(shown) }
   }
   async function act(what) {
     const { message: { ok, text } } = await ask('act', what, slow)
