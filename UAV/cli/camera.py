@@ -611,7 +611,7 @@ async def _source(visit, sources:list[_source_word]): # Sensor to show, and one 
 def _rounded(value:float, digits:int)->float|None: return round(value, digits) if known(value) else None
 
 def _sight(frame)->Result:
-    "Describe what a camera knew of a frame: degrees, m, s"
+    "Return the metadata of a frame as text: degrees, m, s"
     m,pose,(width,height) = frame.metadata,frame.pose,frame.size
     if m is None: return Result(f'picture {frame.number}: nothing is known of it', picture=frame.number)
     center = frame.where((width-1)/2, (height-1)/2)
@@ -658,7 +658,7 @@ async def _video(visit, source:list[str], # A file or URL to watch, without a ca
                  klv:bool=False, # A line for each picture: time, place, height, attitude, centre
                  name:str='', # Name of the stream; default: the first
                  pictures:_pictures=0): # How many; 0: all, until Ctrl-C
-    "Watch a video: how many pictures come, or what the camera knew of each"
+    "Watch a video: how many pictures come, or a line of metadata for each"
     if len(source)>1: raise ValueError('video takes one file or URL')
     from UAV.video.player import Player
     if source: player,tell = Player(source[0], newest=False),visit.show

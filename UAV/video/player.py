@@ -124,7 +124,7 @@ def _play(self:Player):
 
 @patch
 def _known_of(self:Player, frame)->FrameMetadata|None:
-    "Return what `metadata_of` knows of a frame; it isn't called again when it has raised"
+    "Return what `metadata_of` returns for a frame; it isn't called again when it has raised"
     try: return self.metadata_of(frame)
     except Exception as e:
         self.log.warning('%s: no metadata: %r', _url_name(self.url), e, exc_info=e)
@@ -172,8 +172,8 @@ class Decoded:
     def __init__(self, decoded, # `av.VideoFrame`
                  number:int, # Counts the pictures of a player
                  time:float, # When it came, by the sender's time stamp, monotonic s; in a file, when it is due
-                 time_utc:float, # When it was taken, if the sender says so (KLV, RTCP), else when it came; s since 1970
-                 metadata:FrameMetadata|None=None): # What the camera knew then
+                 time_utc:float, # When it was taken, if the sender sends that (KLV, RTCP), else when it came; s since 1970
+                 metadata:FrameMetadata|None=None): # Of its camera
         store_attr()
         self._turns = _frame_turns(decoded)
         size = decoded.width,decoded.height
