@@ -328,7 +328,10 @@ def _no_source(text:str)->str|None:
 def _shared(key:str, cameras:dict, vehicle):
     "Yield mistakes: values that only one camera may have"
     taken = {}
-    if key=='port' and (rtsp := getattr(vehicle, 'rtsp', -1))>0: taken['tcp',rtsp] = 'RTSP'
+    for server in ('rtsp','webrtc') if key=='port' else ():
+        port = getattr(vehicle, server, None) or 0
+        if ('tcp',port) in taken: yield f'port {port} is that of {taken["tcp",port]}, too',server
+        elif port>0: taken['tcp',port] = server
     for name,camera in cameras.items():
         for value,shown,*last in _unique[key](name, camera):
             if value in taken: yield f'{shown} is that of {taken[value]}, too','cameras',name,*last

@@ -304,6 +304,12 @@ class _LivePictures(GetAttr):
                     vain = float('inf')
                     self.receiver.on_fault(f'no picture can be decoded for {patience:g} s')
 
+# %% ../../nbs/api/video/08_player.ipynb #7d3a2c20
+def _ticks(one)->int|None:
+    "Return the time stamp of a packet or picture of PyAV in 1/90000 s"
+    return None if one.pts is None else round(one.pts*one.time_base*90_000)
+
+
 # %% ../../nbs/api/video/08_player.ipynb #30aaeb4c
 class _FilePictures:
     "The pictures of a file"
@@ -343,11 +349,6 @@ class _FilePictures:
             elif packet.size: track.put(bytes(packet), _ticks(packet))
             while len(waits)>ahead: yield (picture := waits.popleft()),*track.of(_ticks(picture))
         for picture in waits: yield picture,*track.of(_ticks(picture))
-
-def _ticks(one)->int|None:
-    "Return the time stamp of a packet or picture of PyAV in 1/90000 s"
-    return None if one.pts is None else round(one.pts*one.time_base*90_000)
-
 
 # %% ../../nbs/api/video/08_player.ipynb #29b1fd7b
 def strip(player, # `Player`
