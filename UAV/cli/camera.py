@@ -483,7 +483,8 @@ async def _gpx(visit, places:list[str], # Local folders with recordings and pict
     about = dict(verb='gpx', points=text.count('<trkpt'), pictures=text.count('<wpt'))
     if to is None: return visit.show(Result(text.rstrip(), gpx=text, **about))
     with open(to, 'x', encoding='utf-8') as f: f.write(text)
-    visit.show(Result(f'{to}: {about["points"]} points, {about["pictures"]} pictures', saved=to, **about))
+    found = ', '.join(f'{about[what]} {what[:-1] if about[what]==1 else what}' for what in ('points','pictures'))
+    visit.show(Result(f'{to}: {found}', saved=to, **about))
 
 # %% ../../nbs/api/cli/03_camera.ipynb #5d502622
 def _setting(table, name:str, width:int=0)->Result:

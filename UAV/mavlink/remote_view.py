@@ -64,13 +64,13 @@ class View:
         store_attr('part,camera,gimbal')
         self.fov = hfov or NAN,NAN
         self._places,self._looks,self._vehicle,self._clocks = _PositionTrail(),_AttitudeTrail(),_AttitudeTrail(),{}
+        self._has_place = self._has_look = False        # did its last CAMERA_FOV_STATUS have them?
         self._ground = NAN                      # height of the ground or home above mean sea level, m
         self._said,self._asked,self._used,self._tries = -math.inf,-math.inf,-math.inf,0    # when; monotonic s
 
     def _made(self, msg, now:float)->float:
         "Return when a message was made, monotonic s"
         return self._clocks.setdefault(address(msg), SenderClock()).ours(msg.time_boot_ms/1e3, now)
-
 
 # %% ../../nbs/api/mavlink/10_remote_view.ipynb #3f9a1012
 def _from_fov(view:View, msg, t:float):
@@ -79,8 +79,9 @@ def _from_fov(view:View, msg, t:float):
     view._said,view._tries,view.fov = clock.monotonic(),0,(seen.hfov,seen.vfov)
     if math.isfinite(seen.center[2]): view._ground = seen.center[2]
     place = replace(seen.pose, relative_alt=seen.pose.alt-view._ground)
-    if known(place.lat): view._places.add(t, (place, _velocity(view._places, t, place)))
-    if place.is_held: view._looks.add(t, place.q)
+    view._has_place,view._has_look = known(place.lat),place.is_held
+    if view._has_place: view._places.add(t, (place, _velocity(view._places, t, place)))
+    if view._has_look: view._looks.add(t, place.q)
 
 def _velocity(places, t:float, place:Pose)->tuple:
     "Return north, east and down from the last report to a place, m/s; NaN if there's none"
@@ -97,9 +98,8 @@ def _from_position(view:View, msg, t:float):
     fields = _readers[POSITION](msg)
     if not fields: return
     velocity = fields.pop('velocity')
-    if not view.speaks: view._ground = fields['alt']-fields['relative_alt']
-    elif not known(view._ground): view._ground = fields['alt']-fields['relative_alt']
-    if not view.speaks: view._places.add(t, (Pose(**fields), velocity))
+    if not view.speaks or not known(view._ground): view._ground = fields['alt']-fields['relative_alt']
+    if not (view.speaks and view._has_place): view._places.add(t, (Pose(**fields), velocity))
 
 def _from_attitude(view:View, msg, t:float):
     "Store an ATTITUDE"
@@ -108,13 +108,13 @@ def _from_attitude(view:View, msg, t:float):
 
 def _from_gimbal(view:View, msg, t:float):
     "Store a GIMBAL_DEVICE_ATTITUDE_STATUS of the camera's gimbal"
-    if view.speaks or not view.gimbal or (msg.gimbal_device_id or address(msg)[1])!=view.gimbal: return
+    if view.speaks and view._has_look: return
+    if not view.gimbal or (msg.gimbal_device_id or address(msg)[1])!=view.gimbal: return
     vehicle = view._vehicle.at(t)
     q = attitude_of(msg, NAN if vehicle is None else euler(vehicle)[2]).earth_q
     if all(map(known, q)): view._looks.add(t, q)
 
 _takers = {CAMERA_FOV_STATUS:_from_fov, POSITION:_from_position, ATTITUDE:_from_attitude, GIMBAL_STATUS:_from_gimbal}
-
 
 # %% ../../nbs/api/mavlink/10_remote_view.ipynb #3f9a1014
 @patch(as_prop=True)

@@ -177,10 +177,11 @@ def _wanted(self:Encoder, image)->VideoFormat:
 
 # %% ../../nbs/api/video/01_encoder.ipynb #5d0e33a2
 @patch
-def _metadata(self:Encoder, frame, time_utc:float, came=None):
+def _metadata(self:Encoder, frame, time_utc:float, came=None, key:bool=True):
     "Return the `FrameMetadata` of a frame, or `None`; what `came` with it from elsewhere, unless only we have a place"
     came = came or getattr(frame, 'metadata', None)
     if self.metadata_of is None or came and known(came.lat): return came
+    if not key and not any(getattr(sink, 'wants_metadata', True) for sink in self.sinks): return came
     try:
         metadata = self.metadata_of(frame, time_utc)
         if metadata is not None: memoryview(metadata.data)      # made here, where an error costs no viewer
@@ -194,7 +195,6 @@ def _metadata(self:Encoder, frame, time_utc:float, came=None):
 @patch
 def _encode(self:Encoder, frame, time:float)->list:
     "Return the access units of this frame"
-    metadata = self._metadata(frame, frame.time_utc)
     with self._changed:
         key,self._key_wanted = self._key_wanted,False
         shape,wanted = self._planned
@@ -204,12 +204,12 @@ def _encode(self:Encoder, frame, time:float)->list:
     if self._codec and (self._codec.wanted is wanted or self._codec.wanted==wanted):
         last = self._codec.key_time         # long enough ago?
         key = key or last is not None and time-last>self.key_interval-.5/wanted.rate
-        try: return self._codec.encode(frame, time, key, metadata)
+        try: return self._codec.encode(frame, time, key, self._metadata(frame, frame.time_utc, key=key))
         except av.FFmpegError as e:
             if not _is_hardware(self._codec.name): raise
             _log.warning('%s: %s failed, the processor goes on: %s', self.name, self._codec.name, e)
             self.hardware = False
-    self._codec,units = _open_codec(wanted, frame, time, self.hardware, metadata)
+    self._codec,units = _open_codec(wanted, frame, time, self.hardware, self._metadata(frame, frame.time_utc))
     return units
 
 # %% ../../nbs/api/video/01_encoder.ipynb #59f9a288
@@ -384,5 +384,5 @@ def push(self:PassThrough, data:bytes, # An access unit, as a byte stream
     elif made is None: return
     self._number,self._came = self._number+1,now
     decode,taken_utc = self._decode_times(taken),clock.time()-now+taken
-    metadata = self._metadata(None, taken_utc, metadata)
+    metadata = self._metadata(None, taken_utc, metadata, key)
     self._deliver(AccessUnit(data, key, taken, taken_utc, self._number, made, decode, metadata))

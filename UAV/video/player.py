@@ -18,6 +18,7 @@ from ..utils.threads import _begin_thread, Closes, Opened
 from ..utils.pictures import contact_sheet, pixel_limit, Thumbnail, _frame_turns, _turned, NewestFrame
 from ..utils.sockets import host_in, plain_host
 from ..utils.pose import Place, Pose
+from ..utils.values import known
 from .klv import FrameMetadata, MetadataTrack
 from UAV.video.receivers import (_find, _listen_pair, _read_sdp, Receiver, RTPMetadata, RTPReader, RTPReceiver, _Stopped,
     TSReceiver)
@@ -31,7 +32,7 @@ class Player(Closes):
     "Watch a live stream, or a file"
     first_retry,longest_back_off = .25,5.                 # s between attempts to come back, doubled each time
     _most = 30                                      # pictures that wait to be read when each is wanted
-    metadata_of = None          # function of a frame that came without `FrameMetadata`, to one; `close` ends it
+    metadata_of = None          # function of a frame that came without a place, to its `FrameMetadata`; `close` ends it
     def __init__(self,
         url, # As `_open_pictures` takes it
         timeout:float=5., # s without a packet after which the stream counts as lost
@@ -117,19 +118,21 @@ def _play(self:Player):
     with closing(self._source.pictures()) as pictures:
         for picture,*known in pictures:
             frame = Decoded(picture, self._pictures.number+1, *known)
-            if frame.metadata is None and self.metadata_of: frame.metadata = self._known_of(frame)
+            if self.metadata_of: frame.metadata = self._known_of(frame)
             if not self._pictures.put(frame): raise _Stopped
             if self.fault: self.log.info('%s is back', _url_name(self.url))
             self.connected,self.fault = True,None
 
 @patch
 def _known_of(self:Player, frame)->FrameMetadata|None:
-    "Return what `metadata_of` returns for a frame; it isn't called again when it has raised"
-    try: return self.metadata_of(frame)
+    "Return what came with a frame, or what `metadata_of` returns if only that has a place; not called again once it raised"
+    came = frame.metadata
+    if came and known(came.lat): return came
+    try: found = self.metadata_of(frame)
     except Exception as e:
         self.log.warning('%s: no metadata: %r', _url_name(self.url), e, exc_info=e)
-        self.metadata_of = None
-
+        self.metadata_of = found = None
+    return found if came is None or found and known(found.lat) else came
 
 # %% ../../nbs/api/video/08_player.ipynb #d29c3aa5
 @patch

@@ -212,7 +212,7 @@ def _sdp(format:VideoFormat, host:str='0.0.0.0', port:int=0, name:str='video', c
 # %% ../../nbs/api/video/04_rtsp.ipynb #3648ccdd
 class RTPSender(UDPSink):
     "Sends RTP over UDP to one address or multicast group, and RTCP reports to the port after it"
-    kind = 'rtp'
+    kind,wants_metadata = 'rtp',False
     @delegates(UDPSink.__init__)
     def __init__(self, host:str, port:int, **kwargs): # As for `UDPSink`
         super().__init__(host, port, **kwargs)

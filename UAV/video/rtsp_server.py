@@ -216,6 +216,7 @@ def _read_report(self:RTSPServer, events:int):
 class _Viewer(Sink):
     "Gives one player its tracks; a subclass has `deliver(pair, packets, report)`"
     taken = 0.          # when the player had taken all, monotonic s; by UDP that is not known
+    wants_metadata = property(lambda self: 'track2' in self.ways, doc="Did the player set it up?")
     def __init__(self, ways:dict, name:str, on_end=lambda: None):
         super().__init__(name)
         self.ways,self.end = ways,on_end        # `ways`: by track, in order: its stream, and two addresses or channels

@@ -85,8 +85,8 @@ def _date(time_utc:float)->str:
 def text(self:Cue)->str:
     "The cue as SubRip text, as newer DJI drones write it; what is unknown is left out"
     p = self.pose
-    values = dict(iso=self.iso, shutter=1/self.exposure, fnum=self.f_number, focal_len=self.focal_length,
-        latitude=p.lat, longitude=p.lon, rel_alt=p.relative_alt, abs_alt=p.alt,
+    values = dict(iso=self.iso, shutter=1/self.exposure if self.exposure else NAN, fnum=self.f_number,
+        focal_len=self.focal_length, latitude=p.lat, longitude=p.lon, rel_alt=p.relative_alt, abs_alt=p.alt,
         gb_yaw=p.yaw, gb_pitch=p.pitch, gb_roll=p.roll)
     shown = ' '.join(filter(None, (_group(names, values) for names in _groups)))
     lines = (f'FrameCnt: {self.number}, DiffTime: {round(1000*(self.end-self.start))}ms', _date(self.time_utc), shown)
@@ -109,11 +109,13 @@ def _read_cue(text:str)->Cue|None:
     if not (times := _times.search(text)): return
     numbers = list(map(int, times.groups()))
     start,end = (3600*h+60*m+s+ms/1000 for h,m,s,ms in (numbers[:4], numbers[4:]))
-    count,found = re.search(r'FrameCnt ?: ?(\d{1,9})', text),dict(_field.findall(text))
+    count,found = re.search(r'(?:FrameCnt|SrtCnt) ?: ?(\d{1,9})', text),dict(_field.findall(text))
     def of(name, low=-1e5, high=1e5, without_point=1):
         value = float(found.get(name, NAN))/(1 if '.' in found.get(name, '.') else without_point)
         return value if low<=value<=high else NAN
-    pose = Pose(of('latitude', -90, 90), of('longitude', -180, 180), of('abs_alt'), of('rel_alt'),
+    place = of('latitude', -90, 90),of('longitude', -180, 180)
+    if place==(0,0): place = NAN,NAN            # DJI's without a fix
+    pose = Pose(*place, of('abs_alt'), of('rel_alt'),
                 of('gb_roll'), of('gb_pitch'), of('gb_yaw'))
     shutter = of('shutter', 1e-4, 1e7)
     return Cue(start, end, int(count[1]) if count else 1, _read_date(text), pose, 1/shutter, of('iso', 1, 1e7),

@@ -144,6 +144,7 @@ class Sink(Closes):
     "Takes access units, on a thread of its own; a subclass has `send(unit)`, and `end()` if it likes"
     most = 30           # units that may wait; more are too late
     patience = 5.       # s of units without a key frame to begin with that are a fault
+    wants_metadata = True       # with each unit, and not with key frames alone?
     def __init__(self, name:str='sink'): # For its thread and its log lines
         self.name,self.source = name,None           # `source`: the encoder, which is asked for a key frame
         self.dropped,self.fault = 0,None            # units that came too late; why it ended, or what it waits for

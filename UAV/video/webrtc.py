@@ -88,6 +88,7 @@ def _own_addresses(reached:str|None)->list:
 class WebRTCViewer(Sink):
     "Somebody who watches by WebRTC; made by `WebRTCViewers.answer`"
     most,slack,least = 8,.75,.5     # units that wait; s that we may be ahead of the link; s between two key frames
+    wants_metadata = False
     lossy,late = .15,.6             # of the packets, and s of delay: more is too much for the link
     def __init__(self, viewers, host:str, leave):
         super().__init__(f'webrtc {host}')
