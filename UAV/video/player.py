@@ -125,7 +125,7 @@ def _play(self:Player):
 
 @patch
 def _known_of(self:Player, frame)->FrameMetadata|None:
-    "Return what came with a frame, or what `metadata_of` returns if only that has a place; not called again once it raised"
+    "Return what came with a frame, or what `metadata_of` returns, if only that has a place; once it raises, never again"
     came = frame.metadata
     if came and known(came.lat): return came
     try: found = self.metadata_of(frame)
