@@ -237,6 +237,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                                       'UAV/cameras/cv2_camera.py'),
                                         'UAV.cameras.cv2_camera.CV2Camera._silence': ( 'api/cameras/cv2_camera.html#cv2camera._silence',
                                                                                        'UAV/cameras/cv2_camera.py'),
+                                        'UAV.cameras.cv2_camera.CV2Camera._timed_out': ( 'api/cameras/cv2_camera.html#cv2camera._timed_out',
+                                                                                         'UAV/cameras/cv2_camera.py'),
                                         'UAV.cameras.cv2_camera.CV2Camera.apply_parameter': ( 'api/cameras/cv2_camera.html#cv2camera.apply_parameter',
                                                                                               'UAV/cameras/cv2_camera.py'),
                                         'UAV.cameras.cv2_camera.CV2Camera.close': ( 'api/cameras/cv2_camera.html#cv2camera.close',
