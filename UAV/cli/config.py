@@ -5,7 +5,6 @@
 # %% ../../nbs/api/cli/02_config.ipynb #c0f10006
 from __future__ import annotations
 from difflib import get_close_matches
-from pathlib import Path
 from types import SimpleNamespace
 from typing import get_args
 import json, os, re

@@ -178,7 +178,8 @@ def _mistakes(found:Configuration):
                   rtsp_user=lambda: _viewer(v.rtsp_user, v.rtsp_password_file))
     for key,trial in trials.items():
         try: trial()
-        except (ValueError, OSError, LinkError) as e: yield re.sub('--([a-z-]+)', lambda m: m[1].replace('-', '_'), sentence(e)),key
+        except (ValueError, OSError, LinkError) as e:
+            yield re.sub('--([a-z-]+)', lambda m: m[1].replace('-', '_'), sentence(e)),key
     if v.rtsp_user and v.rtsp<0: yield 'rtsp_user needs an RTSP server, and rtsp = -1 has none','rtsp_user'
     if v.path and not (v.autopilot or sims): yield 'path needs a gimbal with device = "sim", or autopilot','path'
     for name,one in found.cameras.items():
