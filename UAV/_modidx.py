@@ -3695,6 +3695,8 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                                                             'UAV/manager/server.py'),
                                     'UAV.manager.server._Messages.poll': ( 'api/manager/server.html#_messages.poll',
                                                                            'UAV/manager/server.py'),
+                                    'UAV.manager.server._Messages.sight': ( 'api/manager/server.html#_messages.sight',
+                                                                            'UAV/manager/server.py'),
                                     'UAV.manager.server._Messages.thumbnail': ( 'api/manager/server.html#_messages.thumbnail',
                                                                                 'UAV/manager/server.py'),
                                     'UAV.manager.server._Messages.ticket': ( 'api/manager/server.html#_messages.ticket',

@@ -137,7 +137,7 @@ def flight_gpx(*places, # Folders of a storage, or fetched ones; or files: `.srt
 
 # %% ../../nbs/api/cameras/19_gpx.ipynb #69b00014
 def _files_in(folder:Path)->list:
-    "Return the files of a folder that say where it was: the log or else the JPEGs, and each film once"
+    "Return the files of a folder that have places: the log or else the JPEGs, and each film once"
     log,names = folder/'pictures.jsonl',sorted(folder.iterdir())
     stems = {file.stem for file in names if file.suffix.lower()=='.srt'}
     films = [file for file in names if (end := file.suffix.lower())=='.srt' or end=='.ts' and file.stem not in stems]

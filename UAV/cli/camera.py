@@ -611,21 +611,23 @@ async def _source(visit, sources:list[_source_word]): # Sensor to show, and one 
 def _rounded(value:float, digits:int)->float|None: return round(value, digits) if known(value) else None
 
 def _sight(frame)->Result:
-    "Describe what a camera knew of a frame: degrees, m, s"
+    "Return the metadata of a frame as text: degrees, m, s"
     m,pose,(width,height) = frame.metadata,frame.pose,frame.size
     if m is None: return Result(f'picture {frame.number}: nothing is known of it', picture=frame.number)
     center = frame.where((width-1)/2, (height-1)/2)
     degrees = {name:_rounded(getattr(pose, name), 2) for name in ('roll','pitch','yaw')}
     spot = dict(lat=_rounded(pose.lat, 7), lon=_rounded(pose.lon, 7), alt=_rounded(pose.alt, 2))
     height = _rounded(pose.relative_alt, 2)
-    there = {f'center_{name}':_rounded(getattr(center, name), 7) if center else None for name in ('lat','lon')}
+    there = dict(lat=_rounded(center.lat, 7), lon=_rounded(center.lon, 7)) if center else None
     words = [datetime.fromtimestamp(frame.time_utc, timezone.utc).isoformat(timespec='milliseconds')[:23]+'Z']
     if known(spot['lat']): words += [f'{pose.lat:.6f} {pose.lon:.6f}']
-    if known(spot['alt']): words += [f'{pose.alt:.1f} m'+(f' ({height:.1f} m above the ground)' if known(height) else '')]
+    if known(spot['alt']): words += [f'{pose.alt:.1f} m']
+    if known(height): words += [f'{height:.1f} m above the ground']
     if pose.is_held: words += [f'roll {pose.roll:.1f} pitch {pose.pitch:.1f} yaw {pose.yaw%360:.1f}']
     if center: words += [f'sees {center}']
-    return Result(', '.join(words), picture=frame.number, time_utc=round(frame.time_utc, 6), **spot, height=height, **degrees,
-        hfov=_rounded(m.hfov, 2), vfov=_rounded(m.vfov, 2), **there, error=center and _rounded(center.error, 2))
+    fov = dict(hfov=_rounded(m.hfov, 2), vfov=_rounded(m.vfov, 2))
+    return Result(', '.join(words), picture=frame.number, time_utc=round(frame.time_utc, 6), **spot, height=height,
+                  **degrees, **fov, center=there, error=center and _rounded(center.error, 2))
 
 
 # %% ../../nbs/api/cli/03_camera.ipynb #4c0d1e04
@@ -650,12 +652,13 @@ async def _picture_of(player, patience:float):
 
 
 # %% ../../nbs/api/cli/03_camera.ipynb #4c0d1e03
-@_verb('video --klv', 'video', 'video --klv --json', 'video flight.ts --klv', offline=lambda source, **others: bool(source))
+@_verb('video --klv', 'video', 'video --klv --json', 'video flight.ts --klv',
+       offline=lambda source, **others: bool(source))
 async def _video(visit, source:list[str], # A file or URL to watch, without a camera
                  klv:bool=False, # A line for each picture: time, place, height, attitude, centre
                  name:str='', # Name of the stream; default: the first
                  pictures:_pictures=0): # How many; 0: all, until Ctrl-C
-    "Watch a video: how many pictures come, or what the camera knew of each"
+    "Watch a video: how many pictures come, or a line of metadata for each"
     if len(source)>1: raise ValueError('video takes one file or URL')
     from UAV.video.player import Player
     if source: player,tell = Player(source[0], newest=False),visit.show

@@ -347,7 +347,7 @@ def _no_source(text:str)->str|None:
 def _shared(key:str, found:Configuration):
     "Yield mistakes: values that only one camera, gimbal or server may have"
     rows,taken = [],{}          # what has it, the value as text, the path of its key
-    if key=='port': rows += [(kind.upper(), one, kind) for kind in ('rtsp','webrtc') for one in _port_of(found, kind)]
+    if key=='port': rows += [(kind, one, kind) for kind in ('rtsp','webrtc') for one in _port_of(found, kind)]
     if key=='source': rows += [(f'[gimbals.{name}]', one, 'gimbals', name, 'device')
                                for name,gimbal in found.gimbals.items() for one in _device_of(gimbal)]
     rows += [(f'[cameras.{name}]', one[:2], 'cameras', name, *one[2:])

@@ -434,7 +434,8 @@ def _open_camera(self:Payload, one, stack:ExitStack, name:str)->tuple:
     if number: camera.gimbal_device_id = number
     bitrate = None if one.bitrate is None else int(one.bitrate*1e6)
     wanted = [] if _on_card(camera) else _wanted_streams(one)
-    add_streams(camera, wanted, self.rtsp, self.whep, name, codec=one.codec, size=one.size, rate=one.rate, bitrate=bitrate)
+    how = dict(codec=one.codec, size=one.size, rate=one.rate, bitrate=bitrate)
+    add_streams(camera, wanted, self.rtsp, self.whep, name, **how)
     return camera,own
 
 # %% ../../nbs/api/cli/02_payload.ipynb #c0e00506

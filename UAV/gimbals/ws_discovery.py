@@ -43,7 +43,7 @@ class ProbeMatch:
     name:str=''
     hardware:str=''
     location:str=''
-    ptz:bool=False # True if its scopes say that it turns
+    ptz:bool=False # True if PTZ is among its scopes
     secure:bool=False # Does it name https addresses only?
     endpoint:str='' # What it calls itself, the same on all its addresses
 

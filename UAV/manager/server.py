@@ -83,7 +83,8 @@ _releases = dict(hold='release', zoom_hold='zoom_release')      # the release of
 
 class _Messages:
     "Answers to one viewer, on the panel's loop: each a dict and a list of pictures"
-    kinds,most = ('poll','act','thumbnail','map','tiles','tile','files','photo','ticket','watch'),64     # requests; holds
+    kinds = 'poll','act','thumbnail','map','tiles','tile','files','photo','ticket','watch','sight'      # of requests
+    most = 64               # holds kept
     def __init__(self, gui, # The panel
                  give=None): # Called with camera, path, play; returns an address. `None`: no downloads
         store_attr()
@@ -143,6 +144,12 @@ async def watch(self:_Messages, of:str, offer:str):
     except Refused as e: raise ValueError(e.text) from None
     self.watched[of] = preview,viewer
     return dict(answer=answer),[]
+
+@patch
+async def sight(self:_Messages, of:str, age:float):
+    "Return the numbers of the picture that came `age` s ago, see `CameraRow.sight`"
+    row = self._camera_of(of, '')
+    return dict(sight=row.sight(_by_age(row, age)['number'])),[]
 
 # %% ../../nbs/api/manager/09_server.ipynb #c398a948
 @patch

@@ -59,7 +59,7 @@ class View:
     tries,pause = 3,5.          # requests without an answer, and s between two
     def __init__(self, part, # The `RemoteViews` of our component
                  camera:tuple, # `(system, component)`
-                 hfov:float=NAN, # Of the stream, degrees, for a camera that doesn't say its own
+                 hfov:float=NAN, # Of the stream, degrees, for a camera that doesn't send its own
                  gimbal:int=0): # Device id of the camera's gimbal; 0: unknown
         store_attr('part,camera,gimbal')
         self.fov = hfov or NAN,NAN
@@ -93,7 +93,7 @@ def _velocity(places, t:float, place:Pose)->tuple:
 
 # %% ../../nbs/api/mavlink/10_remote_view.ipynb #3f9a1013
 def _from_position(view:View, msg, t:float):
-    "Store a GLOBAL_POSITION_INT: the ground, and the place if the camera doesn't say its own"
+    "Store a GLOBAL_POSITION_INT: the ground, and the place if the camera doesn't send its own"
     fields = _readers[POSITION](msg)
     if not fields: return
     velocity = fields.pop('velocity')
@@ -223,7 +223,7 @@ class RemoteViews(Part):
     @receives(ATTITUDE, when=lambda us: us.views)
     @receives(GIMBAL_STATUS, when=lambda us: us.views)
     def _receive_view(self, msg):
-        "Handle what a camera or its vehicle says"
+        "Handle a message of a camera or its vehicle"
         for view in list(self.views):
             try: view.take(msg)
             except ValueError as e: self.component.log.debug('%s: %s', msg.get_type(), e)

@@ -79,8 +79,9 @@ class _Search:
         "Wait for its end for so long; return what it has found until then"
         ended = _has_ended(self.thread, seconds)
         self.over = True
-        late = () if ended else (f'has not ended after {self.seconds+_slack:g} s, and was left behind: does a device hang?',)
-        return SearchResult(self.name, tuple(self.found), (*self.remarks, *late))
+        remarks = list(self.remarks)
+        if not ended: remarks.append(f'has not ended after {self.seconds+_slack:g} s, and was left behind: does a device hang?')
+        return SearchResult(self.name, tuple(self.found), tuple(remarks))
 
 # %% ../../nbs/api/utils/08_discover.ipynb #0d150012
 @dataclass(frozen=True)

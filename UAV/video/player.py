@@ -124,7 +124,7 @@ def _play(self:Player):
 
 @patch
 def _known_of(self:Player, frame)->FrameMetadata|None:
-    "Return what `metadata_of` knows of a frame; it isn't called again when it has raised"
+    "Return what `metadata_of` returns for a frame; it isn't called again when it has raised"
     try: return self.metadata_of(frame)
     except Exception as e:
         self.log.warning('%s: no metadata: %r', _url_name(self.url), e, exc_info=e)
@@ -172,8 +172,8 @@ class Decoded:
     def __init__(self, decoded, # `av.VideoFrame`
                  number:int, # Counts the pictures of a player
                  time:float, # When it came, by the sender's time stamp, monotonic s; in a file, when it is due
-                 time_utc:float, # When it was taken, if the sender says so (KLV, RTCP), else when it came; s since 1970
-                 metadata:FrameMetadata|None=None): # What the camera knew then
+                 time_utc:float, # When it was taken, if the sender sends that (KLV, RTCP), else when it came; s since 1970
+                 metadata:FrameMetadata|None=None): # Of its camera
         store_attr()
         self._turns = _frame_turns(decoded)
         size = decoded.width,decoded.height
@@ -300,6 +300,12 @@ class _LivePictures(GetAttr):
                     vain = float('inf')
                     self.receiver.on_fault(f'no picture can be decoded for {patience:g} s')
 
+# %% ../../nbs/api/video/08_player.ipynb #7d3a2c20
+def _ticks(one)->int|None:
+    "Return the time stamp of a packet or picture of PyAV in 1/90000 s"
+    return None if one.pts is None else round(one.pts*one.time_base*90_000)
+
+
 # %% ../../nbs/api/video/08_player.ipynb #30aaeb4c
 class _FilePictures:
     "The pictures of a file"
@@ -339,11 +345,6 @@ class _FilePictures:
             elif packet.size: track.put(bytes(packet), _ticks(packet))
             while len(waits)>ahead: yield (picture := waits.popleft()),*track.of(_ticks(picture))
         for picture in waits: yield picture,*track.of(_ticks(picture))
-
-def _ticks(one)->int|None:
-    "Return the time stamp of a packet or picture of PyAV in 1/90000 s"
-    return None if one.pts is None else round(one.pts*one.time_base*90_000)
-
 
 # %% ../../nbs/api/video/08_player.ipynb #29b1fd7b
 def strip(player, # `Player`

@@ -630,7 +630,8 @@ class _TSReader:
         self._rest,self._pes,self._size = b'',None,None         # bytes of a packet not yet complete; the picture so far
         self._counter,self._filled = None,False                 # of the packet before
         self.trust = True                                       # does a filled packet end a picture?
-        self.klv,self._klv,self._klv_counter,self._track = None,None,None,MetadataTrack()   # PID of the metadata; so far
+        self.klv,self._track = None,MetadataTrack()             # PID of the metadata, and what came
+        self._klv,self._klv_counter = None,None                 # the set so far, and of the packet before
 
     def __call__(self, data:bytes)->list:
         "Return the access units that these bytes complete"

@@ -395,7 +395,7 @@ def _parse_transport(header:str, # Of a SETUP
 # %% ../../nbs/api/video/04_rtsp.ipynb #970ced36
 class _Session:
     "One player's way from DESCRIBE, which calls `wake(path)` first, to PLAY; `state` is init, ready or playing"
-    tracks = 'track1','track2'          # the pictures, and what their camera knew
+    tracks = 'track1','track2'          # the pictures, and their metadata
     rtp = property(lambda self: self.streams['track1'], doc="The stream of pictures")
     tcp = property(lambda self: any(way.tcp for way in self.transports.values()), doc="Inside the connection?")
     def __init__(self, videos, digest:_Digest|None=None, ports:tuple=(0,0), timeout:float=60., wake=lambda path: None,

@@ -86,7 +86,8 @@ def text(self:Cue)->str:
     "The cue as SubRip text, as newer DJI drones write it; what is unknown is left out"
     p = self.pose
     values = dict(iso=self.iso, shutter=1/self.exposure, fnum=self.f_number, focal_len=self.focal_length,
-        latitude=p.lat, longitude=p.lon, rel_alt=p.relative_alt, abs_alt=p.alt, gb_yaw=p.yaw, gb_pitch=p.pitch, gb_roll=p.roll)
+        latitude=p.lat, longitude=p.lon, rel_alt=p.relative_alt, abs_alt=p.alt,
+        gb_yaw=p.yaw, gb_pitch=p.pitch, gb_roll=p.roll)
     shown = ' '.join(filter(None, (_group(names, values) for names in _groups)))
     lines = (f'FrameCnt: {self.number}, DiffTime: {round(1000*(self.end-self.start))}ms', _date(self.time_utc), shown)
     return f'{self.number}\n{_clock(self.start)} --> {_clock(self.end)}\n'+'\n'.join(filter(None, lines))+'\n\n'

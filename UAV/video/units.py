@@ -51,7 +51,7 @@ class AccessUnit:
     number:int=0 # Of the frame
     format:VideoFormat=VideoFormat() # How it is encoded
     decode_time:float|None=None # When to decode it, monotonic s, if that isn't `time`: streams with B-frames
-    metadata:object=None # What the camera knew then, a `FrameMetadata`
+    metadata:object=None # A `FrameMetadata`, of the camera at that time
     tags:dict|None=None # EXIF tags of the frame, for subtitles of recordings; not sent
 
     def __repr__(self): return f'{"key frame" if self.key else "picture"} {self.number}, {len(self.data)} bytes'

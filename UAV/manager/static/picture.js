@@ -124,7 +124,8 @@ export function wheelZoom(row, node) {
 }
 
 export function pictureView(row, ...upon) {
-  const shown = frame(row), mark = markView(row), place = placeView(row), live = liveVideo(row, shown)
+  const shown = frame(row), mark = markView(row), live = liveVideo(row, shown)
+  const place = placeView(row, () => live.on() ? live.age() : null)
   const [words, busy, count] = ['live', 'busy', 'count'].map(which => h('span', { class: 'pill ' + which }))
   const pills = h('div', { class: 'pills' }, words, busy, count, place.node)
   const parts = [shown.image, live.node, ...upon, mark.node, pills]
@@ -143,7 +144,8 @@ export function pictureView(row, ...upon) {
   })
   const which = () => live.on() ? { number: null, age: live.age() } : { number: shown.number() }
   async function take(picture) {
-    if (!live.on()) await shown.take(picture)
+    if (live.on()) return
+    await shown.take(picture)
     place.take(picture.sight)
   }
   function update(status) {

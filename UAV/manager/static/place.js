@@ -31,15 +31,32 @@ export function aboutPlace(place) {
 }
 
 // Below the pointer, and the place of the last click while no pointer is there. The map shows the latter, too.
-export function placeView(row) {
+//
+// A video by WebRTC has no numbers with its pictures. So while the pointer is over one, they are asked for a few times
+// a second, for the picture that is `age` seconds old; `age` is null where JPEGs are shown.
+export const SIGHT_EVERY = 300
+export function placeView(row, age = () => null) {
   const node = h('span', { class: 'pill where' })
-  let sight = null, over = null
+  let sight = null, over = null, timer = null, asking = false
   function update() {
     const here = over && aboutPlace(whereIs(sight, over.x, over.y))
     say(node, here ?? (row.spot ? 'Clicked ' + aboutPlace(row.spot) : ''))
   }
   const take = now => update(sight = now ?? null)
-  const hover = at => update(over = at)
+  async function ask() {
+    if (asking || age() == null || !row.wire.sight) return
+    asking = true
+    const now = await row.wire.sight(row.of, age()).catch(() => null)
+    asking = false
+    if (age() != null) take(now)
+  }
+  function hover(at) {
+    over = at
+    if (!at) clearInterval(timer)
+    if (!at) timer = null
+    else timer ??= setInterval(ask, SIGHT_EVERY, ask())
+    update()
+  }
   function click({ x, y }) {
     row.spot = whereIs(sight, x, y)
     update()

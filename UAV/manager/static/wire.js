@@ -59,6 +59,7 @@ export function wireOf(ask, slow = 12 * PATIENCE) {
     tiles: async () => (await ask('tiles', {}, 2 * PATIENCE)).message.tiles,
     tile: ({ z, x, y }) => image('tile', { z, x, y }),
     photo: (of, path) => image('photo', { of, path }),
+    sight: async (of, age) => (await ask('sight', { of, age }, PATIENCE)).message.sight,
     download: (of, path) => ticket(of, path, false), play: (of, path) => ticket(of, path, true),
   }
 }
