@@ -192,9 +192,10 @@ def _read_on(self:CV2Camera):
                 if self._closing.wait(max(0, due-clock.monotonic())): return
             try:
                 self.controls.serve(self._capture)
+                began = clock.monotonic()
                 if self._passes_over(): continue
-                ok,image = self._capture.read()
-                image = self._fit(image) if ok else self._reopen()
+                ok,image = (False,None) if self._timed_out(began) else self._capture.read()
+                image = self._fit(image) if ok and not self._timed_out(began) else self._reopen()
             except Exception as e:              # OpenCV may raise all kinds of them
                 self.set_fault(str(e) or type(e).__name__, e)
                 self._closing.wait(self.first_retry)
@@ -204,6 +205,12 @@ def _read_on(self:CV2Camera):
     finally:
         self.controls.leave(self._capture)
         self._capture.release()
+
+@patch
+def _timed_out(self:CV2Camera, since:float)->bool:
+    "True if FFmpeg gave up on a URL: what it returns then is an old frame from its decoder, and no sign of life"
+    limited = self.kind == 'url' and self.backend in (None, cv2.CAP_FFMPEG)
+    return limited and clock.monotonic()-since>=self.read_timeout
 
 @patch
 def _note_frame(self:CV2Camera)->int:
@@ -224,7 +231,8 @@ def _passes_over(self:CV2Camera)->bool:
     "Leave the next frame undecoded, as nobody has asked for one; false when it must be read"
     if self.lockstep or clock.monotonic()-self._last_request<=self._decode_for: return False
     self._newer_waits = True                            # than the newest that was decoded
-    if not self._capture.grab(): return False           # the source has ended: `read` finds out
+    began = clock.monotonic()
+    if not self._capture.grab() or self._timed_out(began): return False         # it has ended: the reader opens it again
     self._note_frame()
     if self.fault: self.set_fault(None)
     return True

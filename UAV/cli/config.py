@@ -5,7 +5,6 @@
 # %% ../../nbs/api/cli/02_config.ipynb #c0f10006
 from __future__ import annotations
 from difflib import get_close_matches
-from pathlib import Path
 from types import SimpleNamespace
 from typing import get_args
 import json, os, re
@@ -31,7 +30,7 @@ def _statements(rows:list):
         while found is None:
             text = '\n'.join(rows[start:end])+'\n'
             try: found = toml.loads(text)
-            except toml.TOMLDecodeError as e:
+            except (ValueError, RecursionError) as e:       # also a number of 5,000 digits
                 first = first or e
                 if 'end of document' in str(e) and end<len(rows): end += 1
                 else: found,end = first,start+1
@@ -41,16 +40,21 @@ def _statements(rows:list):
 # %% ../../nbs/api/cli/02_config.ipynb #c0f10014
 class Document:
     "A TOML document with the line of each key; `problems` are `(line, sentence)` of what can't be read"
-    most = 2000         # lines
+    most,longest = 2000,5000         # lines, and characters in each
     def __init__(self, text:str):
         self.values,self.lines,self.problems = {},{},[]     # `lines`: `{path of a key or table: its line}`
         rows,toml = text.replace('\r\n', '\n').split('\n'),_toml()
         if len(rows)>self.most:
             self.problems = [(self.most+1, f'a configuration has {self.most} lines at most')]
             return
-        self._read(rows)
-        try: self.values,self.problems = toml.loads(text),[]
-        except toml.TOMLDecodeError as e: self.problems = self.problems or [_placed(e, len(rows))]
+        self.problems = [(n, f'a line has {self.longest} characters at most')
+                         for n,row in enumerate(rows, 1) if len(row)>self.longest]
+        if self.problems: return
+        try:
+            self._read(rows)
+            self.values,self.problems = toml.loads(text),[]
+        except RecursionError: self.problems = self.problems or [(1, 'tables or lists are nested too deeply')]
+        except ValueError as e: self.problems = self.problems or [_placed(e, len(rows))]
 
     def line(self, *path)->int:
         "Return the line of a key, or of the table it should be in; 1 if there is none"
@@ -118,6 +122,8 @@ def _instead(name:str, names)->str:
     return f'did you mean {close[0]}?' if close else f'there {"is" if len(names)==1 else "are"} {", ".join(names)}'
 
 # %% ../../nbs/api/cli/02_config.ipynb #c0e00004
+_files = 'camera','folder','sign','rtsp_password_file'
+
 def option_value(name:str, # Option
                  kind, # Its type on the command line
                  value): # Value of a key
@@ -132,6 +138,10 @@ def option_value(name:str, # Option
         return _checked(name, kind, repr(value))
     if is_number and name in ('camera','guard'): value = str(value)
     if not isinstance(value, str): raise ValueError(f'{name} is a text in quotes, not {_named(value)}')
+    if not value.strip(): raise ValueError(f'{name} is empty: leave it out, or write a value')
+    if '\0' in value: raise ValueError(f'{name} has a zero byte')
+    if name in _files: value = os.path.expanduser(value)            # as a shell does on a command line
+    if name=='storage': value = ','.join(os.path.expanduser(place.strip()) for place in value.split(','))
     if (choices := get_args(kind)) and isinstance(choices[0], str):
         if value in choices: return value
         raise ValueError(f'{name} is one of {", ".join(choices)}, not {_named(value)}')
@@ -166,6 +176,7 @@ class Configuration:
     def wrong(self, text:str, *path)->ValueError:
         "Return the error to raise for a key; with its line if there is a file"
         if self.document is None: return ValueError(text)
+        text = re.sub('--([a-z-]+)', lambda m: m[1].replace('-', '_'), text)         # the key, not the option
         return ConfigError(self.file, [(self.document.line(*path), f'{_place(path)}{text}')])
 
 def _place(path:tuple)->str: return f'[{".".join(path[:2])}] ' if path[1:] and path[0] in ('cameras','gimbals') else ''
@@ -198,6 +209,7 @@ class _Reader:
 @patch
 def _no_key(self:_Reader, name, value, names, path)->str:
     own = [*self.names['camera'], *self.names['both']]
+    if path and name in self.names['vehicle']: return f'{name} is of the vehicle: write it above all tables'
     if path: return f'{name} is no key; {_instead(name, names)}'
     if isinstance(value, dict) and name in ('camera','gimbal'): return f'[{name}] is no table; write [{name}s.NAME]'
     if name in own: return f'{name} belongs in a table of its camera, [cameras.NAME]'
@@ -251,7 +263,8 @@ def read_config(file:str, # Name of a TOML file
 # %% ../../nbs/api/cli/02_config.ipynb #c0e00009
 def _text_of(file:str)->str:
     "Return what is in a file; raises `ConfigError` unless it's UTF-8, and `OSError`"
-    data = Path(file).read_bytes()
+    with open(file, 'rb') as stream: data = stream.read(2**22+1)        # 4 MiB: and not all of /dev/zero
+    if len(data)>2**22: raise ConfigError(file, [(1, 'a configuration has 4 MiB at most')])
     try: return data.decode('utf-8-sig')
     except UnicodeDecodeError as e:
         raise ConfigError(file, [(data.count(b'\n', 0, e.start)+1, 'this is no text in UTF-8')]) from None
@@ -270,7 +283,7 @@ def clashes(found:Configuration):
     yield from _numbered('gimbals', gimbals, gimbal_components)
     for name,gimbal in gimbals.items(): yield from _no_gimbal(name, gimbal, found.has)
     for name,camera in cameras.items(): yield from _no_camera(name, camera, gimbals, found.has)
-    for key in _unique: yield from _shared(key, cameras, found.vehicle)
+    for key in _unique: yield from _shared(key, found)
 
 # %% ../../nbs/api/cli/02_config.ipynb #c0e00011
 def _numbered(kind:str, tables:dict, allowed):
@@ -307,11 +320,12 @@ def _no_camera(name:str, camera, gimbals:dict, has):
     "Yield mistakes in a camera's table"
     at,source,device,gimbal = ('cameras',name),camera.camera,camera.device,camera.gimbal
     shown = camera.name or name
-    if not (shown.strip() and shown.isprintable() and len(shown.encode())<=31) or '/' in name:
+    if not (shown.strip() and shown.isprintable() and len(shown.encode())<=31) or '/' in name or name in ('.','..'):
         yield f'a name is a text of 1 to 31 bytes without a /, not {shown!r}',*at,'name'
     if gimbal and gimbal not in gimbals:
         hint = f'; {_instead(gimbal, [*gimbals])}' if gimbals else ''
-        yield f'there is no [gimbals.{gimbal}]{hint}',*at,'gimbal'
+        if gimbal=='sim' or '://' in gimbal: yield 'gimbal is the name of a table: write its device there',*at,'gimbal'
+        else: yield f'there is no [gimbals.{gimbal}]{hint}',*at,'gimbal'
     if device and (why := _no_device('device', device)): yield why,*at,'device'
     own = gimbal and (gimbal not in gimbals or gimbals[gimbal].device!='sim')       # it may have a camera of its own
     if not (own or has(*at, 'camera') or has(*at, 'device')):
@@ -321,21 +335,35 @@ def _no_camera(name:str, camera, gimbals:dict, has):
 def _no_source(text:str)->str|None:
     "Return what is wrong with a camera that is none, whatever is plugged in"
     is_device = text.isdigit() or text.startswith('/dev/')
-    if text in ('sim','dual') or is_device or ' ! ' in text or '://' in text or text.endswith('.toml'): return None
+    if text in ('sim','dual') or is_device or ' ! ' in text or '://' in text: return None
+    if text.endswith('.toml'):
+        from UAV.cameras.gst_pipeline import config_file
+        try: config_file(text)
+        except ValueError as e: return f'camera: {e}'
+        return None
     return None if os.path.isfile(text) else f'camera: there is no file {text!r}'
 
 # %% ../../nbs/api/cli/02_config.ipynb #c0f10043
-def _shared(key:str, cameras:dict, vehicle):
-    "Yield mistakes: values that only one camera may have"
-    taken = {}
-    for server in ('rtsp','webrtc') if key=='port' else ():
-        port = getattr(vehicle, server, None) or 0
-        if ('tcp',port) in taken: yield f'port {port} is that of {taken["tcp",port]}, too',server
-        elif port>0: taken['tcp',port] = server
-    for name,camera in cameras.items():
-        for value,shown,*last in _unique[key](name, camera):
-            if value in taken: yield f'{shown} is that of {taken[value]}, too','cameras',name,*last
-            else: taken[value] = f'[cameras.{name}]'
+def _shared(key:str, found:Configuration):
+    "Yield mistakes: values that only one camera, gimbal or server may have"
+    rows,taken = [],{}          # what has it, the value as text, the path of its key
+    if key=='port': rows += [(kind, one, kind) for kind in ('rtsp','webrtc') for one in _port_of(found, kind)]
+    if key=='source': rows += [(f'[gimbals.{name}]', one, 'gimbals', name, 'device')
+                               for name,gimbal in found.gimbals.items() for one in _device_of(gimbal)]
+    rows += [(f'[cameras.{name}]', one[:2], 'cameras', name, *one[2:])
+             for name,camera in found.cameras.items() for one in _unique[key](name, camera)]
+    for owner,(value,shown),*path in rows:
+        if value in taken: yield f'{shown} is that of {taken[value]}, too',*path
+        else: taken[value] = owner
+
+def _port_of(found:Configuration, kind:str)->list:
+    port = getattr(found.vehicle, kind, None)
+    return [(('tcp',port), f'port {port}')] if port is not None and port>0 else []
+
+def _device_of(one)->list:
+    device = one.device
+    good = device and device!='sim' and not _no_device('', device)
+    return [(device, f'device {device_url(device)}')] if good else []
 
 # %% ../../nbs/api/cli/02_config.ipynb #c0e00016
 def _names(name:str, camera):
@@ -357,9 +385,8 @@ def _sources(name:str, camera):
     source = str(camera.camera or '')
     if source.isdigit(): source = f'/dev/video{source}'
     if source.startswith('/dev/'): yield os.path.realpath(source),f'camera {camera.camera!r}','camera'
-    device = camera.device
-    if device and not _no_device('', device): yield device,f'device {device_url(device)}','device'
-    if camera.gimbal and not (source or device):
+    for one in _device_of(camera): yield *one,'device'
+    if camera.gimbal and not (source or camera.device):
         yield ('gimbal',camera.gimbal),f'the camera of gimbal {camera.gimbal!r}','gimbal'
 
 def _ports(name:str, camera):

@@ -16,6 +16,8 @@ from .payload import add_streams, Aboard, Payload, serving, _places, _signing_of
 from ..mavlink import mavlink
 from ..mavlink.camera_server import _checked_name
 from ..utils.values import known
+from ..wire.dialect import LinkError
+from ..wire.links import _check_name
 from argparse import ArgumentTypeError
 from typing import Literal
 
@@ -172,11 +174,12 @@ def _from_file(typed)->Configuration:
 def _mistakes(found:Configuration):
     "Yield `(sentence, *path)` of what only this room can check"
     v,sims = found.vehicle,[g for g in found.gimbals.values() if g.device=='sim']
-    trials = dict(connection=lambda: links(v.connection), guard=lambda: _signing_of(v),
+    trials = dict(connection=lambda: [_check_name(link) for link in links(v.connection)], guard=lambda: _signing_of(v),
                   rtsp_user=lambda: _viewer(v.rtsp_user, v.rtsp_password_file))
     for key,trial in trials.items():
         try: trial()
-        except (ValueError, OSError) as e: yield re.sub('--([a-z-]+)', lambda m: m[1].replace('-', '_'), sentence(e)),key
+        except (ValueError, OSError, LinkError) as e:
+            yield re.sub('--([a-z-]+)', lambda m: m[1].replace('-', '_'), sentence(e)),key
     if v.rtsp_user and v.rtsp<0: yield 'rtsp_user needs an RTSP server, and rtsp = -1 has none','rtsp_user'
     if v.path and not (v.autopilot or sims): yield 'path needs a gimbal with device = "sim", or autopilot','path'
     for name,one in found.cameras.items():

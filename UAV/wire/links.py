@@ -447,6 +447,8 @@ def _check_name(name):
     if name.startswith(tuple(_prefixes())): return
     if re.fullmatch(r'([\w.-]+|\[[\w.:%-]+\]):\d+', name):
         raise LinkError(f"{name!r} is no link: 'udpin:{name}' listens there, 'udpout:{name}' sends there")
+    if re.match(r'[A-Za-z]\w+:.', name):
+        raise LinkError(f'{name!r} is no link: links begin with {" ".join(_prefixes())} or name a serial port')
 
 # %% ../../nbs/api/wire/03_links.ipynb #c7ab480d
 _why_not = {errno.ENOENT:'it is not there; `python -m serial.tools.list_ports` lists those that are',
@@ -457,7 +459,6 @@ _why_not = {errno.ENOENT:'it is not there; `python -m serial.tools.list_ports` l
 def _serial_trouble(name:str, error:Exception)->str:
     "Why a serial port cannot be opened, in one sentence; `error` is pyserial's"
     kinds = ' '.join(_prefixes())
-    if re.match(r'[A-Za-z]\w+:.', name): return f'{name!r} is no link: links begin with {kinds} or name a serial port'
     text = str(error).replace('invalid literal for int() with base 10: ', 'no baud rate is ')
     why = _why_not.get(getattr(error, 'errno', None), text)
     others = '' if '/' in name else f' (other links begin with {kinds})'
