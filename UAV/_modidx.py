@@ -7049,6 +7049,7 @@ d = { 'settings': {'branch': 'main', 'doc_baseurl': '/', 'doc_host': '', 'git_ur
                                'UAV.video.klv.FrameMetadata.where': ('api/video/klv.html#framemetadata.where', 'UAV/video/klv.py'),
                                'UAV.video.klv.MetadataTrack': ('api/video/klv.html#metadatatrack', 'UAV/video/klv.py'),
                                'UAV.video.klv.MetadataTrack.__init__': ('api/video/klv.html#metadatatrack.__init__', 'UAV/video/klv.py'),
+                               'UAV.video.klv.MetadataTrack._aged': ('api/video/klv.html#metadatatrack._aged', 'UAV/video/klv.py'),
                                'UAV.video.klv.MetadataTrack.of': ('api/video/klv.html#metadatatrack.of', 'UAV/video/klv.py'),
                                'UAV.video.klv.MetadataTrack.put': ('api/video/klv.html#metadatatrack.put', 'UAV/video/klv.py'),
                                'UAV.video.klv._Number': ('api/video/klv.html#_number', 'UAV/video/klv.py'),

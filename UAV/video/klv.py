@@ -5,7 +5,7 @@
 # %% ../../nbs/api/video/01_klv.ipynb #6be726ec
 from __future__ import annotations
 from collections import deque
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 import math
 
@@ -343,5 +343,24 @@ class MetadataTrack:
             if age==0: break
         if best is None: return None,None
         age,exact,one = best
-        return one,one.time_utc+age/90_000*exact if known(one.time_utc) else None
+        taken = one.time_utc+age/90_000*exact if known(one.time_utc) else None
+        return self._aged(one, age/90_000) if exact and age else one,taken
 
+
+# %% ../../nbs/api/video/01_klv.ipynb #5b1e0a16
+@patch
+def _aged(self:MetadataTrack, one:FrameMetadata, seconds:float)->FrameMetadata:
+    "Return a set for a picture that was taken so much later: less accurate by the camera's motion meanwhile"
+    earlier = (other for *_,other in self._sets if other.time_utc<one.time_utc)
+    before = max(earlier, key=lambda metadata: metadata.time_utc, default=None)
+    apart = one.time_utc-before.time_utc if before else NAN
+    here,there = one.pose,before.pose if before else Pose()
+    if not apart<=1 or not (here.is_held and there.is_held): return one
+    way = math.hypot(*metres(there.lat, there.lon, here.lat, here.lon))
+    w,*axis = product(inverse(there.q), here.q)
+    turn = math.degrees(2*math.atan2(math.hypot(*axis), abs(w)))
+    position,height,attitude = one.accuracy.position,one.accuracy.height,one.accuracy.attitude
+    part = seconds/apart
+    aged = replace(one, accuracy=Accuracy(math.hypot(position, way*part), height, math.hypot(attitude, turn*part)))
+    vars(aged)['data'] = one.data               # who passes it on sends what came
+    return aged
