@@ -30,7 +30,8 @@ CORES = sorted(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else
 LONG = '''panel_in_jupyterlab panel_in_a_browser panel_settings panel_under_siege devices_conformance camera_conformance
     programs 01_plugin hostile_bytes 03_camera examples 04_gimbal 06_check 16_check_a_camera
     watch_in_qgroundcontrol_vlc_ffplay 07_files run_on_a_companion_computer 05_gui 02_serve hostile_files
-    killed_while_capturing stray_acks 11_survey_by_distance serial_and_mavproxy'''.split()      # they need longest
+    killed_while_capturing stray_acks 11_survey_by_distance serial_and_mavproxy 02_payload several_cameras_on_one_vehicle
+    03_receivers panel_map watch_in_a_browser'''.split()      # they need longest
 PASSED,FAILED = 60,61           # what `child` ends with; a notebook that ends its process itself, with 0 perhaps, has not passed
 GROUP,FLAGS,SEED = '',[],0      # from the command line: '', --rest or --all; cells to run; a seed of `None` is the real clock
 NETWORK = False                 # each notebook can have a network of its own
