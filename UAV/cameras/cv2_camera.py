@@ -232,7 +232,7 @@ def _passes_over(self:CV2Camera)->bool:
     if self.lockstep or clock.monotonic()-self._last_request<=self._decode_for: return False
     self._newer_waits = True                            # than the newest that was decoded
     began = clock.monotonic()
-    if not self._capture.grab() or self._timed_out(began): return False         # it has ended: the reader opens it again
+    if not self._capture.grab() or self._timed_out(began): return False         # ended: the reader opens it again
     self._note_frame()
     if self.fault: self.set_fault(None)
     return True

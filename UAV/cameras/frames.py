@@ -151,7 +151,7 @@ class Filming:
     "The streams and the recording of a camera"
     segment = 60.           # s of a recording in one file
     first = 3.              # s that a stop waits for the first picture
-    def __init__(self, camera): # Its `frames`, `storages`, `announce`, `record_as`, `make_encoder` and `frame_metadata` are used
+    def __init__(self, camera): # Uses `frames`, `storages`, `announce`, `record_as`, `make_encoder`, `frame_metadata` of it
         self.camera,self.streams = camera,_Streams()
         self.encoders = {}                      # by the format that was requested
         self.recorder = self.storage = None     # while there is a recording

@@ -123,7 +123,8 @@ def platform(self:SimCamera, time_utc:float|None=None, # s since 1970; `None`: n
             )->tuple|None:
     "Return roll, pitch and heading of the vehicle, degrees; `None`: there's none. A gimbal without one hangs level"
     if self.mount is None: return None
-    vehicle = next((v for v in (getattr(self.mount, name, None) for name in ('mount','vehicle')) if v is not None), None)
+    above = (getattr(self.mount, name, None) for name in ('mount','vehicle'))
+    vehicle = next((one for one in above if one is not None), None)
     age = 0. if time_utc is None else self.clock()-time_utc
     state = vehicle.state(vehicle.clock()-age) if hasattr(vehicle, 'path') else vehicle
     return (0.,0.,0.) if state is None else (state.roll, state.pitch, state.yaw)

@@ -334,5 +334,6 @@ def search_topotek(seconds:float=3., # It waits so long for an answer
     place = f'topotek://{host}'+(f':{port}' if port!=9003 else '')
     def read(data):
         versions = [data.decode('ascii', 'replace') for _,what,data in TopotekReader().feed(data) if what=='VSN']
-        return Found('Topotek', dict(device=place), (f'camera and gimbal, version {versions[0]}',)) if versions else None
+        if not versions: return None
+        return Found('Topotek', dict(device=place), (f'camera and gimbal, version {versions[0]}',))
     return search_by_udp('Topotek', host, port, topotek_frame('D', 'VSN', '00', control='r'), read, seconds)

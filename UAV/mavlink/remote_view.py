@@ -25,7 +25,7 @@ from ..wire.dialect import address
 
 
 # %% auto #0
-__all__ = ['FieldOfView', 'fov_of', 'View', 'RemoteViews', 'views_of']
+__all__ = ['FieldOfView', 'fov_of', 'RemoteView', 'RemoteViews', 'views_of']
 
 # %% ../../nbs/api/mavlink/10_remote_view.ipynb #ad3cf4ef
 @dataclass(frozen=True, repr=False, eq=False)
@@ -52,7 +52,7 @@ def fov_of(msg, # A CAMERA_FOV_STATUS
     return FieldOfView(Pose(*place('camera'), NAN, *euler(msg.q)), msg.hfov, msg.vfov, place('image'))
 
 # %% ../../nbs/api/mavlink/10_remote_view.ipynb #3f9a1011
-class View:
+class RemoteView:
     "Where a watched camera is and how it's held, from its messages of the last seconds"
     rate,lasts = 5.,3.          # CAMERA_FOV_STATUS a second to request; s that one counts
     delay,doubt = .05,.05       # s from a picture to its arrival, and its standard deviation
@@ -73,7 +73,7 @@ class View:
         return self._clocks.setdefault(address(msg), SenderClock()).ours(msg.time_boot_ms/1e3, now)
 
 # %% ../../nbs/api/mavlink/10_remote_view.ipynb #3f9a1012
-def _from_fov(view:View, msg, t:float):
+def _from_fov(view:RemoteView, msg, t:float):
     "Store a CAMERA_FOV_STATUS"
     seen = fov_of(msg)
     view._said,view._tries,view.fov = clock.monotonic(),0,(seen.hfov,seen.vfov)
@@ -93,7 +93,7 @@ def _velocity(places, t:float, place:Pose)->tuple:
 
 
 # %% ../../nbs/api/mavlink/10_remote_view.ipynb #3f9a1013
-def _from_position(view:View, msg, t:float):
+def _from_position(view:RemoteView, msg, t:float):
     "Store a GLOBAL_POSITION_INT: the ground, and the place if the camera doesn't send its own"
     fields = _readers[POSITION](msg)
     if not fields: return
@@ -101,12 +101,12 @@ def _from_position(view:View, msg, t:float):
     if not view.speaks or not known(view._ground): view._ground = fields['alt']-fields['relative_alt']
     if not (view.speaks and view._has_place): view._places.add(t, (Pose(**fields), velocity))
 
-def _from_attitude(view:View, msg, t:float):
+def _from_attitude(view:RemoteView, msg, t:float):
     "Store an ATTITUDE"
     fields = _readers[ATTITUDE](msg)
     view._vehicle.add(t, quaternion(fields['roll'], fields['pitch'], fields['yaw']))
 
-def _from_gimbal(view:View, msg, t:float):
+def _from_gimbal(view:RemoteView, msg, t:float):
     "Store a GIMBAL_DEVICE_ATTITUDE_STATUS of the camera's gimbal"
     if view.speaks and view._has_look: return
     if not view.gimbal or (msg.gimbal_device_id or address(msg)[1])!=view.gimbal: return
@@ -118,12 +118,12 @@ _takers = {CAMERA_FOV_STATUS:_from_fov, POSITION:_from_position, ATTITUDE:_from_
 
 # %% ../../nbs/api/mavlink/10_remote_view.ipynb #3f9a1014
 @patch(as_prop=True)
-def speaks(self:View)->bool:
+def speaks(self:RemoteView)->bool:
     "True if the camera sends CAMERA_FOV_STATUS"
     return clock.monotonic()-self._said<self.lasts
 
 @patch
-def take(self:View, msg):
+def take(self:RemoteView, msg):
     "Store a message of the camera's system; raises `ValueError` for impossible fields"
     system,component = address(msg)
     if system!=self.camera[0] or msg.get_msgId()==CAMERA_FOV_STATUS and component!=self.camera[1]: return
@@ -145,7 +145,7 @@ def _turned(a:tuple, b:tuple)->float:
     return math.degrees(2*math.atan2(math.hypot(*axis), abs(w)))
 
 @patch
-def accuracy(self:View, t:float)->Accuracy:
+def accuracy(self:RemoteView, t:float)->Accuracy:
     "Return how far place and attitude may be off at a time, monotonic s"
     _,last = self._looks.near(t)
     late = max(0., t-last[0]) if last else 0.           # s without a report
@@ -158,7 +158,7 @@ def accuracy(self:View, t:float)->Accuracy:
 
 # %% ../../nbs/api/mavlink/10_remote_view.ipynb #3f9a1017
 @patch
-def at(self:View, t:float, # Monotonic s
+def at(self:RemoteView, t:float, # Monotonic s
        time_utc:float=NAN, # The same, s since 1970, for the metadata
        size:tuple=(0,0), # Of the picture, px, if only its width is known in degrees
       )->FrameMetadata|None:
@@ -177,14 +177,14 @@ def at(self:View, t:float, # Monotonic s
 
 # %% ../../nbs/api/mavlink/10_remote_view.ipynb #3f9a1019
 @patch
-def __call__(self:View, frame)->FrameMetadata|None: # A `Decoded`
+def __call__(self:RemoteView, frame)->FrameMetadata|None: # A `Decoded`
     "Return what is known of a frame that has just come; requests what it needs, and doesn't wait for it"
     self._used = now = clock.monotonic()
     if not self.speaks and self._tries<self.tries and now-self._asked>self.pause: self._ask(1e6/self.rate)
     return self.at(frame.time-self.delay, frame.time_utc, frame.size)
 
 @patch
-def _ask(self:View, interval:float):
+def _ask(self:RemoteView, interval:float):
     "Request CAMERA_FOV_STATUS each `interval` µs, or no more (-1)"
     us = self.part.component
     self._asked,self._tries = (clock.monotonic(),self._tries+1) if interval>0 else (-math.inf,0)
@@ -192,13 +192,13 @@ def _ask(self:View, interval:float):
                                                CAMERA_FOV_STATUS, interval, *[0]*5))
 
 @patch
-def close(self:View):
+def close(self:RemoteView):
     "Request nothing any more; may be called twice"
     self.part.views.discard(self)
     self.rest()
 
 @patch
-def rest(self:View):
+def rest(self:RemoteView):
     "End the stream, until the next call"
     if self._asked>-math.inf: self._ask(-1)
 
@@ -212,10 +212,10 @@ class RemoteViews(Part):
 
     def view(self, camera, # The `RemoteCamera`
              hfov:float=NAN, # Of the stream, degrees
-            )->View:
+            )->RemoteView:
         "Return a new view"
         gimbal = getattr(camera.information, 'gimbal_device_id', 0) if camera.information else 0
-        self.views.add(made := View(self, camera.address, hfov, gimbal))
+        self.views.add(made := RemoteView(self, camera.address, hfov, gimbal))
         return made
 
     @receives(CAMERA_FOV_STATUS, when=lambda us: us.views)
